@@ -1,0 +1,7 @@
+#pragma once
+
+/// The whole library. Each header can be included alone.
+
+#include <halfedge/build/build.h>
+#include <halfedge/mesh.h>
+#include <halfedge/result.h>

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/connectivity.h>
+
+#include <cassert>
+#include <cstddef>
+#include <span>
+
+namespace halfedge {
+
+/// A point or a vector of three floats.
+struct Point {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// A connectivity whose vertices have positions: three floats for each vertex slot, xyz
+/// interleaved.
+class Mesh : public Connectivity {
+ public:
+  [[nodiscard]] Point position(Vertex v) const {
+    const float* p = &positions_[3 * std::size_t{v.index()}];
+    return {p[0], p[1], p[2]};
+  }
+  void set_position(Vertex v, Point p) {
+    float* stored = &positions_[3 * std::size_t{v.index()}];
+    stored[0] = p.x;
+    stored[1] = p.y;
+    stored[2] = p.z;
+  }
+
+  /// 3 * vertex_slots() floats.
+  [[nodiscard]] std::span<const float> positions() const { return positions_.span(); }
+  [[nodiscard]] Array<float>& mutable_positions() { return positions_; }
+
+  /// An isolated vertex at `p`; empty when memory is exhausted.
+  [[nodiscard]] Vertex add_vertex(Point p) {
+    const std::size_t slots = vertex_slots() + (free_vertices().count == 0 ? 1 : 0);
+    if (3 * slots > positions_.capacity() && !positions_.reserve(4 * slots + 48)) return {};
+    const Vertex v = Connectivity::new_vertex();
+    if (!v.valid()) return {};
+    (void)positions_.resize(3 * slots);  // reserved above
+    set_position(v, p);
+    return v;
+  }
+
+  /// As Connectivity's, at the origin.
+  [[nodiscard]] Vertex new_vertex() { return add_vertex({}); }
+
+  [[nodiscard]] bool reserve(Index vertices, Index edges, Index faces) {
+    return positions_.reserve(3 * std::size_t{vertices}) &&
+           Connectivity::reserve(vertices, edges, faces);
+  }
+  void clear() {
+    positions_.clear();
+    Connectivity::clear();
+  }
+  /// Becomes a copy of `other`. False when memory is exhausted; then it is empty.
+  [[nodiscard]] bool assign(const Mesh& other) {
+    if (this == &other) return true;
+    if (positions_.assign(other.positions_.span()) && Connectivity::assign(other)) return true;
+    clear();
+    return false;
+  }
+
+ private:
+  Array<float> positions_;
+};
+
+}  // namespace halfedge
