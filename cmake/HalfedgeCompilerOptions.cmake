@@ -1,0 +1,27 @@
+# Compiler options of our own targets. Nothing here reaches those who link the library.
+
+# Warnings for `target`; errors with HALFEDGE_WERROR.
+function(halfedge_set_warnings target)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 $<$<BOOL:${HALFEDGE_WERROR}>:/WX>)
+  else()
+    target_compile_options(${target} PRIVATE
+      -Wall -Wextra -Wconversion $<$<BOOL:${HALFEDGE_WERROR}>:-Werror>)
+  endif()
+endfunction()
+
+# The core and the bindings are compiled without exceptions; tests and benchmarks are not.
+function(halfedge_forbid_exceptions target)
+  if(MSVC)
+    target_compile_definitions(${target} PRIVATE _HAS_EXCEPTIONS=0)
+  else()
+    target_compile_options(${target} PRIVATE -fno-exceptions)
+  endif()
+endfunction()
+
+# Sanitizers go on every target of the build, the C++ library's containers included.
+if(HALFEDGE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()

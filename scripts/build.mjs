@@ -1,0 +1,100 @@
+// `npm run build`: makes dist/, the package. `build.mjs wasm` and `build.mjs web` make one part.
+
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+import { argv } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { emscriptenToolchain } from './lib/emscripten.mjs';
+import { asProgram, Failure, root, run } from './lib/run.mjs';
+
+const dist = join(root, 'dist');
+const sources = join(root, 'web/src');
+
+/** Configures a CMake preset where that is due, and builds it (or only `targets` of it). */
+export async function buildPreset(preset, { options = [], targets = [] } = {}) {
+  await run('cmake', ['--preset', preset, '--log-level=WARNING', ...options]);
+  const names = targets.flatMap((target) => ['--target', target]);
+  await run('cmake', ['--build', '--preset', preset, ...names]);
+}
+
+/** Compiles the core to WebAssembly and puts core.mjs (minified) and core.wasm into dist/. */
+export async function buildWasm() {
+  const toolchain = emscriptenToolchain();
+  if (!toolchain) throw new Failure('There is no Emscripten here: `npm run setup` installs it.');
+  forgetOtherToolchain(toolchain);
+  await buildPreset('wasm', { options: [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`] });
+
+  const { transform } = await import('esbuild');
+  const built = join(root, 'build/wasm/wasm');
+  const glue = readFileSync(join(built, 'core.mjs'), 'utf8');
+  const { code } = await transform(glue, { minify: true, format: 'esm', target: 'es2022' });
+  mkdirSync(dist, { recursive: true });
+  writeFileSync(join(dist, 'core.mjs'), code);
+  copyFileSync(join(built, 'core.wasm'), join(dist, 'core.wasm'));
+}
+
+/** A build folder keeps the compiler it was made with: start afresh when Emscripten has changed. */
+function forgetOtherToolchain(toolchain) {
+  const folder = join(root, 'build/wasm');
+  const cache = join(folder, 'CMakeCache.txt');
+  if (!existsSync(cache)) return;
+  const used = /^CMAKE_TOOLCHAIN_FILE:\w+=(.*)$/m.exec(readFileSync(cache, 'utf8'))?.[1];
+  if (used !== toolchain) rmSync(folder, { recursive: true });
+}
+
+/** Compiles the TypeScript package into dist/, beside the WebAssembly module. */
+export async function buildWeb() {
+  removeStale();
+  await run(process.execPath, ['node_modules/typescript/bin/tsc', '-p', 'tsconfig.build.json']);
+  // The hand-written types of the glue: tsc reads them, but does not copy them.
+  for (const path of filesBelow(sources).filter((name) => name.endsWith('.d.mts'))) {
+    const target = join(dist, relative(sources, path));
+    mkdirSync(dirname(target), { recursive: true });
+    copyFileSync(path, target);
+  }
+  embedModule();
+}
+
+/** dist/core-base64.js, from which `halfedge/inline` takes the module without a request. */
+function embedModule() {
+  const wasm = join(dist, 'core.wasm');
+  if (!existsSync(wasm))
+    throw new Failure('dist/core.wasm is missing: `npm run build:wasm` first.');
+  const text = readFileSync(wasm).toString('base64');
+  writeFileSync(join(dist, 'core-base64.js'), `export const coreBase64 =\n  '${text}';\n`);
+}
+
+/** Removes what an earlier build left in dist/, so that no file of a deleted source is shipped. */
+function removeStale() {
+  if (!existsSync(dist)) return;
+  const kept = new Set(['core.mjs', 'core.wasm']);
+  for (const name of readdirSync(dist)) {
+    if (!kept.has(name)) rmSync(join(dist, name), { recursive: true });
+  }
+}
+
+function filesBelow(folder) {
+  return readdirSync(folder, { recursive: true })
+    .map((name) => join(folder, name))
+    .filter((path) => statSync(path).isFile());
+}
+
+/** The whole package. */
+export async function build() {
+  await buildWasm();
+  await buildWeb();
+}
+
+if (argv[1] === fileURLToPath(import.meta.url)) {
+  const part = { wasm: buildWasm, web: buildWeb }[argv[2]] ?? build;
+  await asProgram(part);
+}
