@@ -1,0 +1,39 @@
+declare const kind: unique symbol;
+
+/** An index into the items of one kind. It is a plain number at run time. */
+type Index<Kind extends string> = number & { readonly [kind]: Kind };
+
+/** The index of a vertex, as the mesh hands it out. */
+export type Vertex = Index<'vertex'>;
+/** The index of a halfedge, as the mesh hands it out. `h ^ 1` is its opposite. */
+export type Halfedge = Index<'halfedge'>;
+/** The index of an edge, as the mesh hands it out. Its halfedges are `2 * e` and `2 * e + 1`. */
+export type Edge = Index<'edge'>;
+/** The index of a face, as the mesh hands it out. */
+export type Face = Index<'face'>;
+
+/**
+ * A vertex where one is asked for: one that the mesh handed out, or any plain number. A `Face` is
+ * neither, and does not compile.
+ */
+export type VertexLike = Vertex | PlainNumber;
+/** A halfedge where one is asked for; as {@link VertexLike}. */
+export type HalfedgeLike = Halfedge | PlainNumber;
+/** An edge where one is asked for; as {@link VertexLike}. */
+export type EdgeLike = Edge | PlainNumber;
+/** A face where one is asked for; as {@link VertexLike}. */
+export type FaceLike = Face | PlainNumber;
+
+/** A number without a brand. */
+export type PlainNumber = number & { readonly [kind]?: never };
+
+/** The empty link, "no such item": -1. A boundary halfedge has the face `NONE`. */
+export const NONE = -1;
+
+/**
+ * Which way round: counter-clockwise or clockwise, as seen from the side from which faces are
+ * counter-clockwise.
+ */
+export type Direction = 'ccw' | 'cw';
+/** What a mesh is made of. */
+export type ItemKind = 'vertex' | 'halfedge' | 'edge' | 'face';

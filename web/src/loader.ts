@@ -1,0 +1,81 @@
+import createCore, { type RawCore } from './core.mjs';
+import { HalfedgeError } from './errors.js';
+
+/** The functions of the WebAssembly module, and its memory. */
+export interface Core extends RawCore {
+  readonly memory: WebAssembly.Memory;
+}
+
+let loaded: Core | undefined;
+let loading: Promise<void> | undefined;
+
+/** The loaded module. Throws if there is none yet. */
+export function core(): Core {
+  if (loaded === undefined) {
+    throw new HalfedgeError(
+      'not-initialised',
+      'The WebAssembly module is not loaded yet: call `await init()` once, before any mesh is made.',
+    );
+  }
+  return loaded;
+}
+
+/** Loads the module that `compile` makes, unless one is loaded or being loaded. A failure is not kept. */
+export function load(compile: () => Promise<WebAssembly.Module>): Promise<void> {
+  if (loaded !== undefined) return Promise.resolve();
+  loading ??= compile()
+    .then(instantiate)
+    .then((core) => {
+      loaded = core;
+    })
+    .finally(() => {
+      loading = undefined;
+    });
+  return loading;
+}
+
+/**
+ * The glue gets an instance made here. It would never settle if its `instantiateWasm` threw, so
+ * that nothing may escape from there but through `reject`.
+ */
+function instantiate(module: WebAssembly.Module): Promise<Core> {
+  return new Promise<Core>((resolve, reject) => {
+    const fail = (cause: unknown) =>
+      reject(
+        new HalfedgeError(
+          'init-failed',
+          `The WebAssembly module can't be started: ${messageOf(cause)}. Does core.wasm belong to this version of the package?`,
+          { cause },
+        ),
+      );
+    let memory: WebAssembly.Memory | undefined;
+    createCore({
+      instantiateWasm(imports, receive) {
+        WebAssembly.instantiate(module, imports)
+          .then((instance) => {
+            memory = memoryOf(instance);
+            receive(instance);
+          })
+          .catch(fail);
+        return {};
+      },
+    }).then((raw) => {
+      if (memory === undefined) fail('it exports no memory');
+      else resolve(Object.assign(raw, { memory }));
+    }, fail);
+  });
+}
+
+/** Found by its type: optimised builds shorten the names of exports. */
+function memoryOf(instance: WebAssembly.Instance): WebAssembly.Memory | undefined {
+  for (const value of Object.values(instance.exports)) {
+    if (value instanceof WebAssembly.Memory) return value;
+  }
+  return undefined;
+}
+
+/** The message of whatever was thrown, without a full stop. */
+export function messageOf(cause: unknown): string {
+  const text = cause instanceof Error ? cause.message : String(cause);
+  return text.replace(/\.\s*$/, '');
+}
