@@ -11,7 +11,6 @@ using FreeList = Connectivity::FreeList;
 constexpr Index encode(Index next_free) {
   return next_free == kNone ? kDeleted : kDeleted - 1 - next_free;
 }
-constexpr Index decode(Index link) { return link == kDeleted ? kNone : kDeleted - 1 - link; }
 
 void push(FreeList& list, Index slot, Index& link) {
   link = encode(list.head);
@@ -21,7 +20,7 @@ void push(FreeList& list, Index slot, Index& link) {
 
 Index pop(FreeList& list, const Array<Index>& links, Index stride) {
   const Index slot = list.head;
-  list.head = decode(links[std::size_t{slot} * stride]);
+  list.head = next_free_slot(links[std::size_t{slot} * stride]);
   --list.count;
   return slot;
 }

@@ -37,7 +37,12 @@ inline constexpr Index kDeleted = 0xFFFF'FFFE;
 
 /// Whether a link belongs to a deleted slot.
 [[nodiscard]] constexpr bool is_deleted_link(Index link) {
-  return link > kMaxSlots && link != kNone;
+  return link > 0x7FFF'FFFF && link != kNone;
+}
+
+/// The free slot after one whose link is `link`, or kNone at the end of the chain.
+[[nodiscard]] constexpr Index next_free_slot(Index link) {
+  return link == kDeleted ? kNone : kDeleted - 1 - link;
 }
 
 /// Vertices, halfedges, edges and faces, and how they are joined; no geometry. Invariants (the

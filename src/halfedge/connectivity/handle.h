@@ -13,8 +13,9 @@ using Index = std::uint32_t;
 /// The empty link: "no face", "no halfedge". Reads as -1 in the Int32Array views of JavaScript.
 inline constexpr Index kNone = 0xFFFF'FFFF;
 
-/// Slots above this cannot be addressed: the sign bit marks empty and deleted links.
-inline constexpr Index kMaxSlots = 0x7FFF'FFFF;
+/// The most slots of one kind. More cannot be addressed: the sign bit marks empty and deleted links,
+/// and a free list needs two values more than there are slots.
+inline constexpr Index kMaxSlots = 0x7FFF'FFFE;
 
 /// A 32-bit index that knows what it points at: a Vertex does not compare with a Face, and neither
 /// converts silently from or to a number. A default-constructed handle is empty.
@@ -41,6 +42,11 @@ using Face = Handle<struct FaceTag>;
 
 /// The four kinds of item, for reports and witnesses.
 enum class ItemKind : std::uint8_t { kVertex, kHalfedge, kEdge, kFace, kMesh };
+
+[[nodiscard]] constexpr ItemKind kind_of(Vertex) { return ItemKind::kVertex; }
+[[nodiscard]] constexpr ItemKind kind_of(Halfedge) { return ItemKind::kHalfedge; }
+[[nodiscard]] constexpr ItemKind kind_of(Edge) { return ItemKind::kEdge; }
+[[nodiscard]] constexpr ItemKind kind_of(Face) { return ItemKind::kFace; }
 
 /// The lower-case English name of a kind: "vertex", "halfedge", "edge", "face", "mesh".
 [[nodiscard]] constexpr const char* name_of(ItemKind kind) {
