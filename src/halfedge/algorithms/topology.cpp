@@ -1,0 +1,173 @@
+#include <halfedge/algorithms/topology.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace halfedge {
+
+namespace {
+
+Error out_of_memory(const char* what) {
+  return {"out-of-memory", std::string("memory is exhausted: no room for ") + what};
+}
+
+Error corrupt(const char* link, ItemKind kind, Index index) {
+  return {"corrupt-mesh", "the " + std::string(link) + " of " + name_of(kind) + " " +
+                              std::to_string(index) +
+                              " breaks the invariants of a mesh: validate names what is wrong"};
+}
+
+// Whether the arrays are as long as their indices need; the rest is checked where it is read.
+Result<void> check_sizes(const Connectivity& mesh) {
+  const Links& links = mesh.links();
+  const std::size_t size = links.next.size();
+  if (size % 2 == 0 && links.prev.size() == size && links.to_vertex.size() == size &&
+      links.face.size() == size) {
+    return {};
+  }
+  return Error{"corrupt-mesh", "the halfedge arrays differ in length: validate names them"};
+}
+
+// Sets of vertices, each named by its smallest. Path halving keeps the trees flat.
+Index find_root(Array<Index>& parent, Index v) {
+  while (parent[v] != v) {
+    parent[v] = parent[parent[v]];
+    v = parent[v];
+  }
+  return v;
+}
+
+void unite(Array<Index>& parent, Index a, Index b) {
+  a = find_root(parent, a);
+  b = find_root(parent, b);
+  if (a < b) {
+    parent[b] = a;
+  } else {
+    parent[a] = b;
+  }
+}
+
+// Unites the ends of all edges; then replaces each vertex of `of_vertex` by its component.
+Result<void> label_vertices(const Connectivity& mesh, Components& components) {
+  Array<Index>& label = components.of_vertex;
+  if (!label.resize(mesh.vertex_slots())) return out_of_memory("the components of vertices");
+  for (Index v = 0; v < label.size(); ++v) {
+    const Index anchor = mesh.links().vertex_halfedge[v];
+    label[v] = anchor == kNone || is_deleted_link(anchor) ? kNone : v;
+  }
+  for (const Edge e : mesh.edges()) {
+    const Index a = mesh.to_vertex(mesh.edge_halfedge(e, 0)).index();
+    const Index b = mesh.to_vertex(mesh.edge_halfedge(e, 1)).index();
+    if (a >= label.size() || b >= label.size() || label[a] == kNone || label[b] == kNone) {
+      return corrupt("to-vertex", ItemKind::kEdge, e.index());
+    }
+    unite(label, a, b);
+  }
+  // A parent is smaller than its children, so its component is known before theirs.
+  for (Index v = 0; v < label.size(); ++v) {
+    if (label[v] == kNone) continue;
+    if (label[v] != v) {
+      label[v] = label[label[v]];
+    } else {
+      label[v] = Index(components.list.size());
+      if (!components.list.push_back({})) return out_of_memory("the list of components");
+    }
+    ++components.list[label[v]].vertices;
+  }
+  return {};
+}
+
+Result<void> label_faces(const Connectivity& mesh, Components& components) {
+  Array<Index>& label = components.of_face;
+  if (!label.resize(mesh.face_slots(), kNone)) return out_of_memory("the components of faces");
+  for (const Face f : mesh.faces()) {
+    const Halfedge h = mesh.face_halfedge(f);
+    if (!mesh.is_live(mesh.edge(h))) return corrupt("halfedge", ItemKind::kFace, f.index());
+    const Index component = components.of_vertex[mesh.to_vertex(h).index()];
+    label[f.index()] = component;
+    ++components.list[component].faces;
+  }
+  return {};
+}
+
+bool all_faces_have(const Connectivity& mesh, int degree) {
+  if (!check_sizes(mesh)) return false;
+  for (const Face f : mesh.faces()) {
+    const Halfedge first = mesh.face_halfedge(f);
+    Halfedge h = first;
+    for (int corner = 0; corner < degree; ++corner) {
+      if (corner > 0 && h == first) return false;
+      if (h.index() >= mesh.halfedge_slots()) return false;
+      h = mesh.next(h);
+    }
+    if (h != first) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::int64_t euler_characteristic(const Connectivity& mesh) {
+  return std::int64_t{mesh.vertex_count()} - mesh.edge_count() + mesh.face_count();
+}
+
+Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh) {
+  if (Result<void> sizes = check_sizes(mesh); !sizes) return sizes.error();
+  const Links& links = mesh.links();
+  Array<Halfedge> loops;
+  Array<bool> seen;  // stays empty if the mesh is closed
+  for (Index h = 0; h < links.face.size(); ++h) {
+    if (links.face[h] != kNone) continue;
+    if (seen.empty() && !seen.resize(links.face.size(), false)) {
+      return out_of_memory("the marks of boundary halfedges");
+    }
+    if (seen[h]) continue;
+    if (!loops.push_back(Halfedge(h))) return out_of_memory("the list of boundary loops");
+    Index at = h;
+    while (!seen[at]) {
+      seen[at] = true;
+      const Index next = links.next[at];
+      if (next >= links.face.size() || links.face[next] != kNone) {
+        return corrupt("next", ItemKind::kHalfedge, at);
+      }
+      at = next;
+    }
+    if (at != h) return corrupt("prev", ItemKind::kHalfedge, at);
+  }
+  return loops;
+}
+
+Result<Components> connected_components(const Connectivity& mesh) {
+  Result<Array<Halfedge>> loops = boundary_loops(mesh);
+  if (!loops) return loops.error();
+  Components components;
+  if (Result<void> done = label_vertices(mesh, components); !done) return done.error();
+  if (Result<void> done = label_faces(mesh, components); !done) return done.error();
+  const auto component_of = [&](Halfedge h) -> Component& {
+    return components.list[components.of_vertex[mesh.to_vertex(h).index()]];
+  };
+  for (const Edge e : mesh.edges()) ++component_of(mesh.edge_halfedge(e)).edges;
+  for (const Halfedge h : loops.value()) {
+    if (mesh.is_live(mesh.edge(h))) ++component_of(h).boundary_loops;
+  }
+  return components;
+}
+
+Result<std::int64_t> genus(const Connectivity& mesh) {
+  Result<Components> components = connected_components(mesh);
+  if (!components) return components.error();
+  std::int64_t sum = 0;
+  for (const Component& component : components.value().list) sum += component.genus();
+  return sum;
+}
+
+bool is_closed(const Connectivity& mesh) {
+  const Array<Index>& face = mesh.links().face;
+  return std::find(face.begin(), face.end(), kNone) == face.end();
+}
+
+bool is_triangle_mesh(const Connectivity& mesh) { return all_faces_have(mesh, 3); }
+bool is_quad_mesh(const Connectivity& mesh) { return all_faces_have(mesh, 4); }
+
+}  // namespace halfedge

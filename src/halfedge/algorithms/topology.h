@@ -1,0 +1,62 @@
+#pragma once
+
+#include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/connectivity.h>
+#include <halfedge/result.h>
+
+#include <cstdint>
+
+/// Numbers that don't change when a mesh is bent.
+///
+/// These functions check what they follow: on a mesh that breaks its invariants they return an
+/// error with the code corrupt-mesh (or false), they don't hang or read out of bounds. Those that
+/// need memory return an error with the code out-of-memory when there is none.
+namespace halfedge {
+
+/// V - E + F over all live items. An isolated vertex counts as a vertex.
+[[nodiscard]] std::int64_t euler_characteristic(const Connectivity& mesh);
+
+/// One halfedge of each boundary loop: its smallest; in index order. cost: O(halfedges)
+[[nodiscard]] Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh);
+
+/// What one connected component is made of.
+struct Component {
+  Index vertices = 0;
+  Index edges = 0;
+  Index faces = 0;
+  Index boundary_loops = 0;
+
+  [[nodiscard]] std::int64_t euler_characteristic() const {
+    return std::int64_t{vertices} - edges + faces;
+  }
+  /// The number of handles: V - E + F = 2 - 2 genus - boundary loops. 0 for a disk, an annulus and
+  /// a sphere, 1 for a torus, punctured or not.
+  [[nodiscard]] std::int64_t genus() const {
+    return (2 - euler_characteristic() - boundary_loops) / 2;
+  }
+};
+
+/// The connected components, numbered by their smallest vertex.
+struct Components {
+  Array<Component> list;
+  /// By vertex slot and by face slot: the component; kNone for what is deleted and for isolated
+  /// vertices, which belong to no surface.
+  Array<Index> of_vertex;
+  Array<Index> of_face;
+};
+
+/// Faces and edges are connected where they share a vertex, so that the fans of a pinched vertex
+/// lie in one component. cost: O(slots), nearly
+[[nodiscard]] Result<Components> connected_components(const Connectivity& mesh);
+
+/// The sum of the genera of all components.
+[[nodiscard]] Result<std::int64_t> genus(const Connectivity& mesh);
+
+/// Whether no halfedge is a boundary halfedge. True of a mesh without edges.
+[[nodiscard]] bool is_closed(const Connectivity& mesh);
+
+/// Whether all faces have three, or four, corners. True of a mesh without faces.
+[[nodiscard]] bool is_triangle_mesh(const Connectivity& mesh);
+[[nodiscard]] bool is_quad_mesh(const Connectivity& mesh);
+
+}  // namespace halfedge
