@@ -3,5 +3,6 @@
 /// The whole library. Each header can be included alone.
 
 #include <halfedge/build/build.h>
+#include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>

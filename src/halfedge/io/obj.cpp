@@ -1,0 +1,252 @@
+#include <halfedge/io/readers.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace halfedge {
+namespace io {
+namespace {
+
+enum class Statement : std::uint8_t { kVertex, kFace, kPoint, kLine, kFreeForm, kOther, kUnknown };
+
+/// Statements that carry nothing for a mesh, and need no note.
+constexpr std::array kOtherWords = std::to_array<std::string_view>(
+    {"vt",    "vn",     "vp",     "vc",     "g",      "o",          "s",         "mg",
+     "lod",   "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "bevel",
+     "call",  "csh",    "deg",    "bmat",   "step",   "cstype",     "parm",      "trim",
+     "hole",  "scrv",   "sp",     "end",    "con",    "c_interp",   "d_interp",  "ctech",
+     "stech", "bsp",    "bzp",    "cdc",    "cdp",    "res"});
+
+Statement statement_of(std::string_view word) {
+  if (word == "v") return Statement::kVertex;
+  if (word == "f" || word == "fo") return Statement::kFace;  // fo: before version 3.0
+  if (word == "l") return Statement::kLine;
+  if (word == "p") return Statement::kPoint;
+  if (word == "curv" || word == "curv2" || word == "surf") return Statement::kFreeForm;
+  const bool known = std::find(kOtherWords.begin(), kOtherWords.end(), word) != kOtherWords.end();
+  return known ? Statement::kOther : Statement::kUnknown;
+}
+
+class ObjReader {
+ public:
+  ObjReader(std::span<const std::uint8_t> bytes, FacePositions* wanted)
+      : text_(bytes), out_(wanted) {}
+
+  [[nodiscard]] std::optional<Error> read() {
+    for (; !text_.at_end(); text_.skip_line()) {
+      text_.skip_blanks();
+      if (text_.at_line_end()) continue;
+      if (!read_statement()) return error_;
+      if (out_.out_of_memory()) break;
+    }
+    if (std::optional<Error> error = check_size(out_)) return error;
+    if (!any_known_ && unknown_ != 0) {
+      text_.move_to(first_unknown_);
+      return unexpected(text_, "a statement of an OBJ file, such as v or f");
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] SoupWriter& out() { return out_; }
+  [[nodiscard]] std::vector<std::string> notes();
+
+ private:
+  [[nodiscard]] bool read_statement();
+  [[nodiscard]] bool read_vertex();
+  [[nodiscard]] bool read_face();
+  [[nodiscard]] bool read_corner();
+
+  [[nodiscard]] bool fail(Error error) {
+    error_ = std::move(error);
+    return false;
+  }
+
+  TextScanner text_;
+  SoupWriter out_;
+  Error error_;
+  std::size_t points_ = 0;
+  std::size_t lines_ = 0;
+  std::size_t free_form_ = 0;
+  std::size_t unknown_ = 0;
+  bool any_known_ = false;
+  const char* first_unknown_ = nullptr;
+};
+
+bool ObjReader::read_statement() {
+  const char* const start = text_.position();
+  const std::string_view word = text_.token();
+  const Statement statement = statement_of(word);
+  text_.move_to(start + word.size());
+  any_known_ |= statement != Statement::kUnknown;
+  switch (statement) {
+    case Statement::kVertex:
+      return read_vertex();
+    case Statement::kFace:
+      out_.begin_face(start);
+      return read_face();
+    case Statement::kPoint:
+      ++points_;
+      return true;
+    case Statement::kLine:
+      ++lines_;
+      return true;
+    case Statement::kFreeForm:
+      ++free_form_;
+      return true;
+    case Statement::kOther:
+      return true;
+    case Statement::kUnknown:
+      if (unknown_++ == 0) first_unknown_ = start;
+      return true;
+  }
+  return true;
+}
+
+bool ObjReader::read_vertex() {
+  std::array<float, 3> xyz;
+  for (std::size_t i = 0; i < 3; ++i) {
+    text_.skip_blanks();
+    if (text_.read_float(xyz[i])) continue;
+    return fail(unexpected(text_, std::string("a number for ") + "xyz"[i] + " of the vertex"));
+  }
+  out_.add_vertex(xyz[0], xyz[1], xyz[2]);
+  text_.skip_tokens();  // a weight, a colour
+  return true;
+}
+
+bool ObjReader::read_face() {
+  for (text_.skip_blanks(); !text_.at_line_end(); text_.skip_blanks()) {
+    if (!read_corner()) return false;
+  }
+  out_.end_face();
+  return true;
+}
+
+/// 3, 3/1, 3/1/2, 3//2, and the same with signs. What follows the vertex need only look right.
+bool ObjReader::read_corner() {
+  const char* const start = text_.position();
+  std::int64_t index = 0;
+  bool well_formed = text_.read_integer(index);
+  for (int i = 0; i < 2 && well_formed && text_.skip('/'); ++i) {
+    std::int64_t unused = 0;
+    (void)text_.read_integer(unused);  // may be empty
+  }
+  if (!well_formed || !text_.at_token_end()) {
+    text_.move_to(start);
+    return fail(unexpected(text_, "a vertex of the face, as 3, 3/1, 3/1/2 or 3//2"));
+  }
+
+  const auto vertices = static_cast<std::int64_t>(out_.vertex_count());
+  if (index > 0) {
+    // It may be declared further down: compared with the number of vertices at the end.
+    out_.add_corner(index <= kMaxSlots ? static_cast<Index>(index - 1) : kNone);
+    return true;
+  }
+  if (index < 0 && index >= -vertices) {
+    out_.add_corner(static_cast<Index>(vertices + index));
+    return true;
+  }
+  text_.move_to(start);
+  const std::string corner = "corner " + std::to_string(out_.corners_of_face()) + " of face " +
+                             std::to_string(out_.face_count()) + " is " + text_.found();
+  Error error = error_at(
+      text_, "index-out-of-range",
+      index == 0 ? corner + ", expected a vertex, counted from 1 or, negative, back from the last"
+                 : corner + ", counted back from the last of " + std::to_string(vertices) +
+                       " vertices so far");
+  error.witness.faces = {static_cast<Index>(out_.face_count())};
+  return fail(std::move(error));
+}
+
+std::vector<std::string> ObjReader::notes() {
+  std::vector<std::string> notes;
+  const auto add = [&notes](std::size_t count, const std::string& what) {
+    if (count == 0) return;
+    notes.push_back("ignored " + std::to_string(count) + " " + what +
+                    (count == 1 ? " statement" : " statements"));
+  };
+  add(points_, "point (p)");
+  add(lines_, "line (l)");
+  add(free_form_, "curve or surface (curv, curv2, surf)");
+  add(unknown_, "unknown");
+  if (unknown_ != 0) {
+    text_.move_to(first_unknown_);
+    notes.back() += ", the first in line " + std::to_string(text_.line()) + ": " + text_.found();
+  }
+  return notes;
+}
+
+/// pre: a corner is beyond the vertices.
+Error index_error(std::span<const std::uint8_t> bytes, const PolygonSoup& soup) {
+  const std::size_t vertices = soup.positions.size() / 3;
+  const auto bad =
+      static_cast<std::size_t>(std::find_if(soup.corners.begin(), soup.corners.end(),
+                                            [vertices](Index index) { return index >= vertices; }) -
+                               soup.corners.begin());
+  std::size_t face = 0;
+  std::size_t corner = bad;
+  if (soup.sizes.empty()) {
+    face = bad / 3;
+    corner = bad % 3;
+  } else {
+    while (corner >= soup.sizes[face]) corner -= soup.sizes[face++];
+  }
+
+  const Index wanted = static_cast<Index>(face);
+  FacePositions positions({&wanted, 1});
+  (void)read_obj(bytes, &positions);
+  TextScanner text(bytes);
+  text.move_to(positions.positions()[0]);
+  for (std::size_t i = 0; i <= corner; ++i) {  // past the keyword and the corners before
+    text.move_to(text.position() + text.token().size());
+    text.skip_blanks();
+  }
+  Error error =
+      error_at(text, "index-out-of-range",
+               "corner " + std::to_string(corner) + " of face " + std::to_string(face) + " is " +
+                   text.found() +
+                   (vertices == 0 ? ", but the file has no vertices"
+                                  : ", expected a vertex from 1 to " + std::to_string(vertices)));
+  error.witness.faces = {wanted};
+  return error;
+}
+
+}  // namespace
+
+Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, FacePositions* wanted) {
+  ObjReader reader(bytes, wanted);
+  if (std::optional<Error> error = reader.read()) return *std::move(error);
+  SoupWriter& out = reader.out();
+  const bool complete = out.corner_count() == 0 || out.largest_index() < out.vertex_count();
+  if (!complete && wanted == nullptr) return index_error(bytes, out.soup());
+  return ParsedFile{Format::kObj, std::move(out.soup()), reader.notes()};
+}
+
+bool looks_like_obj(TextScanner text) {
+  constexpr std::size_t kLooked = 1 << 16;
+  const char* const start = text.position();
+  for (; !text.at_end() && text.position() < start + kLooked; text.skip_line()) {
+    text.skip_blanks();
+    const std::string_view word = text.token();
+    if (word == "mtllib" || word == "usemtl") return true;
+    if (word != "v" && word != "vn" && word != "vt" && word != "f") continue;
+    text.move_to(text.position() + word.size());
+    text.skip_blanks();
+    std::int64_t index = 0;
+    float number = 0;
+    if (word == "f" ? text.read_integer(index) : text.read_float(number)) return true;
+  }
+  return false;
+}
+
+}  // namespace io
+
+Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes) {
+  return io::read_obj(bytes, nullptr);
+}
+
+}  // namespace halfedge

@@ -1,0 +1,122 @@
+#include <halfedge/io/parse.h>
+#include <halfedge/io/readers.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+namespace halfedge {
+namespace {
+
+/// Formats that are recognised only so that the error can say what the file is.
+const char* name_of_unreadable(std::string_view text) {
+  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "a PLY file";
+  if (text.starts_with("solid")) return "an STL file";
+  if (text.starts_with("glTF")) return "a GLB file";
+  if (text.starts_with("{")) return "a JSON (perhaps glTF) file";
+  if (text.starts_with("<")) return "an HTML or XML file";
+  return nullptr;
+}
+
+/// UTF-16 by its byte-order mark or, without one, by the NULs that it makes of plain letters.
+bool looks_like_utf16(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  if (bytes.starts_with("\xFF\xFE"sv) || bytes.starts_with("\xFE\xFF"sv)) return true;
+  if (bytes.size() < 4) return false;
+  const auto nul = [bytes](std::size_t i) { return bytes[i] == '\0'; };
+  return (nul(0) && !nul(1) && nul(2) && !nul(3)) || (!nul(0) && nul(1) && !nul(2) && nul(3));
+}
+
+Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format> claimed) {
+  constexpr std::size_t kLooked = 4096;
+  const std::string_view raw(reinterpret_cast<const char*>(bytes.data()),
+                             std::min(bytes.size(), kLooked));
+  if (raw.empty()) {
+    return Error{"unknown-format", "the file is empty (0 bytes), expected an OBJ or OFF file"};
+  }
+  if (looks_like_utf16(raw)) {
+    return Error{"not-text", "the file is encoded in UTF-16, expected ASCII or UTF-8"};
+  }
+  io::TextScanner text(bytes);
+  if (io::looks_like_off(text)) return Format::kOff;  // before the look for NULs: may be binary
+  text.skip_to_token();
+  if (const char* name = name_of_unreadable(text.rest())) {
+    return Error{"unsupported-format",
+                 std::string("this is ") + name + ", expected an OBJ or OFF file"};
+  }
+  if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
+    return Error{"not-text", "byte " + std::to_string(nul) + " is 0, which no text has: this is " +
+                                 "no OBJ or OFF file in text form"};
+  }
+  if (io::looks_like_obj(text)) return Format::kObj;
+  if (claimed) return *claimed;
+  if (text.at_end()) {
+    return Error{"unknown-format",
+                 "the file has nothing but comments and blanks, expected an OBJ or OFF file"};
+  }
+  Error error = io::unexpected(text, "the start of an OBJ or OFF file");
+  error.code = "unknown-format";
+  return error;
+}
+
+Result<ParsedFile> read(std::span<const std::uint8_t> bytes, Format format,
+                        io::FacePositions* wanted) {
+  switch (format) {
+    case Format::kObj:
+      return io::read_obj(bytes, wanted);
+    case Format::kOff:
+      return io::read_off(bytes, wanted);
+  }
+  return Error{"unknown-format", "the format asked for does not exist"};
+}
+
+}  // namespace
+
+const char* name_of(Format format) {
+  switch (format) {
+    case Format::kObj:
+      return "OBJ";
+    case Format::kOff:
+      return "OFF";
+  }
+  return "";
+}
+
+Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Format> claimed) {
+  const Result<Format> format = detect(bytes, claimed);
+  if (!format) return format.error();
+  Result<ParsedFile> file = read(bytes, format.value(), nullptr);
+  if (file && claimed && *claimed != format.value()) {
+    file.value().notes.push_back(std::string("read as ") + name_of(format.value()) +
+                                 ", which its content is, and not as " + name_of(*claimed));
+  }
+  return file;
+}
+
+std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes, Format format,
+                                        std::span<const Index> faces) {
+  std::vector<std::size_t> order(faces.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [faces](std::size_t a, std::size_t b) { return faces[a] < faces[b]; });
+  std::vector<Index> sorted;
+  sorted.reserve(faces.size());
+  for (const std::size_t i : order) sorted.push_back(faces[i]);
+
+  io::FacePositions found(sorted);
+  (void)read(bytes, format, &found);
+  std::vector<std::size_t> lines(faces.size(), 0);
+  const char* counted = io::TextScanner(bytes).position();
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const char* const position = found.positions()[i];
+    if (position == nullptr) break;
+    line += io::TextScanner::lines_between(counted, position);
+    counted = position;
+    lines[order[i]] = line;
+  }
+  return lines;
+}
+
+}  // namespace halfedge

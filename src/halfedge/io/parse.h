@@ -1,0 +1,64 @@
+#pragma once
+
+#include <halfedge/build/polygons.h>
+#include <halfedge/result.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace halfedge {
+
+/// The file formats that can be read.
+enum class Format : std::uint8_t { kObj, kOff };
+
+/// "OBJ", "OFF".
+[[nodiscard]] const char* name_of(Format format);
+
+/// What a file holds: faces over shared vertices as written, not yet a mesh. Vertex i and face j
+/// are the i-th vertex and the j-th face of the file.
+struct ParsedFile {
+  Format format = Format::kObj;
+  PolygonSoup soup;
+  /// What was ignored and a user may want to know, one sentence each.
+  std::vector<std::string> notes;
+};
+
+/// Reads a file. Its content decides the format; `claimed` (what the name of the file says, or its
+/// user) decides where the content leaves it open.
+///
+/// Positions spelt `nan` or `inf`, faces with fewer than three corners and repeated vertices are
+/// read as they stand: they are well-formed text, and the builder refuses them with a reason.
+/// Every error but those about the whole file starts with "line N: " and says what was expected.
+/// Lines end with LF, CR LF or CR; a UTF-8 byte-order mark is skipped.
+///
+/// cost: one pass; memory in proportion to the size of the file, whatever its header promises.
+///
+/// Codes: parse-error, truncated (the file ends too early), index-out-of-range, unknown-format,
+/// unsupported-format (known, but not readable), not-text (UTF-16, binary), too-large,
+/// out-of-memory.
+[[nodiscard]] Result<ParsedFile> parse(std::span<const std::uint8_t> bytes,
+                                       std::optional<Format> claimed = std::nullopt);
+
+/// Reads a Wavefront OBJ file: `v` and `f` with corners as 3, 3/1, 3/1/2 or 3//2, indices from 1 or
+/// negative and then counted back from the last vertex so far, `\` at the end of a line. A face may
+/// come before its vertices. Further values of a vertex, texture coordinates, normals, groups,
+/// materials, points, lines, curves and unknown statements are ignored.
+[[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes);
+
+/// Reads a Geomview OFF file in text form: OFF with the prefixes ST, C, N, 4, n, or no header word
+/// at all; the number of edges may be left out; comments anywhere. Normals, colours and texture
+/// coordinates are ignored; 4OFF positions are divided by their fourth coordinate.
+[[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes);
+
+/// The line, from 1, on which each of these faces starts, in the order asked for; 0 for a face that
+/// the file does not have. Reads the file again, so that reading keeps no line numbers in memory.
+/// pre: `bytes` are what the faces were read from.
+/// cost: as reading, whatever the number of faces.
+[[nodiscard]] std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes,
+                                                      Format format, std::span<const Index> faces);
+
+}  // namespace halfedge

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <halfedge/io/parse.h>
+#include <halfedge/io/soup_writer.h>
+
+#include <cstdint>
+#include <span>
+
+namespace halfedge::io {
+
+/// The readers themselves; `wanted`, if any, learns where its faces start.
+[[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
+                                          FacePositions* wanted);
+[[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes,
+                                          FacePositions* wanted);
+
+/// The text starts with an OBJ statement that has what such a statement needs, after any number of
+/// others. Looks at the first lines only.
+[[nodiscard]] bool looks_like_obj(TextScanner text);
+/// The text starts with the header word of an OFF file, or with a line of two or three counts.
+[[nodiscard]] bool looks_like_off(TextScanner text);
+
+}  // namespace halfedge::io

@@ -1,0 +1,31 @@
+#include <halfedge/io/soup_writer.h>
+
+#include <string>
+#include <utility>
+
+namespace halfedge::io {
+
+Error error_at(const TextScanner& text, std::string code, const std::string& message) {
+  return {std::move(code), "line " + std::to_string(text.line()) + ": " + message};
+}
+
+Error unexpected(const TextScanner& text, const std::string& expected) {
+  return error_at(text, text.at_end() ? "truncated" : "parse-error",
+                  "expected " + expected + ", found " + text.found());
+}
+
+std::optional<Error> check_size(const SoupWriter& out) {
+  const std::string counts = std::to_string(out.vertex_count()) + " vertices, " +
+                             std::to_string(out.face_count()) + " faces and " +
+                             std::to_string(out.corner_count()) + " corners of faces";
+  if (out.out_of_memory()) {
+    return Error{"out-of-memory", "memory was exhausted after " + counts + " had been read"};
+  }
+  if (std::max({out.vertex_count(), out.face_count(), out.corner_count()}) > kMaxSlots) {
+    return Error{"too-large", "the file has " + counts + ", expected at most " +
+                                  std::to_string(kMaxSlots) + " of each"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace halfedge::io

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <halfedge/build/polygons.h>
+#include <halfedge/io/text_scanner.h>
+#include <halfedge/result.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace halfedge::io {
+
+/// Where some faces start in the text: filled in by a reader that is asked for them.
+class FacePositions {
+ public:
+  /// `faces` in ascending order.
+  explicit FacePositions(std::span<const Index> faces)
+      : faces_(faces), positions_(faces.size(), nullptr) {}
+
+  /// The next face wanted; nothing is as large as the answer when there is no more.
+  [[nodiscard]] std::size_t next() const {
+    return found_ == faces_.size() ? static_cast<std::size_t>(-1) : faces_[found_];
+  }
+  /// `face` starts at `position`.
+  void found(std::size_t face, const char* position) {
+    while (next() == face) positions_[found_++] = position;
+  }
+  /// One for each face; null where the file has no such face.
+  [[nodiscard]] std::span<const char* const> positions() const { return positions_; }
+
+ private:
+  std::span<const Index> faces_;
+  std::vector<const char*> positions_;
+  std::size_t found_ = 0;
+};
+
+/// Collects what a reader finds, and reads on as long as there is memory. Growth is amortised.
+class SoupWriter {
+ public:
+  explicit SoupWriter(FacePositions* wanted) : wanted_(wanted) { look_for_next(); }
+
+  [[nodiscard]] std::size_t vertex_count() const { return soup_.positions.size() / 3; }
+  [[nodiscard]] std::size_t face_count() const { return faces_; }
+  [[nodiscard]] std::size_t corner_count() const { return soup_.corners.size(); }
+  /// Of the face that is being written.
+  [[nodiscard]] std::size_t corners_of_face() const { return soup_.corners.size() - face_start_; }
+  [[nodiscard]] Index largest_index() const { return largest_; }
+  /// An allocation failed: what was written since is lost.
+  [[nodiscard]] bool out_of_memory() const { return out_of_memory_; }
+
+  /// Room for these, so that they need not grow.
+  void reserve(std::size_t vertices, std::size_t corners) {
+    if (!soup_.positions.reserve(3 * vertices) || !soup_.corners.reserve(corners)) {
+      out_of_memory_ = true;
+    }
+  }
+  void add_vertex(float x, float y, float z) {
+    Array<float>& positions = soup_.positions;
+    const std::size_t size = positions.size();
+    if (positions.capacity() - size < 3 && !positions.reserve(size + size / 2 + 96) &&
+        !positions.reserve(size + 3)) {
+      out_of_memory_ = true;
+      return;
+    }
+    (void)positions.resize(size + 3);  // there is room
+    float* const p = positions.data() + size;
+    p[0] = x;
+    p[1] = y;
+    p[2] = z;
+  }
+  /// The text of the next face starts at `position`.
+  void begin_face(const char* position) {
+    if (faces_ != next_wanted_) return;
+    wanted_->found(faces_, position);
+    look_for_next();
+  }
+  void add_corner(Index vertex) {
+    largest_ = std::max(largest_, vertex);
+    if (!soup_.corners.push_back(vertex)) out_of_memory_ = true;
+  }
+  /// Sizes are kept from the first face on that is no triangle.
+  void end_face() {
+    const std::size_t size = corners_of_face();
+    if (size != 3 || !soup_.sizes.empty()) add_size(static_cast<Index>(size));
+    ++faces_;
+    face_start_ = soup_.corners.size();
+  }
+
+  [[nodiscard]] PolygonSoup& soup() { return soup_; }
+
+ private:
+  void look_for_next() {
+    if (wanted_ != nullptr) next_wanted_ = wanted_->next();
+  }
+  void add_size(Index size) {
+    if (soup_.sizes.empty() && !soup_.sizes.resize(faces_, 3)) out_of_memory_ = true;
+    if (!soup_.sizes.push_back(size)) out_of_memory_ = true;
+  }
+
+  PolygonSoup soup_;
+  std::size_t faces_ = 0;
+  std::size_t face_start_ = 0;
+  Index largest_ = 0;
+  bool out_of_memory_ = false;
+  FacePositions* wanted_;
+  std::size_t next_wanted_ = static_cast<std::size_t>(-1);
+};
+
+/// "line N: " before a message about what the cursor stands at.
+[[nodiscard]] Error error_at(const TextScanner& text, std::string code, const std::string& message);
+/// "line N: expected …, found …"; truncated at the end of the file, else parse-error.
+[[nodiscard]] Error unexpected(const TextScanner& text, const std::string& expected);
+/// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing.
+[[nodiscard]] std::optional<Error> check_size(const SoupWriter& out);
+
+}  // namespace halfedge::io
