@@ -7,13 +7,13 @@ import {
   readdirSync,
   readFileSync,
   rmSync,
-  statSync,
   writeFileSync,
 } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
+import { filesBelow } from './lib/files.mjs';
 import { asProgram, Failure, root, run } from './lib/run.mjs';
 
 const dist = join(root, 'dist');
@@ -80,12 +80,6 @@ function removeStale() {
   for (const name of readdirSync(dist)) {
     if (!kept.has(name)) rmSync(join(dist, name), { recursive: true });
   }
-}
-
-function filesBelow(folder) {
-  return readdirSync(folder, { recursive: true })
-    .map((name) => join(folder, name))
-    .filter((path) => statSync(path).isFile());
 }
 
 /** The whole package. */

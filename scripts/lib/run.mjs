@@ -1,6 +1,6 @@
 // Running other programs, and finding them.
 
-import { spawn, spawnSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { accessSync, constants } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,31 +11,39 @@ export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/\/
 /** A failure that is told to the user as one sentence, without a stack trace. */
 export class Failure extends Error {}
 
-/** Runs a program in the project's folder, its output shown. Throws a Failure if it fails. */
-export async function run(command, args, { env = {}, cwd = root } = {}) {
-  const status = await new Promise((resolve, reject) => {
-    const child = spawn(command, args, {
-      cwd,
-      env: { ...process.env, ...env },
-      stdio: ['ignore', 'inherit', 'inherit'],
+/**
+ * Runs a program in the project's folder, its output shown. Throws a Failure if it fails.
+ * It can't read from the terminal, unless `input` is 'inherit'.
+ */
+export async function run(command, args, { env = {}, cwd = root, input = 'ignore' } = {}) {
+  const { ended } = start(command, args, { env, cwd, stdio: [input, 'inherit', 'inherit'] });
+  const status = await ended;
+  if (status !== 0) throw new Failure(`${[command, ...args].join(' ')} failed (${status}).`);
+}
+
+/** Runs a program in the project's folder and returns what it wrote: `{ ok, output }`. */
+export async function capture(command, args, { env = {}, cwd = root } = {}) {
+  const { child, ended } = start(command, args, { env, cwd, stdio: ['ignore', 'pipe', 'pipe'] });
+  let output = '';
+  for (const stream of [child.stdout, child.stderr]) {
+    stream.setEncoding('utf8').on('data', (text) => {
+      output += text;
     });
+  }
+  const status = await ended;
+  return { ok: status === 0, output };
+}
+
+/** A child process, and the promise of its exit code, or of the signal that ended it. */
+function start(command, args, { env, cwd, stdio }) {
+  const child = spawn(command, args, { cwd, env: { ...process.env, ...env }, stdio });
+  const ended = new Promise((resolve, reject) => {
     child.on('error', (error) =>
       reject(new Failure(`${command} did not start: ${error.message}.`)),
     );
     child.on('close', (code, signal) => resolve(code ?? signal));
   });
-  if (status !== 0) throw new Failure(`${[command, ...args].join(' ')} failed (${status}).`);
-}
-
-/** Runs a program and returns what it wrote: `{ ok, stdout, stderr }`. */
-export function capture(command, args, { env = {}, cwd = root } = {}) {
-  const result = spawnSync(command, args, {
-    cwd,
-    env: { ...process.env, ...env },
-    encoding: 'utf8',
-    maxBuffer: 2 ** 28,
-  });
-  return { ok: result.status === 0, stdout: result.stdout ?? '', stderr: result.stderr ?? '' };
+  return { child, ended };
 }
 
 /** The path of a program on PATH, or undefined. */

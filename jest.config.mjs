@@ -1,0 +1,31 @@
+// Three suites with one runner: `web` tests the package that dist/ holds, `browser` drives the
+// explorer in Chromium, `package` tries the packed tarball. Modules are loaded as what they are,
+// ES modules (node --experimental-vm-modules), so that the shipped files are tested unchanged.
+
+const suite = (name) => ({
+  displayName: name,
+  testMatch: [`<rootDir>/tests/${name}/**/*.test.ts`],
+  extensionsToTreatAsEsm: ['.ts'],
+  transform: {
+    '^.+\\.ts$': [
+      '@swc/jest',
+      {
+        jsc: {
+          target: 'es2022',
+          parser: { syntax: 'typescript', explicitResourceManagement: true },
+        },
+        module: { type: 'es6' },
+      },
+    ],
+  },
+  moduleNameMapper: {
+    '^halfedge$': '<rootDir>/dist/index.js',
+    '^halfedge/inline$': '<rootDir>/dist/inline.js',
+    '^(\\.{1,2}/.*)\\.js$': '$1',
+  },
+});
+
+export default {
+  projects: ['web', 'browser', 'package'].map(suite),
+  testTimeout: 60_000,
+};

@@ -1,0 +1,75 @@
+// `npm run check`: formatting, lint and types of both languages. `npm run format` (`--fix`) mends
+// the formatting instead.
+
+import { availableParallelism } from 'node:os';
+import { extname, relative } from 'node:path';
+import { argv } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { cppFiles } from './lib/files.mjs';
+import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
+import { counts, Steps } from './lib/steps.mjs';
+import { setup } from './setup.mjs';
+
+const cppFolders = ['src', 'wasm', 'tests', 'bench', 'examples'];
+const biome = 'node_modules/@biomejs/biome/bin/biome';
+const tsc = 'node_modules/typescript/bin/tsc';
+
+/** Adds the checks to a run of steps. */
+export async function check(steps) {
+  await steps.run('Format of C++ (clang-format)', () =>
+    run('clang-format', ['--dry-run', '-Werror', ...cppFiles(...cppFolders)]),
+  );
+  await steps.run('Format and lint of TypeScript (Biome)', () =>
+    run(process.execPath, [biome, 'ci', '--error-on-warnings', '.']),
+  );
+  await steps.run('Types (tsc)', async () => {
+    await run(process.execPath, [tsc, '-p', 'tsconfig.build.json', '--noEmit']);
+    await run(process.execPath, [tsc, '-p', 'tsconfig.json']);
+  });
+  await steps.run('Lint of C++ (clang-tidy)', clangTidy);
+}
+
+/** Formats everything, and mends what Biome can mend safely. */
+export async function format() {
+  await run('clang-format', ['-i', ...cppFiles(...cppFolders)]);
+  await run(process.execPath, [biome, 'check', '--write', '.']);
+}
+
+/** Lints each source file of the core, as many at a time as there are processors. */
+async function clangTidy() {
+  await run('cmake', ['--preset', 'clang', '--log-level=WARNING']);
+  const sources = cppFiles('src').filter((path) => extname(path) === '.cpp');
+  if (sources.length === 0) throw new Failure('There are no C++ sources to lint.');
+  const complaints = [];
+  const worker = async () => {
+    for (let path = sources.pop(); path !== undefined; path = sources.pop()) {
+      const { ok, output } = await capture('clang-tidy', ['-p', 'build/clang', '--quiet', path]);
+      if (!ok) complaints.push(`${relative(root, path)}:\n${withoutCounts(output)}`);
+    }
+  };
+  const count = sources.length;
+  await Promise.all(Array.from({ length: availableParallelism() }, worker));
+  if (complaints.length === 0) return counts(count);
+  console.log(complaints.join('\n'));
+  const failure = new Failure(`clang-tidy objects to ${complaints.length} of ${count} files.`);
+  failure.counts = counts(count - complaints.length, complaints.length);
+  throw failure;
+}
+
+/** clang-tidy counts the warnings of system headers, which it doesn't show. */
+function withoutCounts(output) {
+  return output
+    .split('\n')
+    .filter((line) => !/^(\d+ warnings?.* generated|Suppressed \d+|Use -header-filter)/.test(line))
+    .join('\n');
+}
+
+if (argv[1] === fileURLToPath(import.meta.url)) {
+  await asProgram(async () => {
+    await setup(['build', 'tests']);
+    if (argv[2] === '--fix') return format();
+    const steps = new Steps();
+    await check(steps);
+    if (!steps.close()) process.exitCode = 1;
+  });
+}

@@ -1,0 +1,122 @@
+// `npm run setup`: installs what this machine lacks to build (and, with `tests` or `bench`, to test
+// or benchmark) the project: the system's packages on Debian and Ubuntu, then the npm packages.
+
+import { createHash } from 'node:crypto';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { argv } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { emscriptenToolchain } from './lib/emscripten.mjs';
+import { asProgram, capture, Failure, root, run, which } from './lib/run.mjs';
+
+const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
+
+const onPath = (...names) => names.some((name) => which(name) !== undefined);
+const header = (path) => includeFolders.some((folder) => existsSync(join(folder, path)));
+
+/**
+ * What is needed, for which purpose: how to see that it is there, Debian's package, and its name
+ * in a sentence. An emsdk in the environment counts as Emscripten.
+ */
+const requirements = [
+  need('build', 'Emscripten (an activated emsdk)', 'emscripten', () => emscriptenToolchain()),
+  need('build', 'CMake', 'cmake', () => onPath('cmake')),
+  need('build', 'Ninja', 'ninja-build', () => onPath('ninja')),
+  need('build', 'fast_float', 'libfast-float-dev', hasFastFloat),
+  need('tests', 'g++', 'g++', () => onPath('g++')),
+  need('tests', 'clang', 'clang', () => onPath('clang++')),
+  need('tests', 'clang-format', 'clang-format', () => onPath('clang-format')),
+  need('tests', 'clang-tidy', 'clang-tidy', () => onPath('clang-tidy')),
+  need('tests', 'GoogleTest', 'libgtest-dev', () => header('gtest/gtest.h')),
+  need('tests', 'OpenMesh', 'libopenmesh-dev', () =>
+    header('OpenMesh/Core/Mesh/PolyConnectivity.hh'),
+  ),
+  need('tests', 'Chromium', 'chromium', () => onPath('chromium', 'chromium-browser')),
+  need('bench', 'g++', 'g++', () => onPath('g++')),
+  need('bench', 'Google Benchmark', 'libbenchmark-dev', () => header('benchmark/benchmark.h')),
+  need('bench', 'OpenMesh', 'libopenmesh-dev', () =>
+    header('OpenMesh/Core/Mesh/PolyConnectivity.hh'),
+  ),
+  need('bench', 'CGAL', 'libcgal-dev', () => header('CGAL/Surface_mesh.h')),
+];
+
+function need(purpose, title, aptPackage, found) {
+  return { purpose, title, aptPackage, found };
+}
+
+/** CMake downloads fast_float where there is no package of it, so it is asked for on Debian only. */
+function hasFastFloat() {
+  return process.env.HALFEDGE_FAST_FLOAT_DIR || header('fast_float/fast_float.h') || !hasApt();
+}
+
+const hasApt = () => onPath('apt-get');
+
+/** Makes the machine ready for the given purposes: 'build', 'tests', 'bench'. */
+export async function setup(purposes = ['build']) {
+  const missing = () => requirements.filter((it) => purposes.includes(it.purpose) && !it.found());
+  const before = missing();
+  if (before.length > 0) {
+    if (!hasApt()) throw new Failure(`Install ${sentenceOf(before)}, then run this again.`);
+    await installByApt([...new Set(before.map((it) => it.aptPackage))]);
+    const after = missing();
+    if (after.length > 0) {
+      throw new Failure(
+        `apt-get has run, but ${sentenceOf(after)} cannot be found on this machine.`,
+      );
+    }
+  }
+  await installNpmPackages();
+}
+
+function sentenceOf(missing) {
+  const titles = [...new Set(missing.map((it) => it.title))];
+  const last = titles.pop();
+  return titles.length > 0 ? `${titles.join(', ')} and ${last}` : last;
+}
+
+async function installByApt(packages) {
+  console.log(`Installing with apt-get: ${packages.join(' ')}`);
+  if (!(await areKnownToApt(packages))) await apt(['update', '-qq']);
+  const install = ['install', '-y', '-q', '--no-install-recommends', ...packages];
+  try {
+    await apt(install);
+  } catch (error) {
+    // The package lists may be older than the archive: renew them and try once more.
+    if (!(error instanceof Failure)) throw error;
+    await apt(['update', '-qq']);
+    await apt(install);
+  }
+}
+
+/** Whether apt's lists name a version of each package; in a fresh container they are empty. */
+async function areKnownToApt(packages) {
+  const { output } = await capture('apt-cache', ['policy', ...packages], { env: { LC_ALL: 'C' } });
+  return (output.match(/Candidate: (?!\(none\))/g) ?? []).length === packages.length;
+}
+
+/** Runs apt-get as root, by sudo where that is needed. */
+async function apt(args) {
+  const isRoot = process.getuid() === 0;
+  if (!isRoot && !onPath('sudo')) {
+    throw new Failure(`As root, run \`apt-get ${args.join(' ')}\`, then run this again.`);
+  }
+  // Through sudo, since it drops the environment of its caller.
+  const command = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-o', 'Dpkg::Use-Pty=0'];
+  const [program, ...rest] = isRoot ? command : ['sudo', ...command];
+  await run(program, [...rest, ...args], { input: 'inherit' });
+}
+
+/** `npm ci`, unless node_modules was made from the package-lock.json of now. */
+async function installNpmPackages() {
+  const lock = readFileSync(join(root, 'package-lock.json'));
+  const stamp = join(root, 'node_modules/.halfedge-lock');
+  const digest = createHash('sha256').update(lock).digest('hex');
+  if (existsSync(stamp) && readFileSync(stamp, 'utf8') === digest) return;
+  console.log('Installing the npm packages (npm ci)');
+  await run('npm', ['ci', '--no-progress', '--loglevel=error']);
+  writeFileSync(stamp, digest);
+}
+
+if (argv[1] === fileURLToPath(import.meta.url)) {
+  await asProgram(() => setup(['build', ...argv.slice(2)]));
+}

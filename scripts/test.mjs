@@ -1,0 +1,67 @@
+// `npm test`: installs what is missing, then checks, builds and tests everything, and ends with one
+// line that sums up what the runners counted. `test.mjs cpp web` runs only the parts that are named.
+
+import { join } from 'node:path';
+import { argv } from 'node:process';
+import { buildPreset, buildWasm, buildWeb } from './build.mjs';
+import { check } from './check.mjs';
+import { filesBelow } from './lib/files.mjs';
+import { asProgram, Failure, root, run } from './lib/run.mjs';
+import { runCtest, runJest } from './lib/runners.mjs';
+import { counts, Steps } from './lib/steps.mjs';
+import { setup } from './setup.mjs';
+
+const parts = {
+  check,
+
+  async cpp(steps) {
+    await steps.run('Build with g++, release', () => buildPreset('native'));
+    await steps.run('C++ tests, OpenMesh, examples', () => runCtest('native'));
+    await steps.run('Build with g++, ASan + UBSan', () => buildPreset('asan'));
+    await steps.run('C++ tests under ASan + UBSan', () => runCtest('asan'));
+    await steps.run('Build with clang++', () => buildPreset('clang'));
+  },
+
+  async build(steps) {
+    await steps.run('Build of the WebAssembly module', buildWasm);
+    await steps.run('Build of the package', buildWeb);
+  },
+
+  async web(steps) {
+    await steps.run('Tests of the package (Jest)', () => runJest('web'));
+    await steps.run('JavaScript examples', runExamples);
+  },
+
+  async browser(steps) {
+    await steps.run('Tests of the explorer (Chromium)', () => runJest('browser'));
+  },
+
+  async package(steps) {
+    await steps.run('Tests of the packed tarball', () => runJest('package'));
+  },
+};
+
+/** Runs each JavaScript example in Node; it passes if it ends with exit code 0. */
+async function runExamples() {
+  const examples = filesBelow(join(root, 'examples')).filter((path) => path.endsWith('.mjs'));
+  if (examples.length === 0) throw new Failure('There are no examples/*.mjs.');
+  for (const path of examples) await run(process.execPath, [path]);
+  return counts(examples.length);
+}
+
+await asProgram(async () => {
+  const names = argv.length > 2 ? argv.slice(2) : Object.keys(parts);
+  const unknown = names.filter((name) => !(name in parts));
+  if (unknown.length > 0) {
+    throw new Failure(
+      `There is no part ${unknown}: the parts are ${Object.keys(parts).join(', ')}.`,
+    );
+  }
+  const steps = new Steps();
+  await steps.run('Set-up', async () => {
+    await setup(['build', 'tests']);
+    return counts(0);
+  });
+  for (const name of names) await parts[name](steps);
+  if (!steps.close()) process.exitCode = 1;
+});
