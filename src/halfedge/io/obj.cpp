@@ -141,24 +141,20 @@ bool ObjReader::read_corner() {
   }
 
   const auto vertices = static_cast<std::int64_t>(out_.vertex_count());
-  if (index > 0) {
-    // It may be declared further down: compared with the number of vertices at the end.
-    out_.add_corner(index <= kMaxSlots ? static_cast<Index>(index - 1) : kNone);
+  if (index >= 0) {
+    // Its vertex may be declared further down: compared with their number at the end.
+    out_.add_corner(index <= kMaxSlots ? static_cast<Index>(index) - 1 : kNone);
     return true;
   }
-  if (index < 0 && index >= -vertices) {
+  if (index >= -vertices) {
     out_.add_corner(static_cast<Index>(vertices + index));
     return true;
   }
   text_.move_to(start);
-  const std::string corner = "corner " + std::to_string(out_.corners_of_face()) + " of face " +
-                             std::to_string(out_.face_count()) + " is " + text_.found();
-  Error error = error_at(
-      text_, "index-out-of-range",
-      index == 0 ? corner + ", expected a vertex, counted from 1 or, negative, back from the last"
-                 : corner + ", counted back from the last of " + std::to_string(vertices) +
-                       " vertices so far");
-  error.witness.faces = {static_cast<Index>(out_.face_count())};
+  Error error = index_error(text_, out_.corners_of_face(), out_.face_count());
+  error.message += vertices == 0 ? ", but no vertex comes before it"
+                                 : ", expected -1 to -" + std::to_string(vertices) +
+                                       ", counted back from the last vertex so far";
   return fail(std::move(error));
 }
 
@@ -181,37 +177,30 @@ std::vector<std::string> ObjReader::notes() {
 }
 
 /// pre: a corner is beyond the vertices.
-Error index_error(std::span<const std::uint8_t> bytes, const PolygonSoup& soup) {
+Error unknown_vertex(std::span<const std::uint8_t> bytes, const PolygonSoup& soup) {
   const std::size_t vertices = soup.positions.size() / 3;
-  const auto bad =
-      static_cast<std::size_t>(std::find_if(soup.corners.begin(), soup.corners.end(),
-                                            [vertices](Index index) { return index >= vertices; }) -
-                               soup.corners.begin());
-  std::size_t face = 0;
-  std::size_t corner = bad;
+  const Index* const bad = std::find_if(soup.corners.begin(), soup.corners.end(),
+                                        [vertices](Index vertex) { return vertex >= vertices; });
+  auto corner = static_cast<std::size_t>(bad - soup.corners.begin());
+  std::size_t face = corner / 3;
   if (soup.sizes.empty()) {
-    face = bad / 3;
-    corner = bad % 3;
+    corner %= 3;
   } else {
-    while (corner >= soup.sizes[face]) corner -= soup.sizes[face++];
+    for (face = 0; corner >= soup.sizes[face]; ++face) corner -= soup.sizes[face];
   }
 
-  const Index wanted = static_cast<Index>(face);
+  const auto wanted = static_cast<Index>(face);
   FacePositions positions({&wanted, 1});
   (void)read_obj(bytes, &positions);
   TextScanner text(bytes);
   text.move_to(positions.positions()[0]);
   for (std::size_t i = 0; i <= corner; ++i) {  // past the keyword and the corners before
-    text.move_to(text.position() + text.token().size());
+    text.skip_token();
     text.skip_blanks();
   }
-  Error error =
-      error_at(text, "index-out-of-range",
-               "corner " + std::to_string(corner) + " of face " + std::to_string(face) + " is " +
-                   text.found() +
-                   (vertices == 0 ? ", but the file has no vertices"
-                                  : ", expected a vertex from 1 to " + std::to_string(vertices)));
-  error.witness.faces = {wanted};
+  Error error = index_error(text, corner, face);
+  error.message += vertices == 0 ? ", but the file has no vertices"
+                                 : ", expected a vertex from 1 to " + std::to_string(vertices);
   return error;
 }
 
@@ -222,7 +211,7 @@ Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, FacePositions* 
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   SoupWriter& out = reader.out();
   const bool complete = out.corner_count() == 0 || out.largest_index() < out.vertex_count();
-  if (!complete && wanted == nullptr) return index_error(bytes, out.soup());
+  if (!complete && wanted == nullptr) return unknown_vertex(bytes, out.soup());
   return ParsedFile{Format::kObj, std::move(out.soup()), reader.notes()};
 }
 

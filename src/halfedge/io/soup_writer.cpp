@@ -14,6 +14,14 @@ Error unexpected(const TextScanner& text, const std::string& expected) {
                   "expected " + expected + ", found " + text.found());
 }
 
+Error index_error(const TextScanner& text, std::size_t corner, std::size_t face) {
+  Error error = error_at(text, "index-out-of-range",
+                         "corner " + std::to_string(corner) + " of face " + std::to_string(face) +
+                             " is " + text.found());
+  error.witness.faces = {static_cast<Index>(face)};
+  return error;
+}
+
 std::optional<Error> check_size(const SoupWriter& out) {
   const std::string counts = std::to_string(out.vertex_count()) + " vertices, " +
                              std::to_string(out.face_count()) + " faces and " +

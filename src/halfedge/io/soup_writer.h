@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace halfedge::io {
@@ -111,6 +113,8 @@ class SoupWriter {
 [[nodiscard]] Error error_at(const TextScanner& text, std::string code, const std::string& message);
 /// "line N: expected …, found …"; truncated at the end of the file, else parse-error.
 [[nodiscard]] Error unexpected(const TextScanner& text, const std::string& expected);
+/// index-out-of-range: "line N: corner … of face … is …", for the caller to say what was expected.
+[[nodiscard]] Error index_error(const TextScanner& text, std::size_t corner, std::size_t face);
 /// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing.
 [[nodiscard]] std::optional<Error> check_size(const SoupWriter& out);
 

@@ -104,6 +104,16 @@ class TextScanner {
     return {at_, static_cast<std::size_t>(stop - at_)};
   }
 
+  /// How many tokens are left on this line.
+  [[nodiscard]] std::size_t columns_of_line() const {
+    TextScanner ahead = *this;
+    std::size_t columns = 0;
+    for (ahead.skip_blanks(); !ahead.at_line_end(); ahead.skip_blanks(), ++columns) {
+      ahead.skip_token();
+    }
+    return columns;
+  }
+
   /// Reads a number and moves past it; false, without moving, if the token is none. Correctly
   /// rounded; nan, inf and infinity in any case, and 1.#IND, 1.#INF and the like, are numbers.
   [[nodiscard]] bool read_float(float& value);
