@@ -14,10 +14,10 @@ namespace halfedge {
 /// The items that show why something failed: the duplicate edge, the faces that share it. Indices
 /// are those of the input (for a build) or of the mesh (for an operation).
 struct Witness {
-  std::vector<Index> vertices;
-  std::vector<Index> halfedges;
-  std::vector<Index> edges;
-  std::vector<Index> faces;
+  std::vector<Index> vertices = {};
+  std::vector<Index> halfedges = {};
+  std::vector<Index> edges = {};
+  std::vector<Index> faces = {};
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };

@@ -104,6 +104,16 @@ class Array {
     return true;
   }
 
+  /// Gives back the memory beyond the elements. Keeps it if the allocator can't.
+  void shrink_to_fit() {
+    if (size_ == capacity_) return;
+    if (size_ == 0) return reset();
+    void* shrunk = std::realloc(static_cast<void*>(data_), size_ * sizeof(T));
+    if (shrunk == nullptr) return;
+    data_ = static_cast<T*>(shrunk);
+    capacity_ = size_;
+  }
+
   /// Appends one element; amortised O(1).
   [[nodiscard]] bool push_back(const T& value) {
     if (size_ == capacity_) {
@@ -130,6 +140,12 @@ class Array {
 
   /// Forgets the elements, keeps the memory.
   void clear() { size_ = 0; }
+
+  /// Gives up the memory and returns it, to be freed with std::free.
+  [[nodiscard]] T* release() {
+    size_ = capacity_ = 0;
+    return std::exchange(data_, nullptr);
+  }
 
   /// Forgets the elements and frees the memory.
   void reset() {
