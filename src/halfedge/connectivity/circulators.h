@@ -113,7 +113,7 @@ class VersionStamp<true> {
   }
 
  private:
-  std::uint64_t version_ = 0;
+  [[maybe_unused]] std::uint64_t version_ = 0;  // read by the assert only
 };
 
 /// Endless and bidirectional: it has no end, it stops when you say so. `halfedge()` is where it
