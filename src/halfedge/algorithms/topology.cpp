@@ -1,3 +1,4 @@
+#include <halfedge/algorithms/corrupt.h>
 #include <halfedge/algorithms/topology.h>
 
 #include <algorithm>
@@ -16,17 +17,6 @@ Error corrupt(const char* link, ItemKind kind, Index index) {
   return {"corrupt-mesh", "the " + std::string(link) + " of " + name_of(kind) + " " +
                               std::to_string(index) +
                               " breaks the invariants of a mesh: validate names what is wrong"};
-}
-
-// Whether the arrays are as long as their indices need; the rest is checked where it is read.
-Result<void> check_sizes(const Connectivity& mesh) {
-  const Links& links = mesh.links();
-  const std::size_t size = links.next.size();
-  if (size % 2 == 0 && links.prev.size() == size && links.to_vertex.size() == size &&
-      links.face.size() == size) {
-    return {};
-  }
-  return Error{"corrupt-mesh", "the halfedge arrays differ in length: validate names them"};
 }
 
 // Sets of vertices, each named by its smallest. Path halving keeps the trees flat.
@@ -92,7 +82,7 @@ Result<void> label_faces(const Connectivity& mesh, Components& components) {
 }
 
 bool all_faces_have(const Connectivity& mesh, int degree) {
-  if (!check_sizes(mesh)) return false;
+  if (!check_array_sizes(mesh)) return false;
   for (const Face f : mesh.faces()) {
     const Halfedge first = mesh.face_halfedge(f);
     Halfedge h = first;
@@ -113,7 +103,7 @@ std::int64_t euler_characteristic(const Connectivity& mesh) {
 }
 
 Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh) {
-  if (Result<void> sizes = check_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
   const Links& links = mesh.links();
   Array<Halfedge> loops;
   Array<bool> seen;  // stays empty if the mesh is closed

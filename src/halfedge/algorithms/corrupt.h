@@ -1,0 +1,20 @@
+#pragma once
+
+#include <halfedge/connectivity/connectivity.h>
+#include <halfedge/result.h>
+
+namespace halfedge {
+
+/// Whether the halfedge arrays are equally long and hold whole edges, so that an index below
+/// halfedge_slots() is in range in each of them. For code that takes nothing else for granted.
+[[nodiscard]] inline Result<void> check_array_sizes(const Connectivity& mesh) {
+  const Links& links = mesh.links();
+  const std::size_t size = links.next.size();
+  if (size % 2 == 0 && links.prev.size() == size && links.to_vertex.size() == size &&
+      links.face.size() == size) {
+    return {};
+  }
+  return Error{"corrupt-mesh", "the halfedge arrays differ in length: validate names them"};
+}
+
+}  // namespace halfedge
