@@ -227,13 +227,15 @@ describe('the arrow of a boundary halfedge', () => {
   test('does not cross its neighbours in a loop around a slit', () => {
     // Seen from the hole these corners are sharp: the loop is the sliver, counter-clockwise.
     for (const degrees of [2, 5, 8, 30]) {
-      const slit = sliver(degrees, 0.2);
-      const arrows = slit.map((_, i) => boundaryArrow(slit, i, 0.05));
-      arrows.forEach((mine, i) => {
-        for (const other of arrows.slice(i + 1)) {
-          for (const a of mine) for (const b of other) expect(cross(a, b)).toBe(false);
-        }
-      });
+      for (const pixel of [0.05, 1]) {
+        const slit = sliver(degrees, 0.2);
+        const arrows = slit.map((_, i) => boundaryArrow(slit, i, pixel));
+        arrows.forEach((mine, i) => {
+          for (const other of arrows.slice(i + 1)) {
+            for (const a of mine) for (const b of other) expect(cross(a, b)).toBe(false);
+          }
+        });
+      }
     }
   });
 });
