@@ -1,3 +1,5 @@
+import { HalfedgeError } from './errors.js';
+
 /** A short name for any value, for the sentence of an error. Never throws, never long. */
 export function describe(value: unknown): string {
   switch (typeof value) {
@@ -20,7 +22,8 @@ export function describe(value: unknown): string {
 
 function describeObject(value: object): string {
   const typed = typedArrayName(value);
-  if (typed !== undefined) return `${withArticle(typed)} of ${(value as Uint8Array).length} elements`;
+  if (typed !== undefined)
+    return `${withArticle(typed)} of ${(value as Uint8Array).length} elements`;
   try {
     if (Array.isArray(value)) return `an array of ${value.length} elements`;
     return withArticle(Object.prototype.toString.call(value).slice(8, -1));
@@ -43,4 +46,172 @@ const typedArrayTag = Object.getOwnPropertyDescriptor(
  */
 export function typedArrayName(value: unknown): string | undefined {
   return typedArrayTag?.call(value) as string | undefined;
+}
+
+const typedArrayLength = Object.getOwnPropertyDescriptor(
+  Object.getPrototypeOf(Int8Array.prototype),
+  'length',
+)?.get;
+
+/** The typed arrays whose elements are numbers, not bigints. */
+export type NumberArray =
+  | Int8Array
+  | Uint8Array
+  | Uint8ClampedArray
+  | Int16Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array
+  | Float32Array
+  | Float64Array;
+
+/**
+ * Numbers as a typed array: typed arrays as they are, anything else array-like converted to floats
+ * and checked element by element. No caller's code (a getter, a proxy) runs after this.
+ */
+export function numbers(argument: string, source: unknown): NumberArray {
+  return numberArray(argument, source) ?? convert(argument, source, Float32Array, float);
+}
+
+/**
+ * As {@link numbers}, of indices: integers from 0. Signed arrays are passed on unchecked: see
+ * `checkNotNegative`.
+ */
+export function indices(argument: string, source: unknown): NumberArray {
+  const typed = numberArray(argument, source);
+  const isFloat = typed !== undefined && typedArrayName(typed)?.startsWith('Float');
+  if (typed !== undefined && !isFloat) return typed;
+  return convert(argument, source, Uint32Array, (value, i) =>
+    isIndex(value) ? value : refuseIndex(argument, i, value),
+  );
+}
+
+/** Whether `value` can be an index at all. */
+export function isIndex(value: unknown): value is number {
+  return typeof value === 'number' && value >= 0 && value < MAX_INDEX && Number.isInteger(value);
+}
+
+/** One more than what an index can be: 2^32 - 1 is the empty link. */
+const MAX_INDEX = 2 ** 32 - 1;
+
+/** Throws what is wrong with `argument[i]`, which is no index. */
+export function refuseIndex(argument: string, i: number, value: unknown): never {
+  throw wrongElement(argument, i, value, 'an index, an integer from 0');
+}
+
+/** Throws if one of them is negative. */
+export function checkNotNegative(argument: string, array: NumberArray): void {
+  const i = array.findIndex((value) => value < 0);
+  if (i >= 0) refuseIndex(argument, i, array[i]);
+}
+
+/** Throws if one of them is finite, but too large for a 32-bit float. */
+export function checkFloats(argument: string, array: NumberArray): void {
+  array.forEach((value, i) => void float(value, i, argument));
+}
+
+/** `value` as an element of positions; infinities and NaN are the builder's to refuse, with their vertex. */
+function float(value: unknown, i: number, argument: string): number {
+  if (typeof value !== 'number') throw wrongElement(argument, i, value, 'a number');
+  if (Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
+    throw wrongElement(argument, i, value, 'a number that fits a 32-bit float');
+  }
+  return value;
+}
+
+function wrongElement(argument: string, i: number, value: unknown, expected: string): Error {
+  const sentence = `${argument}[${i}] is ${describe(value)}; expected ${expected}.`;
+  return typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+}
+
+/** `source`, if it is a typed array of numbers; undefined if it is some other array-like object. */
+function numberArray(argument: string, source: unknown): NumberArray | undefined {
+  const name = typedArrayName(source);
+  if (name === undefined) return undefined;
+  if (name.startsWith('Big')) {
+    throw new TypeError(`${argument} is ${describe(source)}; expected numbers, not bigints.`);
+  }
+  const typed = source as NumberArray;
+  if (lengthOf(typed) === 0 && isDetached(typed.buffer)) {
+    throw new TypeError(
+      `${argument} is a detached ${name}; expected one with its elements: was its buffer transferred to a worker?`,
+    );
+  }
+  return typed;
+}
+
+/** The true length of a typed array, whatever properties a caller has put on it. */
+export function lengthOf(array: NumberArray): number {
+  return typedArrayLength?.call(array) as number;
+}
+
+function isDetached(buffer: ArrayBufferLike): boolean {
+  try {
+    new Uint8Array(buffer);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+function convert<T extends Float32Array | Uint32Array>(
+  argument: string,
+  source: unknown,
+  Kind: new (length: number) => T,
+  check: (value: unknown, i: number, argument: string) => number,
+): T {
+  const length = lengthOfArrayLike(argument, source);
+  const from = source as ArrayLike<unknown>;
+  if (length > 0) check(from[length - 1], length - 1, argument); // or a lying length costs memory
+  const to = newArray(argument, Kind, length);
+  for (let i = 0; i < length; i++) to[i] = check(from[i], i, argument);
+  return to;
+}
+
+/** A typed array of zeros; throws `out-of-memory` where JavaScript's memory is exhausted. */
+export function newArray<T>(what: string, Kind: new (length: number) => T, length: number): T {
+  try {
+    return new Kind(length);
+  } catch (cause) {
+    throw new HalfedgeError(
+      'out-of-memory',
+      `A copy of ${what} needs room for ${length} numbers, more than JavaScript has.`,
+      { cause },
+    );
+  }
+}
+
+/** The length of an array or of an object like one. Throws a sentence for anything else. */
+export function lengthOfArrayLike(
+  argument: string,
+  source: unknown,
+  expected = 'an array or a typed array of numbers',
+): number {
+  if (typeof source === 'object' && source !== null) {
+    const { length } = source as { length?: unknown };
+    if (typeof length === 'number' && Number.isInteger(length) && length >= 0 && length < 2 ** 32) {
+      return length;
+    }
+  }
+  throw new TypeError(`${argument} is ${describe(source)}; expected ${expected}.`);
+}
+
+/** The bytes of a buffer or of a view of one; undefined for anything else. */
+export function bytesOf(argument: string, source: unknown): Uint8Array | undefined {
+  let buffer = source as ArrayBufferLike;
+  let range: [number?, number?] = [];
+  if (ArrayBuffer.isView(source)) {
+    buffer = source.buffer;
+    range = [source.byteOffset, source.byteLength];
+  } else if (!isBuffer(source)) {
+    return undefined;
+  }
+  if (!isDetached(buffer)) return new Uint8Array(buffer, ...range);
+  throw new TypeError(
+    `${argument} is a detached buffer; expected one with its bytes: was it transferred to a worker?`,
+  );
+}
+
+function isBuffer(source: unknown): boolean {
+  return /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(source));
 }

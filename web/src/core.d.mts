@@ -1,26 +1,38 @@
 // The raw WebAssembly module, as wasm/bindings.cpp declares it. Emscripten 3.1.6 can't write these
-// types itself. Addresses and counts are unsigned 32-bit numbers; 0 is the null address.
+// types itself. Addresses and counts are unsigned 32-bit numbers; 0 is the null address. `mesh` is
+// the address of a mesh.
 
-/** What a refused build or a reader reports; the items of witnesses are plain numbers. */
-export interface RawProblem {
-  code: string;
-  message: string;
-  vertices: number[];
-  halfedges: number[];
-  edges: number[];
-  faces: number[];
-}
-
-/** The address of a new mesh, or 0 and what was wrong. */
-export interface RawBuild {
-  mesh: number;
+/** What went wrong in a call that returns an object. */
+export interface RawFailure {
   problems: RawProblem[];
   /** All problems, listed or not. */
   problemCount: number;
 }
 
+/** One error of the core, with its witness. */
+export interface RawProblem {
+  code: string;
+  message: string;
+  vertices: Uint32Array;
+  halfedges: Uint32Array;
+  edges: Uint32Array;
+  faces: Uint32Array;
+}
+
+/** 32-bit words that are JavaScript's to copy and to free. */
+export interface RawWords {
+  address: number;
+  /** Elements; those of a component are four words. */
+  count: number;
+}
+
+export interface RawRows {
+  offsets: RawWords;
+  items: RawWords;
+}
+
 export interface RawCore {
-  /** Bytes at a multiple of 16; 0 when memory is exhausted. */
+  /** Aligned bytes; 0 when memory is exhausted. */
   allocate(bytes: number): number;
   free(address: number): void;
   /** Allocated bytes, for tests: without leaks it returns to where it was. */
@@ -42,7 +54,31 @@ export interface RawCore {
     sizeCount: number,
     corners: number,
     cornerCount: number,
-  ): RawBuild;
+  ): { mesh: number } | RawFailure;
+  /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
+  parse(
+    bytes: number,
+    count: number,
+    claimed: number,
+  ): { mesh: number; format: number; notes: string[] } | RawFailure;
+
+  validate(
+    mesh: number,
+    level: number,
+  ): { code: string; severity: string; kind: string; index: number; message: string }[];
+  eulerCharacteristic(mesh: number): number;
+  genus(mesh: number): { genus: number } | RawFailure;
+  boundaryLoops(mesh: number): { halfedges: RawWords } | RawFailure;
+  components(mesh: number): { list: RawWords; ofVertex: RawWords; ofFace: RawWords } | RawFailure;
+  /** `ring` and `direction` are values of the enums Ring and Direction in C++. */
+  allRings(mesh: number, ring: number, direction: number): RawRows | RawFailure;
+  someRings(
+    mesh: number,
+    ring: number,
+    direction: number,
+    centres: number,
+    count: number,
+  ): RawRows | RawFailure;
 }
 
 export interface CoreOptions {

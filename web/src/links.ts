@@ -1,7 +1,17 @@
 import { describe } from './arguments.js';
-import type { Core } from './loader.js';
 import { HalfedgeError } from './errors.js';
 import type { ItemKind } from './items.js';
+import type { Core } from './loader.js';
+
+/**
+ * Frees the meshes that were forgotten rather than disposed of. Watches the links, not the mesh:
+ * iterators and live views keep the links alive, and so the memory under them.
+ */
+const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
+  core.destroyMesh(address),
+);
+/** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
+const owners = new WeakMap<object, Links>();
 
 const NO_LINKS = new Int32Array(0);
 const NO_POSITIONS = new Float32Array(0);
@@ -48,9 +58,11 @@ export class Links {
   #core: Core;
   #address: number;
 
+  /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
   constructor(core: Core, address: number) {
     this.#core = core;
     this.#address = address;
+    forgotten.register(this, { core, address }, this);
     this.refresh();
   }
 
@@ -61,8 +73,12 @@ export class Links {
     const at = this.#core.layout(this.#address) >>> 2;
     const words = new Uint32Array(memory.buffer);
     const [vertices, halfedges, faces] = [words[at + 7], words[at + 8], words[at + 9]];
+    const owned = <View extends object>(view: View): View => {
+      owners.set(view, this);
+      return view;
+    };
     const view = (field: number, length: number) =>
-      length === 0 ? NO_LINKS : new Int32Array(memory.buffer, words[at + field], length);
+      length === 0 ? NO_LINKS : owned(new Int32Array(memory.buffer, words[at + field], length));
     this.next = view(0, halfedges);
     this.prev = view(1, halfedges);
     this.toVertex = view(2, halfedges);
@@ -70,7 +86,9 @@ export class Links {
     this.vertexHalfedge = view(4, vertices);
     this.faceHalfedge = view(5, faces);
     this.positions =
-      vertices === 0 ? NO_POSITIONS : new Float32Array(memory.buffer, words[at + 6], 3 * vertices);
+      vertices === 0
+        ? NO_POSITIONS
+        : owned(new Float32Array(memory.buffer, words[at + 6], 3 * vertices));
     this.vertexSlots = vertices;
     this.halfedgeSlots = halfedges;
     this.faceSlots = faces;
@@ -93,8 +111,11 @@ export class Links {
     if (this.detached) this.refresh();
   }
 
-  /** Lets go of the memory; every later use throws. */
-  drop(): void {
+  /** Frees the memory of the mesh; every later use but this throws. */
+  dispose(): void {
+    if (this.disposed) return;
+    forgotten.unregister(this);
+    this.#core.destroyMesh(this.#address);
     this.next = this.prev = this.toVertex = this.face = NO_LINKS;
     this.vertexHalfedge = this.faceHalfedge = NO_LINKS;
     this.positions = NO_POSITIONS;

@@ -1,0 +1,20 @@
+// The public names, but for `init`, of which each entry has its own.
+
+export type { BuildOptions, Polygons } from './build.js';
+export { HalfedgeError, type Problem, type Witness } from './errors.js';
+export {
+  type Direction,
+  type Edge,
+  type EdgeLike,
+  type Face,
+  type FaceLike,
+  type Halfedge,
+  type HalfedgeLike,
+  type ItemKind,
+  NONE,
+  type Vertex,
+  type VertexLike,
+} from './items.js';
+export { HalfedgeMesh } from './mesh.js';
+export type { ConnectivityViews } from './navigation.js';
+export type { FileFormat, ParseOptions, ParseReport } from './parse.js';

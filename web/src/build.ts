@@ -1,0 +1,136 @@
+import {
+  checkFloats,
+  checkNotNegative,
+  describe,
+  indices,
+  isIndex,
+  lengthOf,
+  lengthOfArrayLike,
+  type NumberArray,
+  newArray,
+  numbers,
+  refuseIndex,
+} from './arguments.js';
+import { Links } from './links.js';
+import { core } from './loader.js';
+import { type Block, withInputs } from './memory.js';
+import { unwrap } from './reports.js';
+
+/** Faces as two arrays: how many corners each has, and the vertices of all corners in a row. */
+export interface Polygons {
+  readonly sizes: ArrayLike<number>;
+  readonly corners: ArrayLike<number>;
+}
+
+/** How to build a mesh. There is nothing to choose yet. */
+export type BuildOptions = Record<never, never>;
+
+/** The mesh of an index buffer. */
+export function triangleLinks(positions: unknown, triangles: unknown, options: unknown): Links {
+  checkOptions(options);
+  const points = positionArray(positions);
+  const corners = indices('indices', triangles);
+  const count = lengthOf(corners);
+  if (count % 3 !== 0) {
+    throw new RangeError(
+      `indices has ${count} elements; expected a multiple of 3, three vertices for each triangle.`,
+    );
+  }
+  return buildLinks(points, undefined, corners, 'indices');
+}
+
+/** The mesh of polygons in either form. */
+export function polygonLinks(positions: unknown, faces: unknown, options: unknown): Links {
+  checkOptions(options);
+  const points = positionArray(positions);
+  const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
+  return buildLinks(points, sizes, corners, 'corners');
+}
+
+/** Throws unless `options` is an object; returns it. */
+export function checkOptions(options: unknown): object {
+  if (typeof options === 'object' && options !== null) return options;
+  throw new TypeError(`options is ${describe(options)}; expected an object.`);
+}
+
+function buildLinks(
+  positions: NumberArray,
+  sizes: NumberArray | undefined,
+  corners: NumberArray,
+  name: string,
+): Links {
+  const wasm = core();
+  const raw = withInputs(wasm, (inputs) => {
+    const points = inputs.floats('positions', positions);
+    const lengths = sizes === undefined ? NOTHING : inputs.indices('sizes', sizes);
+    const vertices = inputs.indices(name, corners);
+    return wasm.build(
+      points.address,
+      points.count,
+      lengths.address,
+      lengths.count,
+      vertices.address,
+      vertices.count,
+    );
+  });
+  if ('problems' in raw) {
+    // The core saw unsigned and 32-bit numbers: say what was really given.
+    checkNotNegative(name, corners);
+    if (sizes !== undefined) checkNotNegative('sizes', sizes);
+    checkFloats('positions', positions);
+  }
+  return new Links(wasm, unwrap(raw).mesh);
+}
+
+const NOTHING: Block = { address: 0, count: 0 };
+
+function positionArray(positions: unknown): NumberArray {
+  const array = numbers('positions', positions);
+  const count = lengthOf(array);
+  if (count % 3 !== 0) {
+    throw new RangeError(
+      `positions has ${count} elements; expected a multiple of 3, x, y and z of each vertex.`,
+    );
+  }
+  return array;
+}
+
+function isPolygons(faces: unknown): faces is Polygons {
+  return typeof faces === 'object' && faces !== null && !('length' in faces) && 'corners' in faces;
+}
+
+function polygonArrays(faces: Polygons): { sizes: NumberArray; corners: NumberArray } {
+  const sizes = indices('faces.sizes', faces.sizes);
+  const corners = indices('faces.corners', faces.corners);
+  if (lengthOf(sizes) === 0 && lengthOf(corners) > 0) {
+    throw new RangeError(
+      `faces.sizes is empty, but faces.corners has ${lengthOf(corners)} elements; expected a size for each face.`,
+    );
+  }
+  return { sizes, corners };
+}
+
+/** An array for each face, in a row. */
+function flatten(faces: unknown): { sizes: NumberArray; corners: NumberArray } {
+  const count = lengthOfArrayLike('faces', faces, 'an array of faces, or { sizes, corners }');
+  const list = faces as ArrayLike<ArrayLike<unknown>>;
+  const name = (f: number) => `faces[${f}]`;
+  if (count > 0) lengthOfArrayLike(name(count - 1), list[count - 1]); // or a lying length costs memory
+  const sizes = newArray('faces', Uint32Array, count);
+  let total = 0;
+  for (let f = 0; f < count; f++) {
+    const face = list[f];
+    sizes[f] = Array.isArray(face) ? face.length : lengthOfArrayLike(name(f), face);
+    total += sizes[f];
+  }
+  const corners = newArray('faces', Uint32Array, total);
+  let at = 0;
+  for (let f = 0; f < count; f++) {
+    const face = list[f];
+    for (let i = 0; i < sizes[f]; i++) {
+      const corner = face[i];
+      corners[at++] = isIndex(corner) ? corner : refuseIndex(`faces[${f}]`, i, corner);
+    }
+  }
+  return { sizes, corners };
+}

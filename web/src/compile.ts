@@ -1,0 +1,141 @@
+import { bytesOf, describe } from './arguments.js';
+import { HalfedgeError } from './errors.js';
+import { messageOf } from './loader.js';
+
+/** Where the WebAssembly module comes from; by default `core.wasm` beside this file. */
+export interface InitOptions {
+  /**
+   * An address (a `URL` or a string; in Node a string without a scheme is a file path), the bytes of
+   * `core.wasm`, or a module compiled from them (such as one sent to a worker).
+   */
+  wasm?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module;
+}
+
+/** The `wasm` of the options, whatever was passed as options. */
+export function wasmOption(options: InitOptions): InitOptions['wasm'] {
+  if (options === null || typeof options !== 'object') {
+    throw new TypeError(`options is ${describe(options)}; expected an object such as { wasm }.`);
+  }
+  return options.wasm;
+}
+
+/** Compiles what `init` was given. */
+export async function moduleFrom(
+  source: Exclude<InitOptions['wasm'], undefined>,
+): Promise<WebAssembly.Module> {
+  if (source instanceof WebAssembly.Module) return source;
+  if (typeof source === 'string') return fromAddress(resolve(source));
+  const bytes = bytesOf('wasm', source);
+  if (bytes !== undefined) return fromBytes(bytes, 'wasm');
+  const tag = Object.prototype.toString.call(source);
+  if (tag === '[object WebAssembly.Module]') return source as WebAssembly.Module; // another realm's
+  if (tag === '[object URL]') return fromAddress(source as URL);
+  throw new TypeError(
+    `wasm is ${describe(source)}; expected a URL, a string, an ArrayBuffer, a Uint8Array or a WebAssembly.Module.`,
+  );
+}
+
+/** Node's modules without a `node:` import, which a bundler would follow (webpack fails on it). */
+function nodeModule<Name extends 'node:fs/promises' | 'node:url'>(name: Name) {
+  const { process } = globalThis as { process?: NodeProcess };
+  return process?.getBuiltinModule?.(name) as NodeModules[Name] | undefined;
+}
+
+interface NodeModules {
+  'node:fs/promises': { readFile(path: URL): Promise<Uint8Array> };
+  'node:url': { pathToFileURL(path: string): URL };
+}
+interface NodeProcess {
+  getBuiltinModule?(name: string): unknown;
+}
+
+function resolve(address: string): URL {
+  try {
+    // A scheme has two letters at least: C:\ is a drive.
+    if (/^[a-z][a-z0-9+.-]+:/i.test(address)) return new URL(address);
+    const fromPath = nodeModule('node:url')?.pathToFileURL;
+    if (fromPath !== undefined) return fromPath(address);
+    return new URL(address, globalThis.document?.baseURI ?? globalThis.location.href);
+  } catch (cause) {
+    throw new HalfedgeError(
+      'init-failed',
+      `wasm is ${describe(address)}; expected an address that can be resolved here.`,
+      { cause },
+    );
+  }
+}
+
+async function fromAddress(url: URL): Promise<WebAssembly.Module> {
+  const files = url.protocol === 'file:' ? nodeModule('node:fs/promises') : undefined;
+  if (files !== undefined) {
+    return fromBytes(await loaded(url, files.readFile(url)), url.href);
+  }
+  const response = await loaded(url, fetch(url));
+  if (!response.ok) {
+    throw new HalfedgeError(
+      'init-failed',
+      `The WebAssembly module can't be loaded from ${shorten(url.href)}: the server answered ${response.status} ${response.statusText}`.trimEnd() +
+        '; expected core.wasm there.',
+    );
+  }
+  // Compiling while loading needs this type. If it fails, the bytes tell why.
+  if (/^application\/wasm\b/i.test(response.headers.get('content-type') ?? '')) {
+    try {
+      return await WebAssembly.compileStreaming(response.clone());
+    } catch {
+      // As below: not WebAssembly, or a server that lies about its type.
+    }
+  }
+  return fromBytes(new Uint8Array(await loaded(url, response.arrayBuffer())), url.href);
+}
+
+async function loaded<T>(url: URL, result: Promise<T>): Promise<T> {
+  try {
+    return await result;
+  } catch (cause) {
+    throw new HalfedgeError(
+      'init-failed',
+      `The WebAssembly module can't be loaded from ${shorten(url.href)}: ${messageOf(cause)}.`,
+      { cause },
+    );
+  }
+}
+
+async function fromBytes(bytes: Uint8Array, origin: string): Promise<WebAssembly.Module> {
+  if (bytes[0] !== 0 || bytes[1] !== 0x61 || bytes[2] !== 0x73 || bytes[3] !== 0x6d) {
+    throw new HalfedgeError(
+      'not-webassembly',
+      `What was loaded from ${shorten(origin)} is not WebAssembly: ${opening(bytes)}; expected the bytes 00 61 73 6d. ` +
+        'Is core.wasm deployed there, or does the server answer with a page?',
+    );
+  }
+  try {
+    return await WebAssembly.compile(unshared(bytes));
+  } catch (cause) {
+    throw new HalfedgeError(
+      'init-failed',
+      `The WebAssembly module from ${shorten(origin)} can't be compiled: ${messageOf(cause)}.`,
+      { cause },
+    );
+  }
+}
+
+/** Shared memory can't be compiled from. */
+function unshared(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  const shared = Object.prototype.toString.call(bytes.buffer) === '[object SharedArrayBuffer]';
+  return shared ? new Uint8Array(bytes) : (bytes as Uint8Array<ArrayBuffer>);
+}
+
+/** How a file begins, as text where it is text. */
+function opening(bytes: Uint8Array): string {
+  if (bytes.length === 0) return 'it is empty';
+  const first = bytes.subarray(0, 24);
+  if (first.every((byte) => (byte >= 0x20 && byte < 0x7f) || byte === 0x0a || byte === 0x0d)) {
+    return `it begins with ${JSON.stringify(String.fromCharCode(...first))}`;
+  }
+  const hex = Array.from(first.subarray(0, 8), (byte) => byte.toString(16).padStart(2, '0'));
+  return `it begins with the bytes ${hex.join(' ')}`;
+}
+
+const shorten = (address: string) =>
+  address.length <= 200 ? address : `${address.slice(0, 197)}...`;

@@ -1,0 +1,3 @@
+export * from './api.js';
+export type { InitOptions } from './compile.js';
+export { init } from './init.js';

@@ -1,0 +1,16 @@
+import { type InitOptions, moduleFrom, wasmOption } from './compile.js';
+import { load } from './loader.js';
+
+/**
+ * Loads the WebAssembly module. Await it once, before the first mesh is made. No options are needed
+ * in Node, in a browser, in a worker, or behind a bundler.
+ *
+ * Idempotent: later calls, also concurrent ones, resolve as soon as the first has loaded the module,
+ * whatever their options. After a failure it can be called again.
+ *
+ * @throws HalfedgeError `not-webassembly` if the bytes are something else (an HTML page, the usual
+ * accident), `init-failed` if they can't be had or started; TypeError for a wrong argument.
+ */
+export async function init(options: InitOptions = {}): Promise<void> {
+  await load(() => moduleFrom(wasmOption(options) ?? new URL('./core.wasm', import.meta.url)));
+}

@@ -1,0 +1,97 @@
+import { lengthOf, type NumberArray, typedArrayName } from './arguments.js';
+import { HalfedgeError } from './errors.js';
+import type { Core } from './loader.js';
+
+/** The most that WebAssembly can address. */
+const MAX_BYTES = 2 ** 32 - 1;
+
+const KINDS = {
+  Int8Array,
+  Uint8Array,
+  Uint8ClampedArray,
+  Int16Array,
+  Uint16Array,
+  Int32Array,
+  Uint32Array,
+  Float32Array,
+  Float64Array,
+};
+
+/** Numbers in WebAssembly memory. */
+export interface Block {
+  readonly address: number;
+  readonly count: number;
+}
+
+/**
+ * Runs `use` with a way to copy inputs into WebAssembly memory, in one go each, and frees the copies
+ * afterwards, also when something throws.
+ */
+export function withInputs<T>(core: Core, use: (inputs: Inputs) => T): T {
+  const inputs = new Inputs(core);
+  try {
+    return use(inputs);
+  } finally {
+    inputs.free();
+  }
+}
+
+export class Inputs {
+  #core: Core;
+  #addresses: number[] = [];
+
+  constructor(core: Core) {
+    this.#core = core;
+  }
+
+  floats(what: string, source: NumberArray): Block {
+    return this.#copy(what, source, Float32Array);
+  }
+
+  indices(what: string, source: NumberArray): Block {
+    return this.#copy(what, source, Uint32Array);
+  }
+
+  bytes(what: string, source: Uint8Array): Block {
+    return this.#copy(what, source, Uint8Array);
+  }
+
+  free(): void {
+    for (const address of this.#addresses) this.#core.free(address);
+  }
+
+  #copy(
+    what: string,
+    source: NumberArray,
+    Kind: Float32ArrayConstructor | Uint32ArrayConstructor | Uint8ArrayConstructor,
+  ): Block {
+    const count = lengthOf(source);
+    const { memory } = this.#core;
+    // The source may be a live view of another mesh: allocating can detach it.
+    const inMemory = source.buffer === memory.buffer;
+    const { byteOffset } = source;
+    const address = this.#allocate(what, count * Kind.BYTES_PER_ELEMENT);
+    const detached = inMemory && source.buffer !== memory.buffer;
+    const from = detached
+      ? new KINDS[typedArrayName(source) as keyof typeof KINDS](memory.buffer, byteOffset, count)
+      : source;
+    // A view of exactly this block: nothing can be written outside it.
+    new Kind(memory.buffer, address, count).set(from);
+    return { address, count };
+  }
+
+  #allocate(what: string, bytes: number): number {
+    const address = bytes <= MAX_BYTES ? this.#core.allocate(bytes) : 0;
+    if (address === 0) throw outOfMemory(`${what} needs ${bytes} bytes`);
+    this.#addresses.push(address);
+    return address;
+  }
+}
+
+/** The error of an exhausted memory; the module goes on working. */
+export function outOfMemory(why: string): HalfedgeError {
+  return new HalfedgeError(
+    'out-of-memory',
+    `${why}, more than WebAssembly has left of its 4 GiB: dispose of meshes that are no longer needed.`,
+  );
+}

@@ -1,0 +1,105 @@
+import { type BuildOptions, type Polygons, polygonLinks, triangleLinks } from './build.js';
+import { Links } from './links.js';
+import { core } from './loader.js';
+import { outOfMemory } from './memory.js';
+import { linksOf, Navigation } from './navigation.js';
+import { type ParseOptions, type ParseReport, parseFile } from './parse.js';
+
+/**
+ * A halfedge mesh: vertices, halfedges, edges and faces of any number of corners, with positions.
+ *
+ * Items are plain integers. The mesh lives in WebAssembly memory; `dispose()` frees it (as does
+ * `using`, and in the end the garbage collector).
+ *
+ * ```ts
+ * await init();
+ * using mesh = HalfedgeMesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]);
+ * for (const w of mesh.vertexVertices(0)) console.log(w);
+ * ```
+ */
+export class HalfedgeMesh extends Navigation {
+  /** An empty mesh. */
+  constructor();
+  /** @internal */
+  constructor(links: Links);
+  constructor(links?: unknown) {
+    super(links instanceof Links ? links : emptyLinks());
+  }
+
+  /**
+   * The mesh of a triangle soup over shared vertices: an index buffer. Vertex i and face j of the mesh
+   * are vertex i and face j of the input, in any order of the faces. The input is copied, and not changed.
+   * Typed arrays are the fastest: one copy, and linear time.
+   *
+   * Strict: it must be an oriented 2-manifold, with or without boundary.
+   *
+   * @param positions x, y, z of each vertex
+   * @param indices three vertices of each face, counter-clockwise
+   * @throws HalfedgeError with all `problems` found: `edge-with-many-faces`, `opposite-orientation`,
+   * `duplicate-face`, `repeated-vertex`, `pinched-vertex`, `index-out-of-range`,
+   * `non-finite-position`, `out-of-memory`; TypeError or RangeError for what is no such array.
+   */
+  static fromTriangles(
+    positions: ArrayLike<number>,
+    indices: ArrayLike<number>,
+    options: BuildOptions = {},
+  ): HalfedgeMesh {
+    return new HalfedgeMesh(triangleLinks(positions, indices, options));
+  }
+
+  /**
+   * As {@link fromTriangles}, with faces of any number of corners.
+   *
+   * @param faces an array of vertices for each face, or, without an array for each face, all
+   * `sizes` and all `corners` in a row
+   * @throws HalfedgeError also `degree-below-three`
+   */
+  static fromPolygons(
+    positions: ArrayLike<number>,
+    faces: ArrayLike<ArrayLike<number>> | Polygons,
+    options: BuildOptions = {},
+  ): HalfedgeMesh {
+    return new HalfedgeMesh(polygonLinks(positions, faces, options));
+  }
+
+  /**
+   * The mesh in a file, whose content tells the format: Wavefront OBJ or Geomview OFF (text). Vertex i
+   * and face j of the mesh are the i-th vertex and the j-th face of the file. Text, or its bytes.
+   *
+   * @throws HalfedgeError with the line and what was expected there (`parse-error`, `truncated`,
+   * `unknown-format`, `unsupported-format`, `not-text`, ...), or as {@link fromPolygons}, with the
+   * lines of the faces
+   */
+  static parse(
+    data: string | ArrayBuffer | Uint8Array,
+    options: ParseOptions = {},
+  ): { mesh: HalfedgeMesh; report: ParseReport } {
+    const { links, report } = parseFile(data, options);
+    return { mesh: new HalfedgeMesh(links), report };
+  }
+
+  /** A copy of this mesh with the same indices, of its own memory. */
+  clone(): HalfedgeMesh {
+    const links = linksOf(this);
+    const address = links.core.cloneMesh(links.address);
+    if (address === 0) throw outOfMemory(`A copy of ${this.halfedgeCount} halfedges`);
+    return new HalfedgeMesh(new Links(links.core, address));
+  }
+
+  /** Frees the memory of this mesh at once. Any later use throws; disposing twice does nothing. */
+  dispose(): void {
+    linksOf(this).dispose();
+  }
+
+  /** Whether `dispose()` was called. */
+  get disposed(): boolean {
+    return linksOf(this).disposed;
+  }
+}
+
+function emptyLinks(): Links {
+  const wasm = core();
+  const address = wasm.createMesh();
+  if (address === 0) throw outOfMemory('A mesh');
+  return new Links(wasm, address);
+}

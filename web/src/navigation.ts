@@ -1,0 +1,366 @@
+import { describe } from './arguments.js';
+import type { HalfedgeError } from './errors.js';
+import {
+  type Edge,
+  type EdgeLike,
+  type Face,
+  type FaceLike,
+  type Halfedge,
+  type HalfedgeLike,
+  NONE,
+  type Vertex,
+  type VertexLike,
+} from './items.js';
+import { corrupt, type Links } from './links.js';
+
+/**
+ * Live zero-copy views of a mesh's links: index them with the items. Empty links are -1, deleted
+ * slots hold other negative values.
+ */
+export interface ConnectivityViews {
+  /** By halfedge: the one after it in its face loop or boundary loop. */
+  readonly next: Int32Array;
+  /** By halfedge: the one before it. */
+  readonly prev: Int32Array;
+  /** By halfedge: the vertex it points to. */
+  readonly toVertex: Int32Array;
+  /** By halfedge: the face on its left, -1 for a boundary halfedge. */
+  readonly face: Int32Array;
+  /** By vertex: one halfedge that leaves it, the anchor; -1 for an isolated vertex. */
+  readonly vertexHalfedge: Int32Array;
+  /** By face: one halfedge of it. */
+  readonly faceHalfedge: Int32Array;
+}
+
+/** The links of a mesh, for the modules of this package. */
+export let linksOf: (mesh: Navigation) => Links;
+
+/**
+ * Counts, links and queries of a mesh: everything that is read in place, without crossing into
+ * WebAssembly. Accessors take an index and cost about as much as reading a typed array.
+ *
+ * Every accessor throws a RangeError for an index that is out of range or deleted, a TypeError for
+ * something that is no number, and a HalfedgeError `disposed` after `dispose()`.
+ */
+export abstract class Navigation {
+  readonly #links: Links;
+  #views: ConnectivityViews | undefined;
+
+  static {
+    linksOf = (mesh) => mesh.#links;
+  }
+
+  /** @internal */
+  constructor(links: Links) {
+    this.#links = links;
+  }
+
+  /** Live vertices. */
+  get vertexCount(): number {
+    this.#links.checkAlive();
+    return this.#links.vertexCount;
+  }
+  /** Live halfedges, boundary halfedges included: twice the edges. */
+  get halfedgeCount(): number {
+    return 2 * this.edgeCount;
+  }
+  /** Live edges. */
+  get edgeCount(): number {
+    this.#links.checkAlive();
+    return this.#links.edgeCount;
+  }
+  /** Live faces. */
+  get faceCount(): number {
+    this.#links.checkAlive();
+    return this.#links.faceCount;
+  }
+
+  /** Live and deleted vertices: the range of their indices. */
+  get vertexSlots(): number {
+    this.#links.checkAlive();
+    return this.#links.vertexSlots;
+  }
+  /** Live and deleted halfedges: the range of their indices. */
+  get halfedgeSlots(): number {
+    this.#links.checkAlive();
+    return this.#links.halfedgeSlots;
+  }
+  /** Live and deleted edges: the range of their indices. */
+  get edgeSlots(): number {
+    return this.halfedgeSlots / 2;
+  }
+  /** Live and deleted faces: the range of their indices. */
+  get faceSlots(): number {
+    this.#links.checkAlive();
+    return this.#links.faceSlots;
+  }
+
+  /** Changes with every change of connectivity; moving vertices does not count as one. */
+  get version(): number {
+    this.#links.checkAlive();
+    return this.#links.version;
+  }
+
+  /**
+   * The links themselves, zero-copy. A loop over these arrays is the fastest way to read a mesh.
+   *
+   * Views that you keep become stale when the connectivity changes, when the WebAssembly memory
+   * grows (making any mesh can do that; their length is 0 then), and when the mesh is disposed of.
+   * They are good exactly as long as `mesh.connectivity === kept`. Keeping one keeps the memory of
+   * a forgotten mesh alive. Writing to them is at your own risk, but can't crash anything:
+   * `validate()` tells whether the mesh is still sound.
+   */
+  get connectivity(): ConnectivityViews {
+    const links = this.#links;
+    links.revive();
+    if (this.#views?.next !== links.next || this.#views.vertexHalfedge !== links.vertexHalfedge) {
+      const { next, prev, toVertex, face, vertexHalfedge, faceHalfedge } = links;
+      this.#views = Object.freeze({ next, prev, toVertex, face, vertexHalfedge, faceHalfedge });
+    }
+    return this.#views as ConnectivityViews;
+  }
+
+  /**
+   * The positions, zero-copy: x, y, z of each vertex slot, 3 * vertexSlots floats. Write to it to move
+   * vertices. It becomes stale as {@link connectivity} does; good as long as
+   * `mesh.positions === kept`.
+   */
+  get positions(): Float32Array {
+    const { positions } = this.#links;
+    if (positions.length !== 0) return positions;
+    this.#links.revive();
+    return this.#links.positions;
+  }
+
+  // Each accessor reads first and looks at the sign of what it got: see Links. `(h | 0) === h`
+  // costs nothing where h is an integer, and keeps strings and fractions out of the arithmetic.
+
+  /** The halfedge after `h` in its face loop or boundary loop. */
+  next(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.next[h] : -1;
+    return (r >= 0 ? r : this.#readNext(h)) as Halfedge;
+  }
+
+  /** The halfedge before `h` in its face loop or boundary loop. */
+  prev(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.prev[h] : -1;
+    return (r >= 0 ? r : this.#readPrev(h)) as Halfedge;
+  }
+
+  /** The other halfedge of the same edge: `h ^ 1`. */
+  opposite(h: HalfedgeLike): Halfedge {
+    if (!((h | 0) === h && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    return (h ^ 1) as Halfedge;
+  }
+
+  /** The edge of `h`: `h >> 1`. */
+  edge(h: HalfedgeLike): Edge {
+    if (!((h | 0) === h && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    return (h >> 1) as Edge;
+  }
+
+  /** The face on the left of `h`, or `NONE` for a boundary halfedge. */
+  face(h: HalfedgeLike): Face {
+    const r = (h | 0) === h ? this.#links.face[h] : -2;
+    return (r >= -1 ? r : this.#readFace(h)) as Face;
+  }
+
+  /** The vertex that `h` points to. */
+  toVertex(h: HalfedgeLike): Vertex {
+    const r = (h | 0) === h ? this.#links.toVertex[h] : -1;
+    return (r >= 0 ? r : this.#readToVertex(h)) as Vertex;
+  }
+
+  /** The vertex that `h` leaves. */
+  fromVertex(h: HalfedgeLike): Vertex {
+    const r = (h | 0) === h ? this.#links.toVertex[h ^ 1] : -1;
+    return (r >= 0 ? r : this.#readToVertex(h, 1)) as Vertex;
+  }
+
+  /** The next halfedge that leaves the same vertex, counter-clockwise: `opposite(prev(h))`. */
+  rotateCcw(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.prev[h] : -1;
+    return ((r >= 0 ? r : this.#readPrev(h)) ^ 1) as Halfedge;
+  }
+
+  /** The next halfedge that leaves the same vertex, clockwise: `next(opposite(h))`. */
+  rotateCw(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.next[h ^ 1] : -1;
+    return (r >= 0 ? r : this.#readNext(h, 1)) as Halfedge;
+  }
+
+  /** The next halfedge that arrives at the same vertex, clockwise: `opposite(next(h))`. */
+  nextOnVertex(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.next[h] : -1;
+    return ((r >= 0 ? r : this.#readNext(h)) ^ 1) as Halfedge;
+  }
+
+  /** The next halfedge that arrives at the same vertex, counter-clockwise: `prev(opposite(h))`. */
+  prevOnVertex(h: HalfedgeLike): Halfedge {
+    const r = (h | 0) === h ? this.#links.prev[h ^ 1] : -1;
+    return (r >= 0 ? r : this.#readPrev(h, 1)) as Halfedge;
+  }
+
+  /**
+   * One halfedge that leaves `v`, its anchor: a boundary halfedge where `v` is on the boundary.
+   * `NONE` for an isolated vertex.
+   */
+  vertexHalfedge(v: VertexLike): Halfedge {
+    const r = (v | 0) === v ? this.#links.vertexHalfedge[v] : -2;
+    return (r >= -1 ? r : this.#readVertexHalfedge(v)) as Halfedge;
+  }
+
+  /** One halfedge of `f`: the one that leads to the first vertex of the input face. */
+  faceHalfedge(f: FaceLike): Halfedge {
+    const r = (f | 0) === f ? this.#links.faceHalfedge[f] : -1;
+    return (r >= 0 ? r : this.#readFaceHalfedge(f)) as Halfedge;
+  }
+
+  /** The halfedge on `side` 0 or 1 of `e`: `2 * e + side`. */
+  edgeHalfedge(e: EdgeLike, side: 0 | 1 = 0): Halfedge {
+    if (side !== 0 && side !== 1) {
+      throw new RangeError(`side is ${describe(side)}; expected 0 or 1.`);
+    }
+    if (!((e | 0) === e && this.#links.next[2 * e] >= 0)) this.#links.checkEdge(e);
+    return (2 * e + side) as Halfedge;
+  }
+
+  /** The halfedge from `a` to `b`, or `NONE`. O(valence of a). */
+  findHalfedge(a: VertexLike, b: VertexLike): Halfedge | typeof NONE {
+    this.#links.checkVertex(a, 'a');
+    this.#links.checkVertex(b, 'b');
+    const { next, toVertex, vertexHalfedge } = this.#links;
+    const anchor = vertexHalfedge[a];
+    if (anchor === NONE) return NONE;
+    let h = anchor;
+    for (let laps = next.length; laps > 0; laps--) {
+      if (toVertex[h] === b) return h as Halfedge;
+      h = next[h ^ 1];
+      if (h === anchor) return NONE;
+      if (!(h >= 0)) break;
+    }
+    throw openOrbit('vertex', a);
+  }
+
+  /** The edge between `a` and `b`, or `NONE`. O(valence of a). */
+  findEdge(a: VertexLike, b: VertexLike): Edge | typeof NONE {
+    const h = this.findHalfedge(a, b);
+    return h === NONE ? NONE : ((h >> 1) as Edge);
+  }
+
+  /** Whether a boundary halfedge leaves `v`; true of an isolated vertex. O(1). */
+  isBoundaryVertex(v: VertexLike): boolean {
+    const anchor = this.vertexHalfedge(v);
+    return anchor === NONE || sound(this.#links.face[anchor], -1, 'face', anchor) === NONE;
+  }
+
+  /** Whether `h` has no face on its left. O(1). */
+  isBoundaryHalfedge(h: HalfedgeLike): boolean {
+    return this.face(h) === NONE;
+  }
+
+  /** Whether one side of `e` has no face. O(1). */
+  isBoundaryEdge(e: EdgeLike): boolean {
+    const h = this.edgeHalfedge(e);
+    return this.face(h) === NONE || this.face(h ^ 1) === NONE;
+  }
+
+  /** Whether one of the edges of `f` is a boundary edge. O(degree). */
+  isBoundaryFace(f: FaceLike): boolean {
+    const first = this.faceHalfedge(f);
+    const { next, face } = this.#links;
+    let h: number = first;
+    for (let laps = next.length; laps > 0; laps--) {
+      if (face[h ^ 1] === NONE) return true;
+      h = next[h];
+      if (h === first) return false;
+      if (!(h >= 0)) break;
+    }
+    throw openOrbit('face', f);
+  }
+
+  /** Whether no edge meets `v`. O(1). */
+  isIsolatedVertex(v: VertexLike): boolean {
+    return this.vertexHalfedge(v) === NONE;
+  }
+
+  /** Whether the faces at `v` form at most one fan; false of a pinched vertex. O(valence). */
+  isManifoldVertex(v: VertexLike): boolean {
+    const anchor: number = this.vertexHalfedge(v);
+    if (anchor === NONE) return true;
+    const { next, face } = this.#links;
+    let h = anchor;
+    let gaps = 0;
+    for (let laps = next.length; laps > 0; laps--) {
+      if (face[h] === NONE) gaps += 1;
+      h = next[h ^ 1];
+      if (h === anchor) return gaps <= 1;
+      if (!(h >= 0)) break;
+    }
+    throw openOrbit('vertex', v);
+  }
+
+  /** The number of edges at `v`. O(valence). */
+  valence(v: VertexLike): number {
+    const anchor: number = this.vertexHalfedge(v);
+    if (anchor === NONE) return 0;
+    const { next } = this.#links;
+    let h = anchor;
+    for (let count = 1; count <= next.length; count++) {
+      h = next[h ^ 1];
+      if (h === anchor) return count;
+      if (!(h >= 0)) break;
+    }
+    throw openOrbit('vertex', v);
+  }
+
+  /** The number of corners of `f`. O(degree). */
+  degree(f: FaceLike): number {
+    const first: number = this.faceHalfedge(f);
+    const { next } = this.#links;
+    let h = first;
+    for (let count = 1; count <= next.length; count++) {
+      h = next[h];
+      if (h === first) return count;
+      if (!(h >= 0)) break;
+    }
+    throw openOrbit('face', f);
+  }
+
+  // The slow paths: mend the views or throw, and read again, `side` 1 meaning the opposite.
+
+  #readNext(h: number, side = 0): number {
+    this.#links.checkHalfedge(h);
+    return sound(this.#links.next[h ^ side], 0, 'next', h ^ side);
+  }
+  #readPrev(h: number, side = 0): number {
+    this.#links.checkHalfedge(h);
+    return sound(this.#links.prev[h ^ side], 0, 'prev', h ^ side);
+  }
+  #readToVertex(h: number, side = 0): number {
+    this.#links.checkHalfedge(h);
+    return sound(this.#links.toVertex[h ^ side], 0, 'toVertex', h ^ side);
+  }
+  #readFace(h: number): number {
+    this.#links.checkHalfedge(h);
+    return sound(this.#links.face[h], NONE, 'face', h);
+  }
+  #readVertexHalfedge(v: number): number {
+    this.#links.checkVertex(v);
+    return sound(this.#links.vertexHalfedge[v], NONE, 'vertexHalfedge', v);
+  }
+  #readFaceHalfedge(f: number): number {
+    this.#links.checkFace(f);
+    return sound(this.#links.faceHalfedge[f], 0, 'faceHalfedge', f);
+  }
+}
+
+/** `value`, if a link of a live item can have it. */
+function sound(value: number, least: number, link: string, of: number): number {
+  if (value >= least) return value;
+  throw corrupt(`${link}[${of}] is ${value}`);
+}
+
+function openOrbit(kind: 'vertex' | 'face', index: number): HalfedgeError {
+  return corrupt(`The halfedges of ${kind} ${index} form no closed orbit`);
+}

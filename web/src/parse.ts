@@ -1,0 +1,77 @@
+import { bytesOf, describe } from './arguments.js';
+import { checkOptions } from './build.js';
+import { NO_WITNESS, type Problem } from './errors.js';
+import { Links } from './links.js';
+import { core } from './loader.js';
+import { withInputs } from './memory.js';
+import { sentence, unwrap } from './reports.js';
+
+/** The file formats that can be read. */
+export type FileFormat = 'obj' | 'off';
+
+/** In the order of the enum Format in C++. */
+const FORMATS: readonly FileFormat[] = ['obj', 'off'];
+
+/** How to read a file. */
+export interface ParseOptions {
+  /** Decides where the content leaves the format open. The content is believed first. */
+  format?: FileFormat;
+  /**
+   * Whether faces that make no manifold may be mended. Nothing is mended yet: they are an error, as in
+   * a strict build, whatever is said here.
+   */
+  repair?: boolean;
+}
+
+/** What reading a file has found. */
+export interface ParseReport {
+  /** The format of the content. */
+  readonly format: FileFormat;
+  /** What was ignored or is worth knowing; nothing that stood in the way of the mesh. */
+  readonly problems: readonly Problem[];
+  /** All of it in one readable line. */
+  readonly summary: string;
+}
+
+/** The mesh in a file. */
+export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
+  const claimed = claimedFormat(checkOptions(options) as ParseOptions);
+  const bytes = contentOf(data);
+  const wasm = core();
+  const raw = withInputs(wasm, (inputs) => {
+    const { address, count } = inputs.bytes('data', bytes);
+    return wasm.parse(address, count, claimed);
+  });
+  const { mesh, format, notes } = unwrap(raw);
+  const links = new Links(wasm, mesh);
+  return { links, report: reportOf(links, FORMATS[format], notes.map(sentence)) };
+}
+
+function claimedFormat({ format, repair }: ParseOptions): number {
+  if (repair !== undefined && typeof repair !== 'boolean') {
+    throw new TypeError(`options.repair is ${describe(repair)}; expected true or false.`);
+  }
+  if (format === undefined) return -1;
+  const claimed = FORMATS.indexOf(format);
+  if (claimed >= 0) return claimed;
+  const sentence = `options.format is ${describe(format)}; expected 'obj' or 'off'.`;
+  throw typeof format === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
+
+function contentOf(data: unknown): Uint8Array {
+  if (typeof data === 'string') return new TextEncoder().encode(data);
+  const bytes = bytesOf('data', data);
+  if (bytes !== undefined) return bytes;
+  throw new TypeError(
+    `data is ${describe(data)}; expected the content of a file as a string, an ArrayBuffer or a Uint8Array.`,
+  );
+}
+
+function reportOf(links: Links, format: FileFormat, notes: string[]): ParseReport {
+  const problems = notes.map((message): Problem => {
+    const witness = NO_WITNESS;
+    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message, witness };
+  });
+  const found = `${format.toUpperCase()}: ${links.vertexCount} vertices, ${links.edgeCount} edges, ${links.faceCount} faces.`;
+  return { format, problems, summary: [found, ...notes].join(' ') };
+}

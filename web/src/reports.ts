@@ -1,0 +1,38 @@
+import type { RawFailure, RawProblem } from './core.mjs';
+import { HalfedgeError, type Problem, type Witness } from './errors.js';
+
+/** The result of a call into the core; throws what it failed of. */
+export function unwrap<T extends object>(raw: T | RawFailure): T {
+  if (!('problems' in raw)) return raw;
+  const problems = raw.problems.map(problemOf);
+  const first = problems[0];
+  const more = raw.problemCount - 1;
+  const others = more === 0 ? '' : ` And ${more} more ${more === 1 ? 'problem' : 'problems'}.`;
+  throw new HalfedgeError(first.code, first.message + others, {
+    witness: first.witness,
+    problems,
+  });
+}
+
+function problemOf({ code, message, ...items }: RawProblem): Problem {
+  const witness: Witness = {
+    vertices: Array.from(items.vertices),
+    halfedges: Array.from(items.halfedges),
+    edges: Array.from(items.edges),
+    faces: Array.from(items.faces),
+  };
+  return { code, severity: 'error', ...subjectOf(witness), message: sentence(message), witness };
+}
+
+/** What a problem with an input is about: a face or a vertex if it names one, else its first face. */
+function subjectOf({ faces, vertices }: Witness): Pick<Problem, 'kind' | 'index'> {
+  if (vertices.length === 1 && faces.length !== 1) return { kind: 'vertex', index: vertices[0] };
+  if (faces.length > 0) return { kind: 'face', index: faces[0] };
+  return { kind: 'mesh', index: -1 };
+}
+
+/** As a whole sentence: some parts of the core leave out the capital and the full stop. */
+export function sentence(text: string): string {
+  const capital = text.charAt(0).toUpperCase() + text.slice(1);
+  return /[.!?)]$/.test(capital) ? capital : `${capital}.`;
+}
