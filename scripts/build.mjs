@@ -1,7 +1,7 @@
 // `npm run build`: makes dist/, the package. `build.mjs wasm` and `build.mjs web` make one part.
 
 import {
-  copyFileSync,
+  cpSync,
   existsSync,
   mkdirSync,
   readdirSync,
@@ -9,7 +9,7 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs';
-import { dirname, join, relative } from 'node:path';
+import { join, relative } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
@@ -18,6 +18,7 @@ import { asProgram, Failure, root, run } from './lib/run.mjs';
 
 const dist = join(root, 'dist');
 const sources = join(root, 'web/src');
+const compiled = join(root, 'build/web');
 
 /** Configures a CMake preset where that is due, and builds it (or only `targets` of it). */
 export async function buildPreset(preset, { options = [], targets = [] } = {}) {
@@ -39,7 +40,7 @@ export async function buildWasm() {
   const { code } = await transform(glue, { minify: true, format: 'esm', target: 'es2022' });
   mkdirSync(dist, { recursive: true });
   writeFileSync(join(dist, 'core.mjs'), code);
-  copyFileSync(join(built, 'core.wasm'), join(dist, 'core.wasm'));
+  writeFileSync(join(dist, 'core.wasm'), readFileSync(join(built, 'core.wasm')));
 }
 
 /** A build folder keeps the compiler it was made with: start afresh when Emscripten has changed. */
@@ -53,33 +54,23 @@ function forgetOtherToolchain(toolchain) {
 
 /** Compiles the TypeScript package into dist/, beside the WebAssembly module. */
 export async function buildWeb() {
-  removeStale();
+  const wasm = join(dist, 'core.wasm');
+  if (!existsSync(wasm)) throw new Failure('dist/core.wasm is missing: run `npm run build:wasm`.');
+  rmSync(compiled, { recursive: true, force: true });
   await run(process.execPath, ['node_modules/typescript/bin/tsc', '-p', 'tsconfig.build.json']);
+
+  // Now that it compiles: nothing of an earlier build may stay in dist/ and be shipped.
+  for (const name of readdirSync(dist)) {
+    if (!['core.mjs', 'core.wasm'].includes(name)) rmSync(join(dist, name), { recursive: true });
+  }
+  cpSync(compiled, dist, { recursive: true });
   // The hand-written types of the glue: tsc reads them, but does not copy them.
   for (const path of filesBelow(sources).filter((name) => name.endsWith('.d.mts'))) {
-    const target = join(dist, relative(sources, path));
-    mkdirSync(dirname(target), { recursive: true });
-    copyFileSync(path, target);
+    cpSync(path, join(dist, relative(sources, path)));
   }
-  embedModule();
-}
-
-/** dist/core-base64.js, from which `halfedge/inline` takes the module without a request. */
-function embedModule() {
-  const wasm = join(dist, 'core.wasm');
-  if (!existsSync(wasm))
-    throw new Failure('dist/core.wasm is missing: `npm run build:wasm` first.');
+  // From here `halfedge/inline` takes the module without a request.
   const text = readFileSync(wasm).toString('base64');
   writeFileSync(join(dist, 'core-base64.js'), `export const coreBase64 =\n  '${text}';\n`);
-}
-
-/** Removes what an earlier build left in dist/, so that no file of a deleted source is shipped. */
-function removeStale() {
-  if (!existsSync(dist)) return;
-  const kept = new Set(['core.mjs', 'core.wasm']);
-  for (const name of readdirSync(dist)) {
-    if (!kept.has(name)) rmSync(join(dist, name), { recursive: true });
-  }
 }
 
 /** The whole package. */
