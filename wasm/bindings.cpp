@@ -44,23 +44,32 @@ using Address = std::uintptr_t;
 // ---- memory ----------------------------------------------------------------------------------
 
 /// Arrays of the core report a failed allocation, but the strings of an error can't: without
-/// exceptions a failing `new` ends the module. So some memory is kept back for them. It is let go
-/// while a report is made, and whenever `new` finds none; and taken back before anything large.
+/// exceptions a failing `new` ends the module. So some memory is kept back for them: it is let go
+/// when `new` finds none, and while a report is made; and is taken back as soon as there is room.
 class Reserve {
  public:
   static bool take_back() {
     if (block_ == nullptr) block_ = std::malloc(kBytes);
     return block_ != nullptr;
   }
-  static void let_go() {
+  static void let_go() { std::free(std::exchange(block_, nullptr)); }
+  static void on_exhaustion() {
     if (block_ == nullptr) std::abort();  // a report larger than the reserve: a bug
-    std::free(block_);
-    block_ = nullptr;
+    let_go();
   }
 
  private:
   static constexpr std::size_t kBytes = std::size_t{4} << 20U;
   static inline void* block_ = nullptr;
+};
+
+/// While it lives, embind can make strings, for which it allocates without asking for success.
+class RoomForReport {
+ public:
+  RoomForReport() { Reserve::let_go(); }
+  ~RoomForReport() { (void)Reserve::take_back(); }
+  RoomForReport(const RoomForReport&) = delete;
+  RoomForReport& operator=(const RoomForReport&) = delete;
 };
 
 Address allocate(std::size_t bytes) {
@@ -122,7 +131,7 @@ val to_problem(const Error& error) {
 
 /// What a call returns that failed: `problems`, and how many there are, listed or not.
 val failure(std::span<const Error> errors, std::size_t count) {
-  Reserve::let_go();
+  const RoomForReport room;
   val problems = val::array();
   for (const Error& error : errors) problems.call<void>("push", to_problem(error));
   val result = val::object();
@@ -233,6 +242,7 @@ val parse_file(Address address, std::size_t count, int claimed) {
     add_lines(report.problems, bytes, format);
     return failure(report.problems, report.problem_count);
   }
+  const RoomForReport room;
   val notes = val::array();
   for (const std::string& note : file.value().notes) notes.call<void>("push", note);
   val result = success("mesh", val(mesh.release()));
@@ -245,7 +255,7 @@ val parse_file(Address address, std::size_t count, int claimed) {
 
 val validate_mesh(Address mesh, int level) {
   const std::vector<Problem> problems = validate(mesh_at(mesh), level);
-  Reserve::let_go();
+  const RoomForReport room;
   val list = val::array();
   for (const Problem& problem : problems) {
     val item = val::object();
@@ -313,7 +323,7 @@ val some_rings(Address mesh, int ring, int direction, Address centres, std::size
 EMSCRIPTEN_BINDINGS(halfedge) {
   using emscripten::function;
 
-  std::set_new_handler(&Reserve::let_go);
+  std::set_new_handler(&Reserve::on_exhaustion);
   (void)Reserve::take_back();
 
   function("allocate", &allocate);

@@ -18,3 +18,5 @@ export {
 export { HalfedgeMesh } from './mesh.js';
 export type { ConnectivityViews } from './navigation.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
+export type { RingKind, Rows } from './rings.js';
+export type { Component } from './topology.js';

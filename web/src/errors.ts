@@ -21,7 +21,8 @@ export interface Problem {
   readonly index: number;
   /** One sentence that names the item, its value and what was expected. */
   readonly message: string;
-  readonly witness: Witness;
+  /** The items that show it, of a build. */
+  readonly witness?: Witness;
 }
 
 /** The witness of an error that no item shows. */

@@ -1,9 +1,24 @@
 import { type BuildOptions, type Polygons, polygonLinks, triangleLinks } from './build.js';
+import { BulkRings } from './bulk.js';
+import type { Problem } from './errors.js';
+import type { Halfedge } from './items.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
-import { linksOf, Navigation } from './navigation.js';
+import { linksOf } from './navigation.js';
 import { type ParseOptions, type ParseReport, parseFile } from './parse.js';
+import { unwrap } from './reports.js';
+import {
+  boundaryLoopsOf,
+  type Component,
+  componentsOf,
+  polygonsOf,
+  problemsOf,
+  trianglesOf,
+} from './topology.js';
+
+/** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
+const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /**
  * A halfedge mesh: vertices, halfedges, edges and faces of any number of corners, with positions.
@@ -17,7 +32,7 @@ import { type ParseOptions, type ParseReport, parseFile } from './parse.js';
  * for (const w of mesh.vertexVertices(0)) console.log(w);
  * ```
  */
-export class HalfedgeMesh extends Navigation {
+export class HalfedgeMesh extends BulkRings {
   /** An empty mesh. */
   constructor();
   /** @internal */
@@ -86,6 +101,60 @@ export class HalfedgeMesh extends Navigation {
     return new HalfedgeMesh(new Links(links.core, address));
   }
 
+  /**
+   * One halfedge of each boundary loop, in ascending order. `halfedgeLoop(h)` walks the loop.
+   * O(halfedges).
+   */
+  boundaryLoops(): Halfedge[] {
+    return boundaryLoopsOf(linksOf(this));
+  }
+
+  /**
+   * Checks the invariants of the mesh, those of `level` (0 to 4) and below: an empty list means that
+   * it is valid. Levels 0 to 3 check the links, level 4 adds the rules of polygon meshes. Isolated
+   * and pinched vertices are told, as information and as a warning, but are no error. Linear time,
+   * whatever the arrays hold.
+   */
+  validate(level = 4): Problem[] {
+    return problemsOf(linksOf(this), level);
+  }
+
+  /** Vertices - edges + faces. */
+  eulerCharacteristic(): number {
+    const links = linksOf(this);
+    return links.core.eulerCharacteristic(links.address);
+  }
+
+  /** The number of handles of all components together; boundaries don't change it. O(halfedges). */
+  genus(): number {
+    const links = linksOf(this);
+    return unwrap(links.core.genus(links.address)).genus;
+  }
+
+  /**
+   * The connected components, in the order of their smallest vertices. Parts that share only a
+   * pinched vertex are connected. Isolated vertices belong to no component. O(halfedges).
+   */
+  components(): Component[] {
+    return componentsOf(linksOf(this));
+  }
+
+  /**
+   * A copy of the live faces, in ascending order: how many corners each has, and the vertices of all
+   * corners in a row, as `fromPolygons` takes them.
+   */
+  toPolygons(): { sizes: Uint32Array; corners: Uint32Array } {
+    return polygonsOf(linksOf(this));
+  }
+
+  /**
+   * A copy of the live faces as an index buffer, for drawing, and for each triangle the face that it
+   * is a part of. Faces with more corners become fans around their first: right for convex ones.
+   */
+  toTriangles(): { indices: Uint32Array; faces: Uint32Array } {
+    return trianglesOf(linksOf(this));
+  }
+
   /** Frees the memory of this mesh at once. Any later use throws; disposing twice does nothing. */
   dispose(): void {
     linksOf(this).dispose();
@@ -94,6 +163,11 @@ export class HalfedgeMesh extends Navigation {
   /** Whether `dispose()` was called. */
   get disposed(): boolean {
     return linksOf(this).disposed;
+  }
+
+  /** `dispose()`, at the end of the block that declares `using mesh = ...`. */
+  [disposeSymbol](): void {
+    this.dispose();
   }
 }
 

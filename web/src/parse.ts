@@ -1,6 +1,6 @@
 import { bytesOf, describe } from './arguments.js';
 import { checkOptions } from './build.js';
-import { NO_WITNESS, type Problem } from './errors.js';
+import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -69,8 +69,7 @@ function contentOf(data: unknown): Uint8Array {
 
 function reportOf(links: Links, format: FileFormat, notes: string[]): ParseReport {
   const problems = notes.map((message): Problem => {
-    const witness = NO_WITNESS;
-    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message, witness };
+    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
   });
   const found = `${format.toUpperCase()}: ${links.vertexCount} vertices, ${links.edgeCount} edges, ${links.faceCount} faces.`;
   return { format, problems, summary: [found, ...notes].join(' ') };

@@ -1,5 +1,5 @@
 import type { RawFailure, RawProblem } from './core.mjs';
-import { HalfedgeError, type Problem, type Witness } from './errors.js';
+import { HalfedgeError, NO_WITNESS, type Problem, type Witness } from './errors.js';
 
 /** The result of a call into the core; throws what it failed of. */
 export function unwrap<T extends object>(raw: T | RawFailure): T {
@@ -9,7 +9,7 @@ export function unwrap<T extends object>(raw: T | RawFailure): T {
   const more = raw.problemCount - 1;
   const others = more === 0 ? '' : ` And ${more} more ${more === 1 ? 'problem' : 'problems'}.`;
   throw new HalfedgeError(first.code, first.message + others, {
-    witness: first.witness,
+    witness: first.witness ?? NO_WITNESS,
     problems,
   });
 }

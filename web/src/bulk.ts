@@ -1,0 +1,61 @@
+import type { Direction } from './items.js';
+import { linksOf, Navigation } from './navigation.js';
+import { type Rows, rings } from './rings.js';
+
+/**
+ * Rings of a whole mesh in one call: `all` and the name of a circulator. Row i is the ring around
+ * item i, in exactly the order of the circulator; it is empty for deleted slots and isolated
+ * vertices. Faster than any loop in JavaScript.
+ *
+ * With a list of items, row i is the ring around the i-th of them.
+ */
+export abstract class BulkRings extends Navigation {
+  /** Row v: the one-ring vertices of vertex v. */
+  allVertexVertices(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'vertexVertices', direction, vertices);
+  }
+  /** Row v: the halfedges that leave vertex v. */
+  allVertexOutgoingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'vertexOutgoingHalfedges', direction, vertices);
+  }
+  /** Row v: the halfedges that arrive at vertex v. */
+  allVertexIncomingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'vertexIncomingHalfedges', direction, vertices);
+  }
+  /** Row v: the edges at vertex v. */
+  allVertexEdges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'vertexEdges', direction, vertices);
+  }
+  /** Row v: the faces at vertex v. */
+  allVertexFaces(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'vertexFaces', direction, vertices);
+  }
+  /** Row f: the corners of face f. */
+  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'faceVertices', direction, faces);
+  }
+  /** Row f: the halfedges of face f. */
+  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'faceHalfedges', direction, faces);
+  }
+  /** Row f: the edges of face f. */
+  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'faceEdges', direction, faces);
+  }
+  /** Row f: the neighbours across each edge of face f. */
+  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'faceFaces', direction, faces);
+  }
+  /** Row e: the two ends of edge e. Side 0 comes first. */
+  allEdgeVertices(edges?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'edgeVertices', 'ccw', edges);
+  }
+  /** Row e: the two halfedges of edge e. Side 0 comes first. */
+  allEdgeHalfedges(edges?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'edgeHalfedges', 'ccw', edges);
+  }
+  /** Row e: the one or two faces of edge e. Side 0 comes first. */
+  allEdgeFaces(edges?: ArrayLike<number>): Rows {
+    return rings(linksOf(this), 'edgeFaces', 'ccw', edges);
+  }
+}

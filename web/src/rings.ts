@@ -1,0 +1,81 @@
+import { checkNotNegative, describe, indices } from './arguments.js';
+import type { RawFailure, RawRows, RawWords } from './core.mjs';
+import type { Direction } from './items.js';
+import type { Links } from './links.js';
+import type { Core } from './loader.js';
+import { withInputs } from './memory.js';
+import { unwrap } from './reports.js';
+
+/** The circulators around a vertex, a face and an edge; in the order of the enum Ring in C++. */
+export const RING_KINDS = [
+  'vertexVertices',
+  'vertexOutgoingHalfedges',
+  'vertexIncomingHalfedges',
+  'vertexEdges',
+  'vertexFaces',
+  'faceVertices',
+  'faceHalfedges',
+  'faceEdges',
+  'faceFaces',
+  'edgeVertices',
+  'edgeHalfedges',
+  'edgeFaces',
+] as const;
+
+/** A kind of ring: what one item is surrounded by. */
+export type RingKind = (typeof RING_KINDS)[number];
+
+/** Rows of items, compressed: row i is `items.subarray(offsets[i], offsets[i + 1])`. */
+export interface Rows {
+  /** One more than there are rows. */
+  readonly offsets: Uint32Array;
+  readonly items: Uint32Array;
+}
+
+/** The rings of one kind around all items, or around `centres`; copies. */
+export function rings(
+  links: Links,
+  kind: RingKind,
+  direction: Direction,
+  centres?: ArrayLike<number>,
+): Rows {
+  const { core, address } = links;
+  const ring = RING_KINDS.indexOf(kind);
+  const way = directionIndex(direction);
+  if (centres === undefined) return takeRows(core, core.allRings(address, ring, way));
+  const argument = `${kind.startsWith('v') ? 'vertices' : kind.startsWith('f') ? 'faces' : 'edges'}`;
+  const list = indices(argument, centres);
+  checkNotNegative(argument, list);
+  return withInputs(core, (inputs) => {
+    const block = inputs.indices(argument, list);
+    return takeRows(core, core.someRings(links.address, ring, way, block.address, block.count));
+  });
+}
+
+/** 0 for 'ccw', 1 for 'cw', as in the enum Direction in C++. Throws a sentence for anything else. */
+export function directionIndex(direction: unknown): 0 | 1 {
+  if (direction === 'ccw') return 0;
+  if (direction === 'cw') return 1;
+  const sentence = `direction is ${describe(direction)}; expected 'ccw' or 'cw'.`;
+  throw typeof direction === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
+
+function takeRows(core: Core, raw: RawRows | RawFailure): Rows {
+  const { offsets, items } = unwrap(raw);
+  const [first, second] = take(core, offsets, items);
+  return { offsets: first, items: second };
+}
+
+/** Copies of what the core hands over, which is freed, also if there is no memory for the copies. */
+export function take<Blocks extends RawWords[]>(
+  core: Core,
+  ...blocks: Blocks
+): { [I in keyof Blocks]: Uint32Array } {
+  try {
+    return blocks.map(
+      ({ address, count }) => new Uint32Array(new Uint32Array(core.memory.buffer, address, count)),
+    ) as { [I in keyof Blocks]: Uint32Array };
+  } finally {
+    for (const { address } of blocks) core.free(address);
+  }
+}

@@ -1,0 +1,107 @@
+import { describe } from './arguments.js';
+import type { Problem } from './errors.js';
+import type { Halfedge } from './items.js';
+import type { Links } from './links.js';
+import { sentence, unwrap } from './reports.js';
+import { rings, take } from './rings.js';
+
+/** One connected component of a mesh. */
+export interface Component {
+  /** Its vertices and faces, in ascending order. */
+  readonly vertices: Uint32Array;
+  readonly faces: Uint32Array;
+  readonly edgeCount: number;
+  /** V - E + F. */
+  readonly eulerCharacteristic: number;
+  readonly boundaryLoopCount: number;
+  /** Its handles: 0 for a sphere, a disk and an annulus, 1 for a torus, punctured or not. */
+  readonly genus: number;
+}
+
+/** What is wrong with the mesh, up to a level. */
+export function problemsOf(links: Links, level: unknown): Problem[] {
+  if (typeof level !== 'number') {
+    throw new TypeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
+  }
+  if (!Number.isInteger(level) || level < 0 || level > 4) {
+    throw new RangeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
+  }
+  return links.core.validate(links.address, level).map(({ message, ...rest }) => {
+    return { ...rest, message: sentence(message) } as Problem;
+  });
+}
+
+/** One halfedge of each boundary loop. */
+export function boundaryLoopsOf(links: Links): Halfedge[] {
+  const { core, address } = links;
+  const [halfedges] = take(core, unwrap(core.boundaryLoops(address)).halfedges);
+  return Array.from(halfedges) as Halfedge[];
+}
+
+/** The connected components, in the order of their smallest vertices. */
+export function componentsOf(links: Links): Component[] {
+  const { core, address } = links;
+  const raw = unwrap(core.components(address));
+  // Four words for each component: vertices, edges, faces, boundary loops.
+  const list = { ...raw.list, count: 4 * raw.list.count };
+  const [counts, ofVertex, ofFace] = take(core, list, raw.ofVertex, raw.ofFace);
+  const vertices = group(ofVertex, counts, 0);
+  const faces = group(ofFace, counts, 2);
+  return vertices.map((own, i) => {
+    const [, edgeCount, , boundaryLoopCount] = counts.subarray(4 * i);
+    const eulerCharacteristic = own.length - edgeCount + faces[i].length;
+    const genus = (2 - eulerCharacteristic - boundaryLoopCount) / 2;
+    return {
+      vertices: own,
+      faces: faces[i],
+      edgeCount,
+      eulerCharacteristic,
+      boundaryLoopCount,
+      genus,
+    };
+  });
+}
+
+/** The items of each component, of which `counts` tells how many there are at `field` of 4. */
+function group(componentOf: Uint32Array, counts: Uint32Array, field: number): Uint32Array[] {
+  const groups = Array.from(
+    { length: counts.length / 4 },
+    (_, i) => new Uint32Array(counts[4 * i + field]),
+  );
+  const filled = new Uint32Array(groups.length);
+  componentOf.forEach((component, item) => {
+    if (component < groups.length) groups[component][filled[component]++] = item;
+  });
+  return groups;
+}
+
+/** The live faces as polygons. */
+export function polygonsOf(links: Links): { sizes: Uint32Array; corners: Uint32Array } {
+  const { offsets, items } = rings(links, 'faceVertices', 'ccw');
+  const sizes = new Uint32Array(links.faceCount);
+  let face = 0;
+  for (let f = 0; f + 1 < offsets.length; f++) {
+    const size = offsets[f + 1] - offsets[f];
+    if (size > 0) sizes[face++] = size; // a deleted slot has no corners
+  }
+  return { sizes, corners: items };
+}
+
+/** The live faces cut into triangles, as fans around their first corners. */
+export function trianglesOf(links: Links): { indices: Uint32Array; faces: Uint32Array } {
+  const { offsets, items } = rings(links, 'faceVertices', 'ccw');
+  const count = Math.max(0, items.length - 2 * links.faceCount);
+  const indices = new Uint32Array(3 * count);
+  const faces = new Uint32Array(count);
+  let triangle = 0;
+  for (let f = 0; f + 1 < offsets.length; f++) {
+    const first = offsets[f];
+    for (let i = first + 2; i < offsets[f + 1]; i++) {
+      indices[3 * triangle] = items[first];
+      indices[3 * triangle + 1] = items[i - 1];
+      indices[3 * triangle + 2] = items[i];
+      faces[triangle++] = f;
+    }
+  }
+  return { indices, faces };
+}
