@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+#include <halfedge/build/build.h>
+
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "support/shapes.h"
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+#include <sys/resource.h>
+#include <unistd.h>
+#define HALFEDGE_CAN_LIMIT_MEMORY 1
+#endif
+
+namespace halfedge::test {
+namespace {
+
+#if defined(HALFEDGE_CAN_LIMIT_MEMORY)
+
+std::size_t address_space_in_use() {
+  std::size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * std::size_t(sysconf(_SC_PAGESIZE));
+}
+
+// Builds with ever more memory until there is enough. Exits with 0 if each build before that ended
+// in an error with a sentence, and there were many of them.
+[[noreturn]] void build_with_more_and_more_memory(const Shape& shape) {
+  constexpr std::size_t kStep = std::size_t{1} << 20U;
+  const std::size_t in_use = address_space_in_use();
+  for (int failures = 0;; ++failures) {
+    const rlimit limit{in_use + kStep * std::size_t(failures), RLIM_INFINITY};
+    if (setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+    Mesh mesh;
+    BuildReport report;
+    if (build_from_polygons(mesh, shape.polygons(), report)) std::_Exit(failures > 20 ? 0 : 3);
+    if (report.problem_count != 1 || report.problems[0].code != "out-of-memory") std::_Exit(4);
+    if (report.problems[0].message !=
+        "There is not enough memory for a mesh of 251001 vertices and 500000 faces.") {
+      std::_Exit(5);
+    }
+    if (mesh.vertex_slots() != 0) std::_Exit(6);
+  }
+}
+
+TEST(BuildMemoryDeathTest, WhereverMemoryEndsTheBuildEndsInAnError) {
+  const Shape shape = triangle_grid(500, 500);
+  EXPECT_EXIT(build_with_more_and_more_memory(shape), testing::ExitedWithCode(0), "");
+}
+
+#else
+
+TEST(BuildMemoryDeathTest, WhereverMemoryEndsTheBuildEndsInAnError) {
+  GTEST_SKIP() << "memory can be limited on Linux only, and not under AddressSanitizer";
+}
+
+#endif
+
+}  // namespace
+}  // namespace halfedge::test
