@@ -9,11 +9,10 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs';
-import { join, relative } from 'node:path';
+import { join } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
-import { filesBelow } from './lib/files.mjs';
 import { asProgram, Failure, root, run } from './lib/run.mjs';
 
 const dist = join(root, 'dist');
@@ -64,9 +63,9 @@ export async function buildWeb() {
     if (!['core.mjs', 'core.wasm'].includes(name)) rmSync(join(dist, name), { recursive: true });
   }
   cpSync(compiled, dist, { recursive: true });
-  // The hand-written types of the glue: tsc reads them, but does not copy them.
-  for (const path of filesBelow(sources).filter((name) => name.endsWith('.d.mts'))) {
-    cpSync(path, join(dist, relative(sources, path)));
+  // The hand-written types of the glue and of the module: tsc reads them, but does not copy them.
+  for (const name of ['core.d.mts', 'core.d.wasm.ts']) {
+    cpSync(join(sources, name), join(dist, name));
   }
   // From here `halfedge/inline` takes the module without a request.
   const text = readFileSync(wasm).toString('base64');

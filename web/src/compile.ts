@@ -2,6 +2,15 @@ import { bytesOf, describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { messageOf } from './loader.js';
 
+declare global {
+  // The types of the browser have these. A consumer in Node may do without them, but not without names.
+  namespace WebAssembly {
+    interface Module {}
+    interface Instance {}
+    interface Memory {}
+  }
+}
+
 /** Where the WebAssembly module comes from; by default `core.wasm` beside this file. */
 export interface InitOptions {
   /**

@@ -82,10 +82,7 @@ export interface RawCore {
 }
 
 export interface CoreOptions {
-  instantiateWasm(
-    imports: WebAssembly.Imports,
-    receive: (instance: WebAssembly.Instance) => void,
-  ): object;
+  instantiateWasm(imports: object, receive: (instance: WebAssembly.Instance) => void): object;
 }
 
 export default function createCore(options: CoreOptions): Promise<RawCore>;

@@ -51,7 +51,7 @@ function instantiate(module: WebAssembly.Module): Promise<Core> {
     let memory: WebAssembly.Memory | undefined;
     createCore({
       instantiateWasm(imports, receive) {
-        WebAssembly.instantiate(module, imports)
+        WebAssembly.instantiate(module, imports as WebAssembly.Imports)
           .then((instance) => {
             memory = memoryOf(instance);
             receive(instance);

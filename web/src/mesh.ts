@@ -1,3 +1,6 @@
+// Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
+/// <reference lib="esnext.disposable" preserve="true" />
+
 import { type BuildOptions, type Polygons, polygonLinks, triangleLinks } from './build.js';
 import { BulkRings } from './bulk.js';
 import type { Problem } from './errors.js';
