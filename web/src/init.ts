@@ -12,5 +12,13 @@ import { load } from './loader.js';
  * accident), `init-failed` if they can't be had or started; TypeError for a wrong argument.
  */
 export async function init(options: InitOptions = {}): Promise<void> {
-  await load(() => moduleFrom(wasmOption(options) ?? new URL('./core.wasm', import.meta.url)));
+  await load(() => moduleFrom(wasmOption(options) ?? besideThisFile()));
+}
+
+function besideThisFile(): URL {
+  // In this form, bundlers recognise an asset.
+  const url = new URL('./core.wasm', import.meta.url);
+  // In development, Vite up to 7 serves packages from copies of their JavaScript alone.
+  const copied = url.pathname.includes('/.vite/deps/');
+  return copied ? new URL('../../halfedge/dist/core.wasm', url) : url;
 }
