@@ -133,8 +133,8 @@ class Validator {
       });
     };
     if (deleted != list.count) {
-      complain(kNone, "should have " + number(list.count) + " entries, but " + number(deleted) +
-                          " slots are marked as deleted");
+      return complain(kNone, "should have " + number(list.count) + " entries, but " +
+                                 number(deleted) + " slots are marked as deleted");
     }
     Index length = 0;
     for (Index slot = list.head; slot != kNone; ++length) {
