@@ -1,0 +1,209 @@
+// Bytes that no well-meaning program writes. Run under the sanitizers, these tests show that no
+// reader leaves its buffer; each text is parsed from a block of memory of just its size.
+
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/text_file.h"
+
+namespace halfedge {
+namespace {
+
+using namespace std::string_literals;
+
+/// Small files that reach every statement and every branch of the readers.
+const std::vector<std::string>& seeds() {
+  static const std::vector<std::string> all = {
+      "# obj\r\nmtllib a.mtl\r\nv 0 0 0 1\r\nv 1.5 -.5e-3 +2. # c\r\nv 0 1 0\r\nf 1/1/1 2//2 "
+      "3/3\r\n",
+      "v 0 0 \\\n0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\n3 4\nf -4 -3 -2\nf 4 5 6\nv 2 2 2\nv 3 3 "
+      "3\n",
+      "v nan inf -infinity\rv 1.#IND -1.#INF00 nan(1)\rv 1e999 1e-999 0\rl 1 2\rp 1\rxyz\rf 1 2 "
+      "3\r",
+      "v 1.00000017881393432617187499 123456789012345678901234567890 1e-30\nf "
+      "99999999999999999999\n",
+      "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n3 0 1 2\n",
+      "# c\n STCN4OFF4 2\n0 0 0 1 # c\n1 0 0 2\n1 1 0 0\n0 1 0 1\n\n3 0 1 2\n2 3 1\ntrailing",
+      "OFF 4 1\n0\n0 0 1 0\n0\n1 1 0 0 1 0\n4 0\n1 2\n3",
+      "nOFF 3 3 1 3 0 0 0 1 0 0 1 1 0\n3 0 1 2\n",
+      "3 1 3\n0 0 0 1 0 0\n0 1 0\n3 0 1 2",
+      "OFF BINARY\n\0\0\0\4"s,
+      "\xEF\xBB\xBFOFF\r4 0 0\r1 2 3\r\r1 2 3\r1 2 3\r1 2 3",
+  };
+  return all;
+}
+
+/// Parses in every way. What was read is whole, and what was refused says why.
+void survive(std::string_view text) {
+  std::unique_ptr<std::uint8_t[]> block(new std::uint8_t[text.size()]);
+  if (!text.empty()) std::memcpy(block.get(), text.data(), text.size());
+  const std::span<const std::uint8_t> bytes(block.get(), text.size());
+
+  for (const Result<ParsedFile>& file :
+       {parse(bytes), parse(bytes, Format::kObj), parse(bytes, Format::kOff), read_obj(bytes),
+        read_off(bytes)}) {
+    if (!file) {
+      ASSERT_FALSE(file.error().code.empty());
+      ASSERT_FALSE(file.error().message.empty());
+      for (const char c : file.error().message) ASSERT_TRUE(c >= ' ' && c <= '~');
+      continue;
+    }
+    const PolygonSoup& soup = file.value().soup;
+    ASSERT_EQ(soup.positions.size() % 3, 0U);
+    std::size_t corners = 0;
+    for (const Index size : soup.sizes) corners += size;
+    if (soup.sizes.empty()) {
+      ASSERT_EQ(soup.corners.size() % 3, 0U);
+    } else {
+      ASSERT_EQ(corners, soup.corners.size());
+    }
+    for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
+
+    const std::vector<Index> faces = {0, 1, 1000};
+    for (const std::size_t line : lines_of_faces(bytes, file.value().format, faces)) {
+      ASSERT_LE(line, text.size() + 1);
+    }
+  }
+}
+
+TEST(Hostile, EveryPrefixAndSuffixOfAFile) {
+  for (const std::string& seed : seeds()) {
+    SCOPED_TRACE(seed);
+    for (std::size_t i = 0; i <= seed.size(); ++i) {
+      survive(std::string_view(seed).substr(0, i));
+      survive(std::string_view(seed).substr(i));
+    }
+  }
+}
+
+TEST(Hostile, EveryByteInEveryPlace) {
+  for (const std::string& seed : seeds()) {
+    for (std::size_t i = 0; i < seed.size(); ++i) {
+      std::string text = seed;
+      for (const char c : "\0\n\r\\#/+-.0179 \t\x7F\xFF\xFEvfeO"s) {
+        text[i] = c;
+        survive(text);
+      }
+    }
+  }
+}
+
+TEST(Hostile, RandomMutations) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  const auto below = [&random](std::size_t n) { return random() % n; };
+  const std::string dictionary[] = {"f",      "v ",         "\n",          "\r",
+                                    "\\\n",   "/",          "//",          "-",
+                                    "1",      "0",          " ",           "#",
+                                    "OFF",    "4294967303", "-2147483649", "9223372036854775808",
+                                    "nan",    "1e400",      "\0"s,         "\xEF\xBB\xBF",
+                                    "1.#IND", "."};
+  for (int round = 0; round < 3000; ++round) {
+    std::string text = seeds()[below(seeds().size())];
+    for (std::size_t edits = 1 + below(8); edits > 0; --edits) {
+      const std::size_t at = below(text.size() + 1);
+      switch (below(5)) {
+        case 0:
+          text.insert(at, dictionary[below(std::size(dictionary))]);
+          break;
+        case 1:
+          text.erase(at, below(12));
+          break;
+        case 2:
+          if (at < text.size()) text[at] = static_cast<char>(below(256));
+          break;
+        case 3:
+          text.insert(at, text.substr(below(text.size() + 1), below(40)));
+          break;
+        default: {
+          const std::string& other = seeds()[below(seeds().size())];
+          text = text.substr(0, at) + other.substr(below(other.size() + 1));
+        }
+      }
+    }
+    survive(text);
+    ASSERT_FALSE(testing::Test::HasFailure()) << testing::PrintToString(text);
+  }
+}
+
+TEST(Hostile, RandomBytes) {
+  const unsigned seed = std::random_device{}();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  const std::string alphabet = "vf 0123456789-+./e#\\\n\r\tOFNan";
+  for (int round = 0; round < 3000; ++round) {
+    std::string text(random() % 200, ' ');
+    const bool any = round % 3 == 0;
+    for (char& c : text) {
+      c = any ? static_cast<char>(random() % 256) : alphabet[random() % alphabet.size()];
+    }
+    survive(text);
+    survive("v 0 0 0\n" + text);
+    survive("OFF\n4 4 4\n0 0 0\n" + text);
+  }
+}
+
+TEST(Hostile, OverlongLines) {
+  const std::string spaces(1 << 20, ' ');
+  const std::string digits(1 << 20, '1');
+  survive("v" + spaces + "0 0 0\nf" + spaces + "1 1 1" + spaces);
+  survive("v " + digits + " 0." + digits + " 0\nf " + digits + " 1 1\n");
+  survive("#" + digits + "\nv 0 0 0\n");
+  survive("OFF " + digits + " " + digits + "\n" + spaces);
+  survive("OFF\n1 1\n0 0 0\n" + digits + " 0");
+  std::string face = "v 0 0 0\nf";
+  for (int i = 0; i < 100000; ++i) face += " 1";
+  const test::Parsed file = test::parse_obj(face);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces.at(0), std::vector<Index>(100000, 0));
+}
+
+std::string repeated(std::string_view text, std::size_t times) {
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+// Lines as short as can be, where the arrays are as large as can be beside them.
+TEST(Hostile, MemoryStaysInProportionToTheFile) {
+  const std::string texts[] = {repeated("v 0 0 0\n", 100000),
+                               repeated("f\n", 100000) + "v 0 0 0\n",
+                               "v 0 0 0\nf" + repeated(" 1", 100000),
+                               "v 0 0 0\n" + repeated("f 1 1 1\n", 100000),
+                               "OFF\n100000 0\n" + repeated("0 0 0\n", 100000),
+                               "OFF\n1 100000\n0 0 0\n" + repeated("0\n", 100000),
+                               "OFF\n1 100000\n0 0 0\n" + repeated("1 0\n", 100000),
+                               "OFF\n1 1\n0 0 0\n50000" + repeated(" 0", 50000)};
+  for (const std::string& text : texts) {
+    SCOPED_TRACE(text.substr(0, 30));
+    const auto file = parse(test::bytes_of(text), Format::kObj);
+    ASSERT_TRUE(file) << file.error().message;
+    const PolygonSoup& soup = file.value().soup;
+    const std::size_t memory =
+        4 * (soup.positions.capacity() + soup.sizes.capacity() + soup.corners.capacity());
+    EXPECT_LE(memory, 6 * text.size());
+  }
+}
+
+// A quadratic reader would take minutes.
+TEST(Hostile, TakesLinearTimeForOddLayouts) {
+  const std::size_t n = 100000;
+  survive("OFF\n" + std::to_string(n) + " 0\n" + repeated("0\n0\n0\n", n));
+  survive("OFF\n" + std::to_string(n) + " 0\n" + repeated("0 0 0 ", n));
+  survive("OFF\n1 1\n0 0 0\n" + std::to_string(n) + repeated("\n0", n));
+  survive("v 0 0 0\nf 1" + repeated(" \\\n1", n));
+  survive(repeated("\\\n", n) + "v 0 0 0");
+  survive(repeated("x\n", n));
+  survive("v 0 0 0\n" + repeated("f 1 1 1\n", n) + "f 2 2 2\n");
+}
+
+}  // namespace
+}  // namespace halfedge

@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+
+#include <string>
+#include <vector>
+
+#include "support/text_file.h"
+
+namespace halfedge {
+namespace {
+
+using test::off_error;
+using test::parse_off;
+using test::Parsed;
+using Faces = std::vector<std::vector<Index>>;
+using Floats = std::vector<float>;
+
+constexpr const char* kVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const Floats kSquare = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+
+/// A square and a triangle behind the given head.
+std::string after(const std::string& head) {
+  return head + "\n" + kVertices + "4 0 1 2 3\n3 0 1 2\n";
+}
+
+void expect_square_and_triangle(const std::string& text) {
+  SCOPED_TRACE(text);
+  const Parsed file = parse_off(text);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.positions, kSquare);
+  EXPECT_EQ(file.faces, (Faces{{0, 1, 2, 3}, {0, 1, 2}}));
+  EXPECT_TRUE(file.notes.empty());
+}
+
+TEST(Off, ReadsEveryFormOfTheHead) {
+  for (const char* head :
+       {"OFF\n4 2 5", "OFF\n4 2", "OFF 4 2 5", "OFF 4 2", "OFF4 2 5", "4 2 5", "4 2", "off\n4 2 5",
+        "  \t OFF4 2 5 # or nah", "# a\n\n# b\nOFF # c\n# d\n 4 2 5 # e\n\n#f", "OFF\n4\n2\n5",
+        "OFF\n4 2\n5", "OFF\n\n4\n2 5", "OFF\r\n4 2 5\r", "\xEF\xBB\xBFOFF\n4 2 5", "OFF#c\n4 2 -1",
+        "nOFF\n3\n4 2 5", "nOFF 3 4 2 5"}) {
+    expect_square_and_triangle(after(head));
+  }
+}
+
+TEST(Off, ReadsCarriageReturnsAlone) {
+  std::string text = after("OFF\n4 2 5");
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  expect_square_and_triangle(text);
+}
+
+TEST(Off, SkipsWhatAVertexHasBesidesItsPosition) {
+  const std::pair<const char*, const char*> forms[] = {
+      {"COFF", " 255 0 0 255"},
+      {"COFF", " 0.5 0 0"},
+      {"NOFF", " 0 0 1"},
+      {"CNOFF", " 0 0 1 1 0 0 1"},
+      {"NCOFF", " 0 0 1 1 0 0 1"},
+      {"STOFF", " 0.5 0.5"},
+      {"STCNOFF", " 0 0 1 1 0 0 1 0 0"},
+      {"OFF", " 0.1 0.2 0.3 # colours without a C"},
+      {"OFF", " 1 2 3 4 5 6"}};
+  for (const auto& [word, extra] : forms) {
+    std::string text = std::string(word) + "\n4 2 5\n";
+    for (const char* vertex : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) {
+      text += std::string(vertex) + extra + "\n";
+    }
+    expect_square_and_triangle(text + "4 0 1 2 3\n3 0 1 2\n");
+  }
+}
+
+TEST(Off, DividesTheCoordinatesOf4OffByTheFourth) {
+  const Parsed file = parse_off("4OFF\n3 1 3\n2 4 6 2\n1 0 0 1\n0 1 0 0.5\n3 0 1 2\n");
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.positions, (Floats{1, 2, 3, 1, 0, 0, 0, 2, 0}));
+  EXPECT_EQ(parse_off("4nOFF 3\n1 0 0\n2 4 6 2 9 9\n").positions, (Floats{1, 2, 3}));
+}
+
+TEST(Off, SkipsTheColoursOfFaces) {
+  expect_square_and_triangle(std::string("OFF\n4 2 5\n") + kVertices +
+                             "4  0 1 2 3  1.000 0.000 0.000 0.75\n3 0 1 2 255 0 0\n");
+  expect_square_and_triangle(std::string("OFF\n4 2 5\n") + kVertices +
+                             "4 0 1 2 3 7\n3 0 1 2 # a comment\n");
+}
+
+TEST(Off, SkipsCommentsAnywhere) {
+  expect_square_and_triangle(
+      "OFF\n4 2 5\n#\n0 0 0# a\n1 0 0 # b\n\n1 1 0\n# 9 9 9\n0 1 0\n  #\n4 0 1 2 3\n\n3 0 1 2#");
+}
+
+TEST(Off, ReadsRecordsBrokenOverLines) {
+  expect_square_and_triangle("OFF\n4 2 5\n0 0\n0\n1\n0 0\n1 1 0\n0 1 0\n4\n0 1\n2 3\n3 0 1 2\n");
+}
+
+TEST(Off, ReadsSeveralVerticesOnALine) {
+  expect_square_and_triangle("OFF\n4 2 5\n0 0 0 1 0 0\n1 1 0 0 1 0\n4 0 1 2 3\n3 0 1 2\n");
+  expect_square_and_triangle("OFF\n4 2 5\n0 0 0 1 0 0 1 1 0 0 1 0\n4 0 1 2 3\n3 0 1 2\n");
+  expect_square_and_triangle(
+      "NOFF\n4 2 5\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n4 0 1 2 3\n3 0 1 2\n");
+}
+
+TEST(Off, LeavesSmallAndRepeatedFacesToTheBuilder) {
+  const Parsed file = parse_off(std::string("OFF\n4 4\n") + kVertices + "0\n1 2\n2 1 3\n3 1 1 2\n");
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces, (Faces{{}, {2}, {1, 3}, {1, 1, 2}}));
+}
+
+TEST(Off, ReadsAnEmptyMesh) {
+  for (const char* text : {"OFF\n0 0 0\n", "OFF 0 0", "0 0 0"}) {
+    EXPECT_EQ(off_error(text), "") << text;
+    EXPECT_TRUE(parse_off(text).positions.empty());
+    EXPECT_TRUE(parse_off(text).faces.empty());
+  }
+}
+
+TEST(Off, NotesWhatFollowsTheLastFace) {
+  const Parsed file = parse_off(after("OFF\n4 1 5"));
+  EXPECT_EQ(file.faces, (Faces{{0, 1, 2, 3}}));
+  EXPECT_EQ(
+      file.notes,
+      (std::vector<std::string>{"ignored what follows the last face, from line 8 on: \"3\""}));
+}
+
+TEST(Off, RefusesAMalformedHead) {
+  EXPECT_EQ(off_error(""),
+            "truncated: line 1: expected the number of vertices (after the header word OFF, if "
+            "any), found the end of the file");
+  EXPECT_EQ(off_error("PFF\n1 0 0\n"),
+            "parse-error: line 1: expected the number of vertices (after the header word OFF, if "
+            "any), found \"PFF\"");
+  EXPECT_EQ(off_error("OFFSET\n1 0 0\n"),
+            "parse-error: line 1: expected the number of vertices (after the header word OFF, if "
+            "any), found \"OFFSET\"");
+  EXPECT_EQ(off_error("OFF\n-4 2 5\n"),
+            "parse-error: line 2: expected the number of vertices (after the header word OFF, if "
+            "any), found \"-4\"");
+  EXPECT_EQ(off_error("OFF\n4 two 5\n"),
+            "parse-error: line 2: expected the number of faces, found \"two\"");
+  EXPECT_EQ(off_error("OFF\n4\n"),
+            "truncated: line 3: expected the number of faces, found the end of the file");
+  EXPECT_EQ(off_error("OFF\n4 2 many\n"),
+            "parse-error: line 2: expected the number of edges or the end of the line, found "
+            "\"many\"");
+}
+
+TEST(Off, RefusesWhatItCannotReadYet) {
+  EXPECT_EQ(off_error("OFF BINARY\n\x01\x02"),
+            "unsupported-format: line 1: this OFF file is binary, expected one in text form");
+  EXPECT_EQ(off_error("nOFF 4\n1 0 0\n1 2 3 4\n"),
+            "unsupported-format: line 1: the vertices of this nOFF file have dimension \"4\", "
+            "expected dimension 3");
+}
+
+TEST(Off, RefusesCountsThatTheFileIsTooShortFor) {
+  EXPECT_EQ(off_error("OFF\n4000000000 2 0\n0 0 0\n"),
+            "truncated: line 2: the header promises 4000000000 vertices and 2 faces, but only 7 "
+            "bytes follow");
+  EXPECT_EQ(off_error("OFF\n1 4000000000 0\n0 0 0\n"),
+            "truncated: line 2: the header promises 1 vertices and 4000000000 faces, but only 7 "
+            "bytes follow");
+  EXPECT_EQ(off_error("OFF\n99999999999999999999 9223372036854775807 0\n"),
+            "truncated: line 2: the header promises 9223372036854775807 vertices and "
+            "9223372036854775807 faces, but only 1 bytes follow");
+  EXPECT_EQ(off_error("OFF\n1 2\n0 0 0\n0\n0"), "");  // as short as it gets
+}
+
+TEST(Off, TellsWhereTheFileEnds) {
+  const std::string long_enough = "                              # so long\n";
+  EXPECT_EQ(off_error("OFF\n4 2 5\n0 0 0\n1 0" + long_enough),
+            "parse-error: line 4: expected a number for z of vertex 1 of 4, found the end of the "
+            "line");
+  EXPECT_EQ(off_error("OFF\n4 2 5\n0 0 0\n1 0 0" + long_enough),
+            "truncated: line 5: expected a number for x of vertex 2 of 4, found the end of the "
+            "file");
+  EXPECT_EQ(off_error(std::string("OFF\n4 2 5\n") + kVertices + "3 0 1 2 # a long comment"),
+            "truncated: line 7: expected the number of vertices of face 1 of 2, found the end of "
+            "the file");
+}
+
+TEST(Off, TellsWhichNumberIsNone) {
+  EXPECT_EQ(off_error(after("OFF\n4 2 5\n0 x 0")),
+            "parse-error: line 3: expected a number for y of vertex 0 of 4, found \"x\"");
+  EXPECT_EQ(off_error(std::string("OFF\n4 2 5\n0 0 0\n1 0\n1 1 0\n0 1 0\n4 0 1 2 3\n3 0 1 2\n")),
+            "parse-error: line 4: expected a number for z of vertex 1 of 4, found the end of the "
+            "line");
+  EXPECT_EQ(off_error("4OFF\n1 0\n1 2 3 #####\n"),
+            "parse-error: line 3: expected a number for w of vertex 0 of 1, found the end of the "
+            "line");
+  const std::string vertices = std::string("OFF\n4 2 5\n") + kVertices;
+  EXPECT_EQ(off_error(vertices + "four 0 1 2 3\n3 0 1 2\n"),
+            "parse-error: line 7: expected the number of vertices of face 0 of 2, found \"four\"");
+  EXPECT_EQ(off_error(vertices + "-3 0 1 2 3\n3 0 1 2\n"),
+            "parse-error: line 7: expected the number of vertices of face 0 of 2, found \"-3\"");
+  EXPECT_EQ(off_error(vertices + "4 0 1 2.0 3\n3 0 1 2\n"),
+            "parse-error: line 7: expected vertex 3 of the 4 of face 0, found \"2.0\"");
+  EXPECT_EQ(off_error(vertices + "4 0 1 2\n3 0 1 2\n"),
+            "parse-error: line 7: expected vertex 4 of the 4 of face 0, found the end of the line");
+  EXPECT_EQ(off_error(vertices + "4000000000 0 1 2\n3 0 1 2\n"),
+            "parse-error: line 7: expected vertex 4 of the 4000000000 of face 0, found the end of "
+            "the line");
+}
+
+TEST(Off, TellsWhichVertexIsOutOfRange) {
+  const std::string vertices = std::string("OFF\n4 2 5\n") + kVertices;
+  for (const char* index : {"4", "-1", "4294967296", "4294967303", "2147483648",
+                            "18446744073709551616", "99999999999999999999999"}) {
+    EXPECT_EQ(off_error(vertices + "4 0 1 2 3\n3 0 " + index + " 2\n"),
+              std::string("index-out-of-range: line 8: corner 1 of face 1 is \"") + index +
+                  "\", expected a vertex from 0 to 3");
+  }
+  EXPECT_EQ(
+      off_error("OFF\n0 1 0\n3 0 1 2\n"),
+      "index-out-of-range: line 3: corner 0 of face 0 is \"0\", but the file has no vertices");
+  const auto file = read_off(test::bytes_of(vertices + "4 0 1 2 3\n3 0 4 2\n"));
+  EXPECT_EQ(file.error().witness.faces, std::vector<Index>{1});
+}
+
+TEST(Off, FindsTheLinesOfFaces) {
+  const std::string text =
+      std::string("OFF\n4 3 5\n") + kVertices + "\n4 0 1 2 3\r\n#\r3 0 1 2\n2 0 1";
+  EXPECT_EQ(lines_of_faces(test::bytes_of(text), Format::kOff, std::vector<Index>{2, 0, 1, 3}),
+            (std::vector<std::size_t>{11, 8, 10, 0}));
+}
+
+}  // namespace
+}  // namespace halfedge

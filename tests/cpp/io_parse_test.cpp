@@ -1,0 +1,111 @@
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/text_file.h"
+
+namespace halfedge {
+namespace {
+
+using namespace std::string_literals;
+using test::bytes_of;
+
+constexpr const char* kObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+constexpr const char* kOff = "OFF\n3 1 3\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n";
+
+std::string error_of(const std::string& text, std::optional<Format> claimed = std::nullopt) {
+  return test::flatten(parse(bytes_of(text), claimed)).error;
+}
+
+TEST(Parse, FindsTheFormatByTheContent) {
+  for (const std::string text : {kObj, "# blender\n\nmtllib a.mtl\n", "o thing\ng part\nvn 0 0 1\n",
+                                 "f 1 2 3\nv 0 0 0\nv 0 0 0\nv 0 0 0", "\xEF\xBB\xBFv 0 0 0",
+                                 "v nan nan nan", "usemtl red"}) {
+    const auto file = parse(bytes_of(text));
+    ASSERT_TRUE(file) << text << file.error().message;
+    EXPECT_EQ(file.value().format, Format::kObj) << text;
+  }
+  for (const std::string text :
+       {kOff, "\xEF\xBB\xBFOFF 0 0 0", "# c\n  OFF0 0 0", "NOFF\n0 0", "0 0 0\n", "1 0\n1 2 3"}) {
+    const auto file = parse(bytes_of(text));
+    ASSERT_TRUE(file) << text << file.error().message;
+    EXPECT_EQ(file.value().format, Format::kOff) << text;
+  }
+}
+
+TEST(Parse, TrustsTheContentMoreThanTheClaim) {
+  const auto obj = parse(bytes_of(kObj), Format::kOff);
+  ASSERT_TRUE(obj);
+  EXPECT_EQ(obj.value().format, Format::kObj);
+  EXPECT_EQ(obj.value().notes,
+            std::vector<std::string>{"read as OBJ, which its content is, and not as OFF"});
+  const auto off = parse(bytes_of(kOff), Format::kObj);
+  ASSERT_TRUE(off);
+  EXPECT_EQ(off.value().format, Format::kOff);
+  EXPECT_EQ(off.value().notes,
+            std::vector<std::string>{"read as OFF, which its content is, and not as OBJ"});
+  EXPECT_TRUE(parse(bytes_of(kObj), Format::kObj).value().notes.empty());
+}
+
+TEST(Parse, FallsBackOnTheClaim) {
+  EXPECT_EQ(error_of("# nothing\n", Format::kObj), "");
+  EXPECT_EQ(error_of("v one two three\n", Format::kObj),
+            "parse-error: line 1: expected a number for x of the vertex, found \"one\"");
+  EXPECT_EQ(error_of("OOF\n", Format::kOff),
+            "parse-error: line 1: expected the number of vertices (after the header word OFF, if "
+            "any), found \"OOF\"");
+}
+
+TEST(Parse, SaysWhatAnUnreadableFileIs) {
+  EXPECT_EQ(error_of(""),
+            "unknown-format: the file is empty (0 bytes), expected an OBJ or OFF file");
+  EXPECT_EQ(error_of("", Format::kObj),
+            "unknown-format: the file is empty (0 bytes), expected an OBJ or OFF file");
+  EXPECT_EQ(error_of("# only\n \n"),
+            "unknown-format: the file has nothing but comments and blanks, expected an OBJ or OFF "
+            "file");
+  EXPECT_EQ(error_of("\nhello world\n"),
+            "unknown-format: line 2: expected the start of an OBJ or OFF file, found \"hello\"");
+  const std::pair<std::string, std::string> kinds[] = {
+      {"ply\nformat ascii 1.0\n", "a PLY file"},
+      {"solid cube\nfacet normal 0 0 1\n", "an STL file"},
+      {"glTF\x02\0\0\0"s, "a GLB file"},
+      {"{\"asset\": {}}", "a JSON (perhaps glTF) file"},
+      {"<!DOCTYPE html>\n<p>404\n", "an HTML or XML file"}};
+  for (const auto& [text, name] : kinds) {
+    for (const auto claimed : {std::optional<Format>{}, std::optional{Format::kObj}}) {
+      EXPECT_EQ(error_of(text, claimed),
+                "unsupported-format: this is " + name + ", expected an OBJ or OFF file");
+    }
+  }
+}
+
+TEST(Parse, RefusesUtf16AndBinary) {
+  const std::string utf16 = "not-text: the file is encoded in UTF-16, expected ASCII or UTF-8";
+  EXPECT_EQ(error_of("\xFE\xFF\0v\0 "s, Format::kObj), utf16);
+  EXPECT_EQ(error_of("\xFF\xFEv\0 \0"s, Format::kObj), utf16);
+  EXPECT_EQ(error_of("v\0 \0001\0"s, Format::kObj), utf16);
+  EXPECT_EQ(error_of("\0v\0 \0001"s, Format::kObj), utf16);
+  EXPECT_EQ(error_of(std::string(4096, '\0'), Format::kObj),
+            "not-text: byte 0 is 0, which no text has: this is no OBJ or OFF file in text form");
+  EXPECT_EQ(error_of("v 1 2 3\nabc\0"s, Format::kObj),
+            "not-text: byte 11 is 0, which no text has: this is no OBJ or OFF file in text form");
+  EXPECT_EQ(error_of("OFF BINARY\n\0\0\0\1"s),
+            "unsupported-format: line 1: this OFF file is binary, expected one in text form");
+}
+
+TEST(Parse, NamesItsFormats) {
+  EXPECT_STREQ(name_of(Format::kObj), "OBJ");
+  EXPECT_STREQ(name_of(Format::kOff), "OFF");
+}
+
+TEST(Parse, FindsNoLinesOfNoFaces) {
+  EXPECT_TRUE(lines_of_faces(bytes_of(kObj), Format::kObj, {}).empty());
+  EXPECT_EQ(lines_of_faces({}, Format::kOff, std::vector<Index>{0}), std::vector<std::size_t>{0});
+}
+
+}  // namespace
+}  // namespace halfedge
