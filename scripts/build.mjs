@@ -13,17 +13,22 @@ import { join } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
-import { asProgram, Failure, root, run } from './lib/run.mjs';
+import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
 
 const dist = join(root, 'dist');
 const sources = join(root, 'web/src');
 const compiled = join(root, 'build/web');
 
-/** Configures a CMake preset where that is due, and builds it (or only `targets` of it). */
-export async function buildPreset(preset, { options = [], targets = [] } = {}) {
-  await run('cmake', ['--preset', preset, '--log-level=WARNING', ...options]);
-  const names = targets.flatMap((target) => ['--target', target]);
-  await run('cmake', ['--build', '--preset', preset, ...names]);
+/** Configures a CMake preset. What CMake says is shown only if it fails. */
+export async function configurePreset(preset, options = []) {
+  const { ok, output } = await capture('cmake', ['--preset', preset, ...options]);
+  if (!ok) throw new Failure(`${output}\nThe preset ${preset} cannot be configured.`);
+}
+
+/** Configures a CMake preset and builds it. */
+export async function buildPreset(preset, options = []) {
+  await configurePreset(preset, options);
+  await run('cmake', ['--build', '--preset', preset]);
 }
 
 /** Compiles the core to WebAssembly and puts core.mjs (minified) and core.wasm into dist/. */
@@ -31,7 +36,7 @@ export async function buildWasm() {
   const toolchain = emscriptenToolchain();
   if (!toolchain) throw new Failure('There is no Emscripten here: `npm run setup` installs it.');
   forgetOtherToolchain(toolchain);
-  await buildPreset('wasm', { options: [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`] });
+  await buildPreset('wasm', [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`]);
 
   const { transform } = await import('esbuild');
   const built = join(root, 'build/wasm/wasm');

@@ -5,6 +5,7 @@ import { availableParallelism } from 'node:os';
 import { extname, relative } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
+import { configurePreset } from './build.mjs';
 import { cppFiles } from './lib/files.mjs';
 import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
 import { counts, Steps } from './lib/steps.mjs';
@@ -12,6 +13,7 @@ import { setup } from './setup.mjs';
 
 const cppFolders = ['src', 'wasm', 'tests', 'bench', 'examples'];
 const biome = 'node_modules/@biomejs/biome/bin/biome';
+const colors = process.stdout.isTTY ? 'force' : 'off';
 const tsc = 'node_modules/typescript/bin/tsc';
 
 /** Adds the checks to a run of steps. */
@@ -20,7 +22,7 @@ export async function check(steps) {
     run('clang-format', ['--dry-run', '-Werror', ...cppFiles(...cppFolders)]),
   );
   await steps.run('Format and lint of TypeScript (Biome)', () =>
-    run(process.execPath, [biome, 'ci', '--error-on-warnings', '.']),
+    run(process.execPath, [biome, 'ci', '--error-on-warnings', `--colors=${colors}`, '.']),
   );
   await steps.run('Types (tsc)', async () => {
     await run(process.execPath, [tsc, '-p', 'tsconfig.build.json', '--noEmit']);
@@ -37,7 +39,7 @@ export async function format() {
 
 /** Lints each source file of the core, as many at a time as there are processors. */
 async function clangTidy() {
-  await run('cmake', ['--preset', 'clang', '--log-level=WARNING']);
+  await configurePreset('clang');
   const sources = cppFiles('src').filter((path) => extname(path) === '.cpp');
   if (sources.length === 0) throw new Failure('There are no C++ sources to lint.');
   const complaints = [];

@@ -1,12 +1,10 @@
 // `npm test`: installs what is missing, then checks, builds and tests everything, and ends with one
 // line that sums up what the runners counted. `test.mjs cpp web` runs only the parts that are named.
 
-import { join } from 'node:path';
 import { argv } from 'node:process';
 import { buildPreset, buildWasm, buildWeb } from './build.mjs';
 import { check } from './check.mjs';
-import { filesBelow } from './lib/files.mjs';
-import { asProgram, Failure, root, run } from './lib/run.mjs';
+import { asProgram, Failure } from './lib/run.mjs';
 import { runCtest, runJest } from './lib/runners.mjs';
 import { counts, Steps } from './lib/steps.mjs';
 import { setup } from './setup.mjs';
@@ -29,7 +27,6 @@ const parts = {
 
   async web(steps) {
     await steps.run('Tests of the package (Jest)', () => runJest('web'));
-    await steps.run('JavaScript examples', runExamples);
   },
 
   async browser(steps) {
@@ -37,17 +34,9 @@ const parts = {
   },
 
   async package(steps) {
-    await steps.run('Tests of the packed tarball', () => runJest('package'));
+    await steps.run('Tests of the packed tarball, examples', () => runJest('package'));
   },
 };
-
-/** Runs each JavaScript example in Node; it passes if it ends with exit code 0. */
-async function runExamples() {
-  const examples = filesBelow(join(root, 'examples')).filter((path) => path.endsWith('.mjs'));
-  if (examples.length === 0) throw new Failure('There are no examples/*.mjs.');
-  for (const path of examples) await run(process.execPath, [path]);
-  return counts(examples.length);
-}
 
 await asProgram(async () => {
   const names = argv.length > 2 ? argv.slice(2) : Object.keys(parts);
