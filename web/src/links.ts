@@ -171,14 +171,15 @@ export class Links {
 
   #check(kind: ItemKind, slots: number, index: number, argument: string): void {
     this.revive();
+    const article = kind === 'edge' ? 'an' : 'a';
     if (typeof index !== 'number') {
       throw new TypeError(
-        `${argument} is ${describe(index)}; expected a ${kind}, which is an integer.`,
+        `${argument} is ${describe(index)}; expected ${article} ${kind}, which is an integer.`,
       );
     }
     if (Number.isInteger(index) && index >= 0 && index < slots) return;
-    const range = slots === 0 ? `but this mesh has none` : `from 0 to ${slots - 1}`;
-    throw new RangeError(`${argument} is ${describe(index)}; expected a ${kind} ${range}.`);
+    const range = slots === 0 ? ', but this mesh has none' : ` from 0 to ${slots - 1}`;
+    throw new RangeError(`${argument} is ${describe(index)}; expected ${article} ${kind}${range}.`);
   }
 }
 

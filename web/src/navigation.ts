@@ -132,72 +132,73 @@ export abstract class Navigation {
     return this.#links.positions;
   }
 
-  // Each accessor reads first and looks at the sign of what it got: see Links. `(h | 0) === h`
-  // costs nothing where h is an integer, and keeps strings and fractions out of the arithmetic.
+  // Each accessor reads first and looks at the sign of what it got: see Links. The checks of types
+  // before that keep strings from naming properties and fractions out of the arithmetic; V8 drops
+  // them where it knows that h is an integer.
 
   /** The halfedge after `h` in its face loop or boundary loop. */
   next(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.next[h] : -1;
+    const r = typeof h === 'number' ? this.#links.next[h] : -1;
     return (r >= 0 ? r : this.#readNext(h)) as Halfedge;
   }
 
   /** The halfedge before `h` in its face loop or boundary loop. */
   prev(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.prev[h] : -1;
+    const r = typeof h === 'number' ? this.#links.prev[h] : -1;
     return (r >= 0 ? r : this.#readPrev(h)) as Halfedge;
   }
 
   /** The other halfedge of the same edge: `h ^ 1`. */
   opposite(h: HalfedgeLike): Halfedge {
-    if (!((h | 0) === h && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    if (!(typeof h === 'number' && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
     return (h ^ 1) as Halfedge;
   }
 
   /** The edge of `h`: `h >> 1`. */
   edge(h: HalfedgeLike): Edge {
-    if (!((h | 0) === h && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    if (!(typeof h === 'number' && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
     return (h >> 1) as Edge;
   }
 
   /** The face on the left of `h`, or `NONE` for a boundary halfedge. */
   face(h: HalfedgeLike): Face {
-    const r = (h | 0) === h ? this.#links.face[h] : -2;
+    const r = typeof h === 'number' ? this.#links.face[h] : -2;
     return (r >= -1 ? r : this.#readFace(h)) as Face;
   }
 
   /** The vertex that `h` points to. */
   toVertex(h: HalfedgeLike): Vertex {
-    const r = (h | 0) === h ? this.#links.toVertex[h] : -1;
+    const r = typeof h === 'number' ? this.#links.toVertex[h] : -1;
     return (r >= 0 ? r : this.#readToVertex(h)) as Vertex;
   }
 
   /** The vertex that `h` leaves. */
   fromVertex(h: HalfedgeLike): Vertex {
-    const r = (h | 0) === h ? this.#links.toVertex[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#links.toVertex[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readToVertex(h, 1)) as Vertex;
   }
 
   /** The next halfedge that leaves the same vertex, counter-clockwise: `opposite(prev(h))`. */
   rotateCcw(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.prev[h] : -1;
+    const r = typeof h === 'number' ? this.#links.prev[h] : -1;
     return ((r >= 0 ? r : this.#readPrev(h)) ^ 1) as Halfedge;
   }
 
   /** The next halfedge that leaves the same vertex, clockwise: `next(opposite(h))`. */
   rotateCw(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.next[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#links.next[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readNext(h, 1)) as Halfedge;
   }
 
   /** The next halfedge that arrives at the same vertex, clockwise: `opposite(next(h))`. */
   nextOnVertex(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.next[h] : -1;
+    const r = typeof h === 'number' ? this.#links.next[h] : -1;
     return ((r >= 0 ? r : this.#readNext(h)) ^ 1) as Halfedge;
   }
 
   /** The next halfedge that arrives at the same vertex, counter-clockwise: `prev(opposite(h))`. */
   prevOnVertex(h: HalfedgeLike): Halfedge {
-    const r = (h | 0) === h ? this.#links.prev[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#links.prev[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readPrev(h, 1)) as Halfedge;
   }
 
@@ -206,13 +207,13 @@ export abstract class Navigation {
    * `NONE` for an isolated vertex.
    */
   vertexHalfedge(v: VertexLike): Halfedge {
-    const r = (v | 0) === v ? this.#links.vertexHalfedge[v] : -2;
+    const r = typeof v === 'number' ? this.#links.vertexHalfedge[v] : -2;
     return (r >= -1 ? r : this.#readVertexHalfedge(v)) as Halfedge;
   }
 
   /** One halfedge of `f`: the one that leads to the first vertex of the input face. */
   faceHalfedge(f: FaceLike): Halfedge {
-    const r = (f | 0) === f ? this.#links.faceHalfedge[f] : -1;
+    const r = typeof f === 'number' ? this.#links.faceHalfedge[f] : -1;
     return (r >= 0 ? r : this.#readFaceHalfedge(f)) as Halfedge;
   }
 
@@ -221,7 +222,7 @@ export abstract class Navigation {
     if (side !== 0 && side !== 1) {
       throw new RangeError(`side is ${describe(side)}; expected 0 or 1.`);
     }
-    if (!((e | 0) === e && this.#links.next[2 * e] >= 0)) this.#links.checkEdge(e);
+    if (!(isInteger(e) && this.#links.next[2 * e] >= 0)) this.#links.checkEdge(e);
     return (2 * e + side) as Halfedge;
   }
 
@@ -353,6 +354,11 @@ export abstract class Navigation {
     this.#links.checkFace(f);
     return sound(this.#links.faceHalfedge[f], 0, 'faceHalfedge', f);
   }
+}
+
+/** Whether `index` is a 32-bit integer. */
+function isInteger(index: number): boolean {
+  return typeof index === 'number' && (index | 0) === index;
 }
 
 /** `value`, if a link of a live item can have it. */

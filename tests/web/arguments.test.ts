@@ -1,0 +1,257 @@
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+
+beforeAll(() => init());
+
+const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
+const indices = [0, 1, 2, 2, 1, 3];
+
+describe('A wrong argument of a build', () => {
+  const typeErrors: [string, () => unknown, string][] = [
+    [
+      'no positions',
+      () => HalfedgeMesh.fromTriangles(undefined as never, []),
+      'positions is undefined; expected an array',
+    ],
+    [
+      'a string',
+      () => HalfedgeMesh.fromTriangles('123' as never, []),
+      'positions is "123"; expected an array',
+    ],
+    [
+      'a number',
+      () => HalfedgeMesh.fromTriangles(9 as never, []),
+      'positions is 9; expected an array',
+    ],
+    [
+      'an object',
+      () => HalfedgeMesh.fromTriangles({} as never, []),
+      'positions is an Object; expected an array',
+    ],
+    [
+      'an array-like with a wrong length',
+      () => HalfedgeMesh.fromTriangles({ length: -3 }, []),
+      'positions is an Object; expected an array',
+    ],
+    [
+      'a function',
+      () => HalfedgeMesh.fromTriangles((() => 1) as never, []),
+      'positions is a function; expected an array',
+    ],
+    [
+      'a DataView',
+      () => HalfedgeMesh.fromTriangles(new DataView(new ArrayBuffer(12)) as never, []),
+      'positions is a DataView; expected an array',
+    ],
+    [
+      'an ArrayBuffer',
+      () => HalfedgeMesh.fromTriangles(new ArrayBuffer(12) as never, []),
+      'positions is an ArrayBuffer; expected an array',
+    ],
+    [
+      'bigints',
+      () => HalfedgeMesh.fromTriangles(new BigInt64Array(3) as never, []),
+      'positions is a BigInt64Array of 3 elements; expected numbers, not bigints.',
+    ],
+    [
+      'bigints among the elements',
+      () => HalfedgeMesh.fromTriangles([0, 0, 1n] as never, []),
+      'positions[2] is the bigint 1n; expected a number.',
+    ],
+    [
+      'a hole',
+      () => HalfedgeMesh.fromTriangles(Object.assign(Array(3), { 0: 0, 2: 0 }), []),
+      'positions[1] is undefined; expected a number.',
+    ],
+    [
+      'a string among the elements',
+      () => HalfedgeMesh.fromTriangles([0, '1', 0] as never, []),
+      'positions[1] is "1"; expected a number.',
+    ],
+    [
+      'a symbol among the elements',
+      () => HalfedgeMesh.fromTriangles([0, Symbol('x'), 0] as never, []),
+      'positions[1] is a symbol; expected a number.',
+    ],
+    [
+      'null for indices',
+      () => HalfedgeMesh.fromTriangles(positions, null as never),
+      'indices is null; expected an array',
+    ],
+    [
+      'a string among the indices',
+      () => HalfedgeMesh.fromTriangles(positions, [0, '1', 2] as never),
+      'indices[1] is "1"; expected an index',
+    ],
+    [
+      'null for a face',
+      () => HalfedgeMesh.fromPolygons(positions, [[0, 1, 2], null] as never),
+      'faces[1] is null; expected an array',
+    ],
+    [
+      'a string in a face',
+      () => HalfedgeMesh.fromPolygons(positions, [[0, 1, 'x']] as never),
+      'faces[0][2] is "x"; expected an index',
+    ],
+    [
+      'numbers for faces',
+      () => HalfedgeMesh.fromPolygons(positions, [0, 1, 2] as never),
+      'faces[2] is 2; expected an array',
+    ],
+    [
+      'no faces',
+      () => HalfedgeMesh.fromPolygons(positions, undefined as never),
+      'faces is undefined; expected an array of faces',
+    ],
+    [
+      'no sizes',
+      () => HalfedgeMesh.fromPolygons(positions, { corners: [] } as never),
+      'faces.sizes is undefined; expected an array',
+    ],
+    [
+      'no options object',
+      () => HalfedgeMesh.fromTriangles(positions, indices, 5 as never),
+      'options is 5; expected an object.',
+    ],
+    [
+      'null options',
+      () => HalfedgeMesh.fromPolygons(positions, [], null as never),
+      'options is null; expected an object.',
+    ],
+  ];
+  test.each(typeErrors)('(%s) is a TypeError that names it', (_, call, message) => {
+    expect(call).toThrow(TypeError);
+    expect(call).toThrow(message);
+  });
+
+  const rangeErrors: [string, () => unknown, string][] = [
+    [
+      'too few positions',
+      () => HalfedgeMesh.fromTriangles([1, 2], []),
+      'positions has 2 elements; expected a multiple of 3',
+    ],
+    [
+      'too few indices',
+      () => HalfedgeMesh.fromTriangles(positions, [0, 1]),
+      'indices has 2 elements; expected a multiple of 3',
+    ],
+    [
+      'a fraction',
+      () => HalfedgeMesh.fromTriangles(positions, [0, 1, 1.5]),
+      'indices[2] is 1.5; expected an index',
+    ],
+    [
+      'a fraction in floats',
+      () => HalfedgeMesh.fromTriangles(positions, Float32Array.of(0, 1, 1.5)),
+      'indices[2] is 1.5; expected an index',
+    ],
+    [
+      'NaN',
+      () => HalfedgeMesh.fromTriangles(positions, [0, Number.NaN, 2]),
+      'indices[1] is NaN; expected an index',
+    ],
+    [
+      '-1',
+      () => HalfedgeMesh.fromTriangles(positions, [0, -1, 2]),
+      'indices[1] is -1; expected an index',
+    ],
+    [
+      '-1 in signed integers',
+      () => HalfedgeMesh.fromTriangles(positions, Int16Array.of(0, -1, 2)),
+      'indices[1] is -1; expected an index',
+    ],
+    [
+      '2^32',
+      () => HalfedgeMesh.fromTriangles(positions, [0, 1, 2 ** 32]),
+      'indices[2] is 4294967296; expected an index',
+    ],
+    [
+      '-1 in a face',
+      () => HalfedgeMesh.fromPolygons(positions, [[0, 1, -1]]),
+      'faces[0][2] is -1; expected an index',
+    ],
+    [
+      'a negative size',
+      () => HalfedgeMesh.fromPolygons(positions, { sizes: Int8Array.of(-1), corners: [0] }),
+      'sizes[0] is -1; expected',
+    ],
+    [
+      'corners without sizes',
+      () => HalfedgeMesh.fromPolygons(positions, { sizes: [], corners: [0, 1, 2] }),
+      'faces.sizes is empty, but faces.corners has 3 elements',
+    ],
+    [
+      'a position beyond floats',
+      () => HalfedgeMesh.fromTriangles([0, 1e39, 0], []),
+      'positions[1] is 1e+39; expected a number that fits a 32-bit float.',
+    ],
+    [
+      'the same in doubles',
+      () => HalfedgeMesh.fromTriangles(Float64Array.of(0, 0, -1e300), []),
+      'positions[2] is -1e+300; expected a number that fits',
+    ],
+  ];
+  test.each(rangeErrors)('(%s) is a RangeError that names it', (_, call, message) => {
+    expect(call).toThrow(RangeError);
+    expect(call).toThrow(message);
+  });
+
+  test('that lies about its size is refused by the core', () => {
+    for (const sizes of [[4], [3, 3], [0xffff_fffe, 5], [2]]) {
+      expect(() => HalfedgeMesh.fromPolygons(positions, { sizes, corners: [0, 1, 2] })).toThrow(
+        HalfedgeError,
+      );
+    }
+  });
+
+  test('whose buffer was transferred away is a TypeError', () => {
+    const gone = Float32Array.from(positions);
+    structuredClone(gone.buffer, { transfer: [gone.buffer] });
+    expect(() => HalfedgeMesh.fromTriangles(gone, indices)).toThrow(TypeError);
+    expect(() => HalfedgeMesh.fromTriangles(gone, indices)).toThrow(
+      'positions is a detached Float32Array',
+    );
+  });
+
+  test('that is huge and empty costs no memory', () => {
+    const faces = { length: 4_000_000_000 };
+    expect(() => HalfedgeMesh.fromTriangles(faces as never, [])).toThrow('positions[3999999999]');
+    expect(() => HalfedgeMesh.fromPolygons([], faces as never)).toThrow('faces[3999999999]');
+  });
+
+  test('cannot lie about the length of a typed array', () => {
+    const lying = Float32Array.of(1, 2, 3);
+    Object.defineProperty(lying, 'length', { value: 3_000_000 });
+    using mesh = HalfedgeMesh.fromTriangles(lying, []);
+    expect(mesh.vertexCount).toBe(1);
+    expect(Array.from(mesh.positions)).toEqual([1, 2, 3]);
+  });
+
+  test('whose getters call the library themselves does no harm', () => {
+    const meshes: HalfedgeMesh[] = [];
+    const hostile = new Proxy([0, 0, 0, 1, 0, 0, 0, 1, 0], {
+      get(target, key) {
+        if (key === '4') meshes.push(HalfedgeMesh.fromTriangles(new Float32Array(3_000_000), []));
+        return Reflect.get(target, key);
+      },
+    });
+    using mesh = HalfedgeMesh.fromTriangles(hostile, [0, 1, 2]);
+    expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    expect(meshes.length).toBeGreaterThan(0);
+    for (const other of meshes) other.dispose();
+
+    let reads = 0;
+    const growing = new Proxy([0, 0, 0], {
+      get: (target, key) => (key === 'length' ? 3 * ++reads : Reflect.get(target, Number(key) % 3)),
+    });
+    expect(() => HalfedgeMesh.fromTriangles(growing as never, []).dispose()).not.toThrow();
+    const angry = {
+      length: 3,
+      get 1(): number {
+        throw new Error('mine');
+      },
+      0: 0,
+      2: 0,
+    };
+    expect(() => HalfedgeMesh.fromTriangles(angry, [])).toThrow('mine');
+  });
+});

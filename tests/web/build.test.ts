@@ -1,0 +1,247 @@
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { quadGrid, randomPolygons, tetrahedron } from './support/meshes.js';
+import { random, shuffle } from './support/random.js';
+
+beforeAll(() => init());
+
+const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
+const indices = [0, 1, 2, 2, 1, 3];
+
+/** What `call` throws. */
+function thrownBy(call: () => unknown): HalfedgeError {
+  try {
+    call();
+  } catch (error) {
+    return error as HalfedgeError;
+  }
+  throw new Error('Nothing was thrown.');
+}
+
+const facesOf = (mesh: HalfedgeMesh): number[][] => {
+  const { sizes, corners } = mesh.toPolygons();
+  let end = 0;
+  return Array.from(sizes, (size) => {
+    end += size;
+    return Array.from(corners.subarray(end - size, end));
+  });
+};
+
+describe('A mesh from triangles', () => {
+  const arrays: [string, ArrayLike<number>, ArrayLike<number>][] = [
+    ['plain arrays', positions, indices],
+    ['Float32Array and Uint32Array', Float32Array.from(positions), Uint32Array.from(indices)],
+    ['Float64Array and Uint16Array', Float64Array.from(positions), Uint16Array.from(indices)],
+    ['Int8Array and Uint8Array', Int8Array.from(positions), Uint8Array.from(indices)],
+    ['Int16Array and Int32Array', Int16Array.from(positions), Int32Array.from(indices)],
+    [
+      'Uint8ClampedArray and Float64Array',
+      Uint8ClampedArray.from(positions),
+      Float64Array.from(indices),
+    ],
+    ['array-like objects', { ...positions, length: 12 }, { ...indices, length: 6 }],
+    [
+      'views of shared memory',
+      (() => {
+        const view = new Float32Array(new SharedArrayBuffer(48));
+        view.set(positions);
+        return view;
+      })(),
+      (() => {
+        const view = new Uint32Array(new SharedArrayBuffer(24));
+        view.set(indices);
+        return view;
+      })(),
+    ],
+    [
+      'views in the middle of a buffer',
+      new Float32Array(Float32Array.from([9, ...positions, 9]).buffer, 4, 12),
+      new Uint32Array(Uint32Array.from([9, ...indices, 9]).buffer, 4, 6),
+    ],
+  ];
+  test.each(arrays)('takes %s, and leaves them alone', (_, points, corners) => {
+    const before = [Array.from(points), Array.from(corners)];
+    using mesh = HalfedgeMesh.fromTriangles(points, corners);
+    expect([Array.from(points), Array.from(corners)]).toEqual(before);
+    expect(Array.from(mesh.positions)).toEqual(positions);
+    expect(facesOf(mesh)).toEqual([
+      [0, 1, 2],
+      [2, 1, 3],
+    ]);
+    expect(mesh.validate()).toEqual([]);
+  });
+
+  test('can be one without faces, or without anything', () => {
+    using points = HalfedgeMesh.fromTriangles(positions, []);
+    expect([points.vertexCount, points.edgeCount, points.faceCount]).toEqual([4, 0, 0]);
+    using nothing = HalfedgeMesh.fromTriangles([], []);
+    expect(nothing.vertexCount).toBe(0);
+    expect(nothing.positions.length).toBe(0);
+  });
+
+  test('can be made of the live views of another mesh, while the memory grows', () => {
+    using first = HalfedgeMesh.fromTriangles(positions, indices);
+    const { toVertex } = first.connectivity;
+    const big = new Float32Array(3 * 2_000_000); // more than is allocated so far
+    for (let grown = 0; grown < 3; grown++) {
+      using second = HalfedgeMesh.fromTriangles(first.positions, indices);
+      expect(Array.from(second.positions)).toEqual(positions);
+      HalfedgeMesh.fromTriangles(big, []).dispose();
+    }
+    expect(toVertex.length === 0 || first.connectivity.toVertex === toVertex).toBe(true);
+  });
+
+  test('accepts the live view as its input although copying it makes the memory grow', () => {
+    const count = 300_000;
+    using first = HalfedgeMesh.fromTriangles(
+      Float32Array.from({ length: 3 * count }, (_, i) => i),
+      [],
+    );
+    const meshes: HalfedgeMesh[] = [];
+    for (let i = 0; i < 20; i++) {
+      const copy = HalfedgeMesh.fromTriangles(first.positions, []); // 3.6 MB each: 16 MB are soon full
+      meshes.push(copy);
+      expect(copy.positions[3 * count - 1]).toBe(3 * count - 1);
+    }
+    for (const mesh of meshes) mesh.dispose();
+  });
+});
+
+describe('A mesh from polygons', () => {
+  test('is the same from arrays of faces and from sizes and corners', () => {
+    const { positions: points, faces } = randomPolygons(21);
+    using a = HalfedgeMesh.fromPolygons(points, faces);
+    const sizes = faces.map((face) => face.length);
+    using b = HalfedgeMesh.fromPolygons(points, { sizes, corners: faces.flat() });
+    using c = HalfedgeMesh.fromPolygons(
+      points,
+      faces.map((face) => Uint16Array.from(face)),
+    );
+    expect(facesOf(a)).toEqual(faces);
+    expect(b.connectivity).toEqual(a.connectivity);
+    expect(c.connectivity).toEqual(a.connectivity);
+  });
+
+  test('comes back from its own export', () => {
+    const { positions: points, faces } = randomPolygons(22);
+    using a = HalfedgeMesh.fromPolygons(points, faces);
+    using b = HalfedgeMesh.fromPolygons(a.positions, a.toPolygons());
+    expect(b.connectivity).toEqual(a.connectivity);
+    expect(b.positions).toEqual(a.positions);
+  });
+
+  test.each([31, 32, 33, 34])('does not depend on the order of faces (seed %i)', (seed) => {
+    const { positions: points, faces } = randomPolygons(seed);
+    const order = shuffle(
+      faces.map((_, f) => f),
+      random(seed),
+    );
+    using a = HalfedgeMesh.fromPolygons(points, faces);
+    using b = HalfedgeMesh.fromPolygons(
+      points,
+      order.map((f) => faces[f]),
+    );
+    expect(b.edgeCount).toBe(a.edgeCount);
+    for (let h = 0; h < a.halfedgeSlots; h++) {
+      const same = b.findHalfedge(a.fromVertex(h), a.toVertex(h));
+      const next = a.next(h);
+      const sameNext = b.findHalfedge(a.fromVertex(next), a.toVertex(next));
+      expect(b.next(same)).toBe(sameNext);
+      expect(a.face(h) < 0 ? -1 : order.indexOf(a.face(h))).toBe(b.face(same));
+    }
+  });
+});
+
+describe('A refused build', () => {
+  const cases: [code: string, faces: number[][], says: RegExp, witness: object][] = [
+    [
+      'edge-with-many-faces',
+      [
+        [0, 1, 2],
+        [0, 1, 3],
+        [1, 0, 4],
+      ], // prettier-ignore
+      /0.*1/,
+      {},
+    ],
+    [
+      'opposite-orientation',
+      [
+        [0, 1, 2],
+        [0, 1, 3],
+      ],
+      /0.*1/,
+      {},
+    ],
+    [
+      'duplicate-face',
+      [
+        [0, 1, 2],
+        [1, 2, 0],
+      ],
+      /0.*1/,
+      { faces: [0, 1] },
+    ],
+    ['repeated-vertex', [[0, 1, 1]], /1/, { faces: [0], vertices: [1] }],
+    ['degree-below-three', [[0, 1]], /2/, { faces: [0] }],
+    ['index-out-of-range', [[0, 1, 99]], /99/, { faces: [0] }],
+  ];
+  test.each(cases)('says %s', (code, faces, says, witness) => {
+    const points = Array.from({ length: 15 }, (_, i) => i);
+    const error = thrownBy(() => HalfedgeMesh.fromPolygons(points, faces));
+    expect(error).toBeInstanceOf(HalfedgeError);
+    expect(error).toBeInstanceOf(Error);
+    expect(error.name).toBe('HalfedgeError');
+    expect(error.code).toBe(code);
+    expect(error.message).toMatch(says);
+    expect(error.message).toMatch(/^[A-Z].*[.)]$/);
+    expect(error.witness).toMatchObject(witness);
+    expect(error.problems[0]).toMatchObject({ code, severity: 'error' });
+    expect(error.problems.some((problem) => problem.code === code)).toBe(true);
+  });
+
+  test('says non-finite-position', () => {
+    const error = thrownBy(() => HalfedgeMesh.fromTriangles([0, 0, 0, 1, Number.NaN, 0], []));
+    expect(error.code).toBe('non-finite-position');
+    expect(error.problems[0]).toMatchObject({ kind: 'vertex', index: 1 });
+  });
+
+  test('says pinched-vertex where two solids touch', () => {
+    const { positions: points, faces } = tetrahedron();
+    const other = faces.map((face) => face.map((v) => (v === 0 ? 0 : v + 3)));
+    const error = thrownBy(() =>
+      HalfedgeMesh.fromPolygons([...points, ...points.slice(3)], [...faces, ...other]),
+    );
+    expect(error.code).toBe('pinched-vertex');
+    expect(error.witness.vertices).toEqual([0]);
+    expect(error.problems[0]).toMatchObject({ kind: 'vertex', index: 0 });
+  });
+
+  test('lists every problem, and says how many more there are', () => {
+    const error = thrownBy(() =>
+      HalfedgeMesh.fromTriangles(positions, [0, 1, 1, 0, 2, 2, 3, 3, 3]),
+    );
+    expect(error.problems.length).toBeGreaterThanOrEqual(3);
+    expect(error.message).toContain(`And ${error.problems.length - 1} more problems.`);
+  });
+
+  test('lists a thousand of a million problems, and counts them all', () => {
+    const error = thrownBy(() => HalfedgeMesh.fromTriangles(positions, new Uint32Array(3_000_000)));
+    expect(error.problems).toHaveLength(1000);
+    expect(error.message).toMatch(/And 999999 more problems\.$/);
+  });
+});
+
+describe('A clone', () => {
+  test('has the same indices and its own memory', () => {
+    const { positions: points, faces } = quadGrid();
+    const mesh = HalfedgeMesh.fromPolygons(points, faces);
+    using copy = mesh.clone();
+    expect(copy.connectivity).toEqual(mesh.connectivity);
+    expect(copy.positions).toEqual(mesh.positions);
+    copy.positions[0] = 7;
+    expect(mesh.positions[0]).toBe(0);
+    mesh.dispose();
+    expect(copy.positions[0]).toBe(7);
+    expect(copy.validate()).toEqual([]);
+  });
+});

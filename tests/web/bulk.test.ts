@@ -1,0 +1,154 @@
+import { HalfedgeError, HalfedgeMesh, init, type Rows } from 'halfedge';
+import { quadGrid, randomPolygons, triangleAndIsolatedVertex } from './support/meshes.js';
+import { Reference } from './support/reference.js';
+
+beforeAll(() => init());
+
+const rowsOf = ({ offsets, items }: Rows): number[][] =>
+  Array.from({ length: offsets.length - 1 }, (_, i) =>
+    Array.from(items.subarray(offsets[i], offsets[i + 1])),
+  );
+const reversed = <T>(rows: T[][]): T[][] => rows.map((row) => [...row].reverse());
+
+describe('All rings in one call', () => {
+  test.each([11, 12, 13, 14, 15, 16, 17, 18])('are those of the faces (seed %i)', (seed) => {
+    const input = randomPolygons(seed);
+    using mesh = HalfedgeMesh.fromPolygons(input.positions, input.faces);
+    const reference = new Reference(input);
+
+    const spokes = Array.from({ length: reference.vertexCount }, (_, v) => reference.spokesCw(v));
+    const outgoing = spokes.map((row, v) => row.map(({ to }) => mesh.findHalfedge(v, to)));
+    const aroundVertices: [Rows, Rows, number[][]][] = [
+      [
+        mesh.allVertexVertices('cw'),
+        mesh.allVertexVertices('ccw'),
+        spokes.map((row) => row.map(({ to }) => to)),
+      ],
+      [
+        mesh.allVertexFaces('cw'),
+        mesh.allVertexFaces('ccw'),
+        spokes.map((row) => row.map(({ face }) => face).filter((face) => face >= 0)),
+      ],
+      [mesh.allVertexOutgoingHalfedges('cw'), mesh.allVertexOutgoingHalfedges('ccw'), outgoing],
+      [
+        mesh.allVertexIncomingHalfedges('cw'),
+        mesh.allVertexIncomingHalfedges('ccw'),
+        outgoing.map((row) => row.map((h) => h ^ 1)),
+      ],
+      [
+        mesh.allVertexEdges('cw'),
+        mesh.allVertexEdges('ccw'),
+        outgoing.map((row) => row.map((h) => h >> 1)),
+      ],
+    ];
+    for (const [cw, ccw, expected] of aroundVertices) {
+      expect(rowsOf(cw)).toEqual(expected);
+      expect(rowsOf(ccw)).toEqual(reversed(expected));
+    }
+
+    const sides = input.faces.map((_, f) => reference.sidesCcw(f));
+    const inFaces = sides.map((row) => row.map(([a, b]) => mesh.findHalfedge(a, b)));
+    const aroundFaces: [Rows, Rows, number[][]][] = [
+      [mesh.allFaceVertices('ccw'), mesh.allFaceVertices('cw'), input.faces],
+      [mesh.allFaceHalfedges('ccw'), mesh.allFaceHalfedges('cw'), inFaces],
+      [
+        mesh.allFaceEdges('ccw'),
+        mesh.allFaceEdges('cw'),
+        inFaces.map((row) => row.map((h) => h >> 1)),
+      ],
+      [
+        mesh.allFaceFaces('ccw'),
+        mesh.allFaceFaces('cw'),
+        sides.map((row) => row.map(([a, b]) => reference.faceOf(b, a)).filter((f) => f >= 0)),
+      ],
+    ];
+    for (const [ccw, cw, expected] of aroundFaces) {
+      expect(rowsOf(ccw)).toEqual(expected);
+      expect(rowsOf(cw)).toEqual(reversed(expected));
+    }
+
+    const edges = Array.from({ length: mesh.edgeCount }, (_, e) => [2 * e, 2 * e + 1]);
+    expect(rowsOf(mesh.allEdgeHalfedges())).toEqual(edges);
+    expect(rowsOf(mesh.allEdgeVertices())).toEqual(
+      edges.map((row) => row.map((h) => mesh.toVertex(h))),
+    );
+    expect(rowsOf(mesh.allEdgeFaces())).toEqual(
+      edges.map((row) => row.map((h) => mesh.face(h)).filter((f) => f >= 0)),
+    );
+  });
+
+  test('are counter-clockwise unless asked otherwise', () => {
+    const { positions, faces } = quadGrid();
+    using mesh = HalfedgeMesh.fromPolygons(positions, faces);
+    expect(mesh.allVertexVertices()).toEqual(mesh.allVertexVertices('ccw'));
+    expect(mesh.allFaceVertices()).toEqual(mesh.allFaceVertices('ccw'));
+    expect(rowsOf(mesh.allVertexVertices())[5]).toEqual([9, 4, 1, 6]);
+  });
+
+  test('have an empty row for an isolated vertex', () => {
+    const { positions, faces } = triangleAndIsolatedVertex();
+    using mesh = HalfedgeMesh.fromPolygons(positions, faces);
+    expect(rowsOf(mesh.allVertexVertices('cw'))[3]).toEqual([]);
+    expect(rowsOf(mesh.allVertexFaces('cw', [3, 0, 3]))).toEqual([[], [0], []]);
+  });
+
+  test('of an empty mesh are no rows', () => {
+    using mesh = new HalfedgeMesh();
+    expect(mesh.allVertexVertices()).toEqual({
+      offsets: Uint32Array.of(0),
+      items: new Uint32Array(0),
+    });
+  });
+
+  test('are copies, which outlive the mesh', () => {
+    const { positions, faces } = quadGrid();
+    const mesh = HalfedgeMesh.fromPolygons(positions, faces);
+    const { offsets, items } = mesh.allFaceVertices();
+    mesh.connectivity.toVertex.fill(0);
+    mesh.dispose();
+    expect(rowsOf({ offsets, items })).toEqual(faces);
+    expect(items.buffer.byteLength).toBe(4 * items.length);
+  });
+});
+
+describe('Rings of a list of items', () => {
+  const { positions, faces } = quadGrid();
+  let mesh: HalfedgeMesh;
+  beforeAll(() => {
+    mesh = HalfedgeMesh.fromPolygons(positions, faces);
+  });
+  afterAll(() => mesh.dispose());
+
+  test('come in the order of the list, as often as named', () => {
+    expect(rowsOf(mesh.allVertexVertices('cw', [5, 1, 5]))).toEqual([
+      [6, 1, 4, 9],
+      [0, 5, 2],
+      [6, 1, 4, 9],
+    ]);
+    expect(rowsOf(mesh.allFaceFaces('ccw', Uint8Array.of(4, 0)))).toEqual([
+      [3, 1, 5, 7],
+      [1, 3],
+    ]);
+    expect(rowsOf(mesh.allEdgeFaces([mesh.findEdge(1, 5)]))).toHaveLength(1);
+    expect(rowsOf(mesh.allVertexEdges('ccw', []))).toEqual([]);
+  });
+
+  test('refuse an item that is not there, and say where it was named', () => {
+    const ask = (list: ArrayLike<number>) => () => mesh.allVertexVertices('ccw', list);
+    expect(ask([0, 16])).toThrow(HalfedgeError);
+    expect(ask([0, 16])).toThrow(/Vertex 16 at position 1/);
+    expect(ask(Int32Array.of(3, -1))).toThrow(
+      new RangeError('vertices[1] is -1; expected an index, an integer from 0.'),
+    );
+    expect(ask([0.5])).toThrow('vertices[0] is 0.5');
+    expect(ask(['1'] as unknown as number[])).toThrow(TypeError);
+    expect(ask('01' as unknown as number[])).toThrow(TypeError);
+  });
+
+  test('refuse a direction that is none', () => {
+    expect(() => mesh.allVertexVertices('up' as 'cw')).toThrow(
+      new RangeError(`direction is "up"; expected 'ccw' or 'cw'.`),
+    );
+    expect(() => mesh.allFaceFaces(1 as unknown as 'cw')).toThrow(TypeError);
+  });
+});

@@ -1,0 +1,92 @@
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { bytesInUse, withLeft } from './support/core.js';
+import { quadGrid, tetrahedron } from './support/meshes.js';
+
+beforeAll(() => init());
+
+const { positions, faces } = tetrahedron();
+
+function expectOutOfMemory(call: () => unknown): void {
+  let thrown: unknown;
+  try {
+    call();
+  } catch (error) {
+    thrown = error;
+  }
+  expect(thrown).toBeInstanceOf(HalfedgeError);
+  expect(thrown).toMatchObject({
+    code: 'out-of-memory',
+    message: expect.stringMatching(/\w.*\.$/),
+  });
+}
+
+/** The module still works, and has lost nothing. */
+function expectSound(bytesBefore: number): void {
+  expect(bytesInUse()).toBe(bytesBefore);
+  using mesh = HalfedgeMesh.fromPolygons(positions, faces);
+  expect(mesh.validate()).toEqual([]);
+  expect(() => HalfedgeMesh.fromTriangles(positions, [0, 0, 0])).toThrow(/vertex 0/i);
+}
+
+describe('A mesh too large for memory', () => {
+  // The arrays are never written, so that they take address space and no memory.
+  test('because its positions alone exceed 4 GiB is an error', () => {
+    const before = bytesInUse();
+    expectOutOfMemory(() => HalfedgeMesh.fromTriangles(new Float32Array(3 * 400_000_000), []));
+    expectSound(before);
+  });
+
+  test('by a size that wraps around at 4 GiB is an error, not a small mesh', () => {
+    const before = bytesInUse();
+    const count = 2 ** 30 + 3 - ((2 ** 30 + 3) % 3); // bytes: 4 GiB and a little
+    expectOutOfMemory(() => HalfedgeMesh.fromTriangles(new Float32Array(count), []));
+    expectOutOfMemory(() => HalfedgeMesh.fromTriangles([], new Uint32Array(count)));
+    expectSound(before);
+  });
+
+  test('because nearly all memory is taken is an error, wherever it runs out', () => {
+    const before = bytesInUse();
+    const grid = quadGrid(120, 120);
+    const points = Float32Array.from(grid.positions);
+    const polygons = {
+      sizes: new Uint32Array(grid.faces.length).fill(4),
+      corners: Uint32Array.from(grid.faces.flat()),
+    };
+    using whole = HalfedgeMesh.fromPolygons(points, polygons);
+    const used = bytesInUse() - before;
+    const text = `${grid.positions.map((x, i) => (i % 3 === 0 ? `\nv ${x}` : ` ${x}`)).join('')}\n`;
+    let refused = 0;
+    for (let room = 0; room < 3 * used; room += Math.ceil(used / 8)) {
+      withLeft(room, () => {
+        for (const ask of [
+          () => HalfedgeMesh.fromPolygons(points, polygons).dispose(),
+          () =>
+            HalfedgeMesh.fromPolygons(points, {
+              ...polygons,
+              corners: new Uint32Array(polygons.corners.length),
+            }).dispose(),
+          () => HalfedgeMesh.parse(text).mesh.dispose(),
+          () => HalfedgeMesh.parse(`${text}f 1 1 1\n`).mesh.dispose(),
+          () => whole.clone().dispose(),
+          () => whole.allVertexVertices(),
+          () => whole.components(),
+          () => whole.boundaryLoops(),
+          () => whole.genus(),
+          () => new HalfedgeMesh().dispose(),
+        ]) {
+          try {
+            ask();
+          } catch (error) {
+            expect(String(error)).toMatch(/^HalfedgeError: /);
+            if ((error as HalfedgeError).code === 'out-of-memory') refused += 1;
+          }
+        }
+        const problems = whole.validate();
+        expect(problems.filter(({ code }) => code !== 'out-of-memory')).toEqual([]);
+      });
+    }
+    expect(refused).toBeGreaterThan(8);
+    whole.dispose();
+    expectSound(before);
+  });
+});

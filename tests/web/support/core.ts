@@ -1,0 +1,43 @@
+// A private door, for tests only: what a user of the package can't and needn't see.
+import { core } from '../../../dist/loader.js';
+
+/** The bytes that are allocated in WebAssembly memory. */
+export const bytesInUse = (): number => core().bytesInUse();
+
+/** The size of WebAssembly memory. */
+export const memorySize = (): number => core().memory.buffer.byteLength;
+
+/** Makes WebAssembly memory grow, which detaches all views, without making a mesh. */
+export function growMemory(): void {
+  const blocks: number[] = [];
+  for (const size = memorySize(); size === memorySize(); ) blocks.push(core().allocate(2 ** 22));
+  for (const address of blocks) core().free(address);
+}
+
+/** Runs `use` while blocks of these sizes are taken. They are never written: they cost no memory. */
+export function withTaken(sizes: number[], use: () => void): void {
+  const blocks = sizes.map((bytes) => core().allocate(bytes));
+  if (blocks.includes(0)) throw new Error(`There is no room for blocks of ${sizes} bytes.`);
+  try {
+    use();
+  } finally {
+    for (const address of blocks) core().free(address);
+  }
+}
+
+/** Runs `use` with hardly more left of the 4 GiB than one block of so many bytes. */
+export function withLeft(bytes: number, use: () => void): void {
+  const left = core().allocate(bytes);
+  const blocks: number[] = [];
+  for (let size = 2 ** 31; size >= 64; ) {
+    const address = core().allocate(size);
+    if (address === 0) size /= 2;
+    else blocks.push(address);
+  }
+  core().free(left);
+  try {
+    use();
+  } finally {
+    for (const address of blocks) core().free(address);
+  }
+}
