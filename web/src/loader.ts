@@ -76,6 +76,6 @@ function memoryOf(instance: WebAssembly.Instance): WebAssembly.Memory | undefine
 
 /** The message of whatever was thrown, without a full stop. */
 export function messageOf(cause: unknown): string {
-  const text = cause instanceof Error ? cause.message : String(cause);
-  return text.replace(/\.\s*$/, '');
+  const { message } = Object(cause) as { message?: unknown };
+  return (typeof message === 'string' ? message : String(cause)).replace(/\.\s*$/, '');
 }

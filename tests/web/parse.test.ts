@@ -1,0 +1,182 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+
+beforeAll(() => init());
+
+const cube = `# a cube, its faces in all forms
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0 0 1\r
+v 1 0 1\r
+v 1 1 1
+v 0 1 1
+vt 0 0
+vn 0 0 1
+f 4 3 2 1
+f 5/1 6/1 7/1 8/1
+f 1/1/1 2/1/1 6/1/1 5/1/1
+f 2//1 3//1 7//1 6//1
+f 3 4 8 7
+f -5 -8 -4 -1
+`;
+const triangle = 'OFF\n# comment\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
+
+describe('parse', () => {
+  test('reads an OBJ file, polygons and all', () => {
+    const { mesh, report } = HalfedgeMesh.parse(cube);
+    expect([mesh.vertexCount, mesh.edgeCount, mesh.faceCount]).toEqual([8, 12, 6]);
+    expect(mesh.validate()).toEqual([]);
+    expect(mesh.genus()).toBe(0);
+    expect(report).toMatchObject({ format: 'obj' });
+    expect(report.summary).toMatch(/^OBJ: 8 vertices, 12 edges, 6 faces\./);
+    mesh.dispose();
+  });
+
+  test('reads an OFF file', () => {
+    const { mesh, report } = HalfedgeMesh.parse(triangle);
+    expect(report).toEqual({
+      format: 'off',
+      problems: [],
+      summary: 'OFF: 3 vertices, 3 edges, 1 faces.',
+    });
+    expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    mesh.dispose();
+  });
+
+  const encoded = new TextEncoder().encode(triangle);
+  const containers: [string, string | ArrayBuffer | Uint8Array][] = [
+    ['a string', triangle],
+    ['a Uint8Array', encoded],
+    ['a Buffer', Buffer.from(triangle)],
+    ['a view inside a buffer', new Uint8Array([0, ...encoded, 0]).subarray(1, -1)],
+    ['an ArrayBuffer', Uint8Array.from(encoded).buffer],
+    ['a DataView', new DataView(Uint8Array.from(encoded).buffer) as never],
+    [
+      'shared memory',
+      (() => {
+        const shared = new Uint8Array(new SharedArrayBuffer(encoded.length));
+        shared.set(encoded);
+        return shared.buffer as never;
+      })(),
+    ],
+  ];
+  test.each(containers)('reads %s', (_, data) => {
+    const { mesh } = HalfedgeMesh.parse(data);
+    expect(mesh.faceCount).toBe(1);
+    mesh.dispose();
+  });
+
+  test('tells what it ignored, and what it read the file as', () => {
+    const { mesh, report } = HalfedgeMesh.parse(triangle, { format: 'obj', repair: false });
+    expect(report.format).toBe('off');
+    expect(report.problems).toHaveLength(1);
+    expect(report.problems[0]).toMatchObject({ severity: 'info', kind: 'mesh', index: -1 });
+    expect(report.problems[0].message).toMatch(/^Read as OFF, .*\.$/);
+    expect(report.summary).toContain(report.problems[0].message);
+    mesh.dispose();
+  });
+
+  const broken: [code: string, data: string, says: RegExp][] = [
+    ['parse-error', 'v 0 0 0\nv 1 x 0\n', /^Line 2: .*"x"/],
+    ['truncated', 'OFF\n3 1 0\n0 0 0\n', /3/],
+    ['index-out-of-range', 'v 0 0 0\nf 1 2 9\n', /^Line 2: /],
+    ['unknown-format', 'Dear Sir or Madam\n', /Dear/],
+    ['unknown-format', '', /empty/],
+    ['unsupported-format', 'ply\nformat ascii 1.0\n', /PLY/],
+    ['unsupported-format', '<!DOCTYPE html>', /HTML/],
+    ['not-text', '\u0000\u0001\u0002', /Byte 0/],
+  ];
+  test.each(broken)('says %s', (code, data, says) => {
+    try {
+      HalfedgeMesh.parse(data);
+    } catch (error) {
+      expect(error).toBeInstanceOf(HalfedgeError);
+      expect(error).toMatchObject({ code, message: expect.stringMatching(says) });
+      expect((error as HalfedgeError).message).toMatch(/^[A-Z].*[.)]$/s);
+      return;
+    }
+    throw new Error('It was read.');
+  });
+
+  test('names the lines of the faces that make no manifold', () => {
+    const vertices = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 2\n';
+    const faces = 'f 1 2 3\n\nf 2 1 4\n# two are enough\nf 1 2 5\n';
+    expect(() => HalfedgeMesh.parse(vertices + faces)).toThrow(/\(Lines 6, 8, 10\)/);
+    expect(() => HalfedgeMesh.parse(`${vertices}f 1 2 2\n`)).toThrow(/\(Line 6\)/);
+  });
+
+  test.each([
+    [undefined, 'data is undefined; expected the content of a file'],
+    [null, 'data is null'],
+    [5, 'data is 5'],
+    [[118, 32], 'data is an array of 2 elements'],
+    [{}, 'data is an Object'],
+  ])('refuses %p as data', (data, message) => {
+    expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(TypeError);
+    expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(message);
+  });
+
+  test('refuses wrong options', () => {
+    const parse = (options: unknown) => () => HalfedgeMesh.parse(triangle, options as never);
+    expect(parse(null)).toThrow(new TypeError('options is null; expected an object.'));
+    expect(parse({ format: 'gif' })).toThrow(RangeError);
+    expect(parse({ format: 'gif' })).toThrow(`options.format is "gif"; expected 'obj' or 'off'.`);
+    expect(parse({ format: 3 })).toThrow(TypeError);
+    expect(parse({ repair: 'yes' })).toThrow(`options.repair is "yes"; expected true or false.`);
+  });
+
+  test('refuses a buffer that was transferred away', () => {
+    const { buffer } = Uint8Array.from(encoded);
+    structuredClone(buffer, { transfer: [buffer] });
+    expect(() => HalfedgeMesh.parse(buffer)).toThrow('data is a detached buffer');
+  });
+});
+
+const data =
+  process.env.HALFEDGE_DATA ?? new URL('../../../shared/data/', import.meta.url).pathname;
+const folder = (name: string): string[] => {
+  try {
+    return readdirSync(`${data}/${name}`).filter((file) => /\.(obj|off)$/i.test(file));
+  } catch {
+    console.log(
+      `Skipped: there are no test meshes in ${data}/${name}; HALFEDGE_DATA names the folder.`,
+    );
+    return [];
+  }
+};
+
+const good = folder('good');
+(good.length > 0 ? test : test.skip)('parse reads every good OBJ and OFF file there is', () => {
+  const refused: string[] = [];
+  for (const file of good) {
+    try {
+      const { mesh } = HalfedgeMesh.parse(readFileSync(`${data}/good/${file}`));
+      expect([file, mesh.validate().filter(({ severity }) => severity === 'error')]).toEqual([
+        file,
+        [],
+      ]);
+      mesh.dispose();
+    } catch (error) {
+      refused.push(`${file}: ${(error as HalfedgeError).code}`);
+    }
+  }
+  expect(refused).toEqual(['fairing-cross_binary_le.off: unsupported-format']);
+});
+
+const nasty = folder('nasty');
+(nasty.length > 0 ? test : test.skip)('parse reads or explains every nasty file there is', () => {
+  for (const file of nasty) {
+    try {
+      const { mesh } = HalfedgeMesh.parse(readFileSync(`${data}/nasty/${file}`));
+      expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+      mesh.dispose();
+    } catch (error) {
+      expect([file, String(error)]).toEqual([
+        file,
+        expect.stringMatching(/^HalfedgeError: .{20,}/s),
+      ]);
+    }
+  }
+});
