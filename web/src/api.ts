@@ -1,6 +1,7 @@
 // The public names, but for `init`, of which each entry has its own.
 
 export type { BuildOptions, Polygons } from './build.js';
+export type { CirculateOptions } from './circulation.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export {
   type Direction,
@@ -15,6 +16,7 @@ export {
   type Vertex,
   type VertexLike,
 } from './items.js';
+export type { Circulator, CirculatorKind } from './laps.js';
 export { HalfedgeMesh } from './mesh.js';
 export type { ConnectivityViews } from './navigation.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';

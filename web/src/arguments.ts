@@ -215,3 +215,9 @@ export function bytesOf(argument: string, source: unknown): Uint8Array | undefin
 function isBuffer(source: unknown): boolean {
   return /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(source));
 }
+
+/** Throws unless `options` is an object; returns it. */
+export function checkOptions(options: unknown): object {
+  if (typeof options === 'object' && options !== null) return options;
+  throw new TypeError(`options is ${describe(options)}; expected an object.`);
+}

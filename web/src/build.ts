@@ -1,7 +1,7 @@
 import {
   checkFloats,
   checkNotNegative,
-  describe,
+  checkOptions,
   indices,
   isIndex,
   lengthOf,
@@ -45,12 +45,6 @@ export function polygonLinks(positions: unknown, faces: unknown, options: unknow
   const points = positionArray(positions);
   const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
   return buildLinks(points, sizes, corners, 'corners');
-}
-
-/** Throws unless `options` is an object; returns it. */
-export function checkOptions(options: unknown): object {
-  if (typeof options === 'object' && options !== null) return options;
-  throw new TypeError(`options is ${describe(options)}; expected an object.`);
 }
 
 function buildLinks(

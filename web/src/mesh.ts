@@ -2,7 +2,7 @@
 /// <reference lib="esnext.disposable" preserve="true" />
 
 import { type BuildOptions, type Polygons, polygonLinks, triangleLinks } from './build.js';
-import { BulkRings } from './bulk.js';
+import { Circulation } from './circulation.js';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
 import { Links } from './links.js';
@@ -35,7 +35,7 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
  * for (const w of mesh.vertexVertices(0)) console.log(w);
  * ```
  */
-export class HalfedgeMesh extends BulkRings {
+export class HalfedgeMesh extends Circulation {
   /** An empty mesh. */
   constructor();
   /** @internal */

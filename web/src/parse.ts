@@ -1,5 +1,4 @@
-import { bytesOf, describe } from './arguments.js';
-import { checkOptions } from './build.js';
+import { bytesOf, checkOptions, describe } from './arguments.js';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
