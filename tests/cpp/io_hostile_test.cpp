@@ -19,26 +19,75 @@ namespace {
 using namespace std::string_literals;
 
 /// Small files that reach every statement and every branch of the readers.
-const std::vector<std::string>& seeds() {
-  static const std::vector<std::string> all = {
-      "# obj\r\nmtllib a.mtl\r\nv 0 0 0 1\r\nv 1.5 -.5e-3 +2. # c\r\nv 0 1 0\r\nf 1/1/1 2//2 "
-      "3/3\r\n",
-      "v 0 0 \\\n0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\n3 4\nf -4 -3 -2\nf 4 5 6\nv 2 2 2\nv 3 3 "
-      "3\n",
-      "v nan inf -infinity\rv 1.#IND -1.#INF00 nan(1)\rv 1e999 1e-999 0\rl 1 2\rp 1\rxyz\rf 1 2 "
-      "3\r",
-      "v 1.00000017881393432617187499 123456789012345678901234567890 1e-30\nf "
-      "99999999999999999999\n",
-      "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n3 0 1 2\n",
-      "# c\n STCN4OFF4 2\n0 0 0 1 # c\n1 0 0 2\n1 1 0 0\n0 1 0 1\n\n3 0 1 2\n2 3 1\ntrailing",
-      "OFF 4 1\n0\n0 0 1 0\n0\n1 1 0 0 1 0\n4 0\n1 2\n3",
-      "nOFF 3 3 1 3 0 0 0 1 0 0 1 1 0\n3 0 1 2\n",
-      "3 1 3\n0 0 0 1 0 0\n0 1 0\n3 0 1 2",
-      "OFF BINARY\n\0\0\0\4"s,
-      "\xEF\xBB\xBFOFF\r4 0 0\r1 2 3\r\r1 2 3\r1 2 3\r1 2 3",
-  };
-  return all;
-}
+const std::vector<std::string> kSeeds = {
+    R"(# obj
+mtllib a.mtl
+v 0 0 0 1
+v 1.5 -.5e-3 +2. # c
+v 0 1 0
+f 1/1/1 2//2 3/3
+)",
+    R"(v 0 0 \
+0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+f 1 2 \
+3 4
+f -4 -3 -2
+f 4 5 6
+v 2 2 2
+v 3 3 3
+)",
+    R"(v nan inf -infinity
+v 1.#IND -1.#INF00 nan(1)
+v 1e999 1e-999 0
+l 1 2
+p 1
+xyz
+f 1 2 3
+)",
+    R"(v 1.00000017881393432617187499 123456789012345678901234567890 1e-30
+f 99999999999999999999
+)",
+    "v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 2 3\r\n",
+    R"(OFF
+4 2 5
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+4 0 1 2 3 255 0 0
+3 0 1 2
+)",
+    R"(# c
+ STCN4OFF4 2
+0 0 0 1 # c
+1 0 0 2
+1 1 0 0
+0 1 0 1
+
+3 0 1 2
+2 3 1
+trailing)",
+    R"(OFF 4 1
+0
+0 0 1 0
+0
+1 1 0 0 1 0
+4 0
+1 2
+3)",
+    R"(nOFF 3 3 1 3 0 0 0 1 0 0 1 1 0
+3 0 1 2
+)",
+    R"(3 1 3
+0 0 0 1 0 0
+0 1 0
+3 0 1 2)",
+    "OFF BINARY\n\0\0\0\4"s,
+    "\xEF\xBB\xBFOFF\r4 0 0\r1 2 3\r\r1 2 3\r1 2 3\r1 2 3",
+};
 
 /// Parses in every way. What was read is whole, and what was refused says why.
 void survive(std::string_view text) {
@@ -74,7 +123,7 @@ void survive(std::string_view text) {
 }
 
 TEST(Hostile, EveryPrefixAndSuffixOfAFile) {
-  for (const std::string& seed : seeds()) {
+  for (const std::string& seed : kSeeds) {
     SCOPED_TRACE(seed);
     for (std::size_t i = 0; i <= seed.size(); ++i) {
       survive(std::string_view(seed).substr(0, i));
@@ -84,7 +133,7 @@ TEST(Hostile, EveryPrefixAndSuffixOfAFile) {
 }
 
 TEST(Hostile, EveryByteInEveryPlace) {
-  for (const std::string& seed : seeds()) {
+  for (const std::string& seed : kSeeds) {
     for (std::size_t i = 0; i < seed.size(); ++i) {
       std::string text = seed;
       for (const char c : "\0\n\r\\#/+-.0179 \t\x7F\xFF\xFEvfeO"s) {
@@ -107,7 +156,7 @@ TEST(Hostile, RandomMutations) {
                                     "nan",    "1e400",      "\0"s,         "\xEF\xBB\xBF",
                                     "1.#IND", "."};
   for (int round = 0; round < 3000; ++round) {
-    std::string text = seeds()[below(seeds().size())];
+    std::string text = kSeeds[below(kSeeds.size())];
     for (std::size_t edits = 1 + below(8); edits > 0; --edits) {
       const std::size_t at = below(text.size() + 1);
       switch (below(5)) {
@@ -124,7 +173,7 @@ TEST(Hostile, RandomMutations) {
           text.insert(at, text.substr(below(text.size() + 1), below(40)));
           break;
         default: {
-          const std::string& other = seeds()[below(seeds().size())];
+          const std::string& other = kSeeds[below(kSeeds.size())];
           text = text.substr(0, at) + other.substr(below(other.size() + 1));
         }
       }

@@ -10,6 +10,7 @@
 namespace halfedge {
 namespace {
 
+using namespace std::string_literals;
 using test::obj_error;
 using test::parse_obj;
 using test::Parsed;
@@ -113,10 +114,16 @@ TEST(Obj, SkipsComments) {
 }
 
 TEST(Obj, JoinsLinesAtABackslash) {
-  for (const char* end : {"\n", "\r\n", "\r"}) {
-    const std::string join = std::string("\\") + end;
-    const Parsed file = parse_obj("v 0 " + join + "0 0" + end + "v 1 0 0" + end + "v " + join +
-                                  " 1 1 0" + end + "f 1" + join + join + "2 " + join + "3" + end);
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    std::string text;
+    for (const char c : "v 0 \\\n0 0\nv 1 0 0\nv \\\n 1 1 0\nf 1\\\n\\\n2 \\\n3\n"s) {
+      if (c == '\n') {
+        text += end;
+      } else {
+        text += c;
+      }
+    }
+    const Parsed file = parse_obj(text);
     EXPECT_EQ(file.error, "");
     EXPECT_EQ(file.positions, (Floats{0, 0, 0, 1, 0, 0, 1, 1, 0}));
     EXPECT_EQ(file.faces, (Faces{{0, 1, 2}}));

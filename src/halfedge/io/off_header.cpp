@@ -91,7 +91,7 @@ std::optional<Error> skip_edge_count(TextScanner& text) {
 /// missing.
 std::optional<Error> check_counts(const TextScanner& text, const OffHeader& header) {
   const std::uint64_t bytes = text.rest().size() + 1;
-  const auto vertex_bytes = static_cast<std::uint64_t>(2 * header.coordinates);
+  const std::uint64_t vertex_bytes = 2 * static_cast<std::uint64_t>(header.coordinates);
   if (header.vertices <= bytes / vertex_bytes &&
       header.faces <= (bytes - header.vertices * vertex_bytes) / 2) {
     return std::nullopt;
