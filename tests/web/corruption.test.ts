@@ -1,0 +1,93 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import { bytesInUse } from './support/core.js';
+import { randomPolygons } from './support/meshes.js';
+import { random } from './support/random.js';
+
+beforeAll(() => init());
+
+const SECONDS = 1000;
+
+/** Every question there is; each either answers or throws one of the library's errors. */
+function askEverything(mesh: HalfedgeMesh): void {
+  const questions: ((i: number) => unknown)[] = [];
+  for (let at = Object.getPrototypeOf(mesh); at !== Object.prototype; ) {
+    for (const name of Object.getOwnPropertyNames(at)) {
+      if (['constructor', 'dispose', 'circulate'].includes(name)) continue;
+      questions.push((i) => {
+        const member = Reflect.get(at, name, mesh);
+        if (typeof member !== 'function') return member;
+        const takesItem =
+          /^(is|next|prev|opp|edge|face|to[VE]|from|rot|vertex|halfedgeL|val|deg|find)/;
+        const isWhole = /^(vertices|faces|edges|halfedges|validate)$/.test(name);
+        const result =
+          takesItem.test(name) && !isWhole ? member.call(mesh, i, i) : member.call(mesh);
+        return typeof result === 'object' && Symbol.iterator in result ? [...result] : result;
+      });
+    }
+    at = Object.getPrototypeOf(at);
+  }
+  for (const kind of [
+    'vertexVertices',
+    'vertexFaces',
+    'faceFaces',
+    'edgeFaces',
+    'halfedgeLoop',
+  ] as const) {
+    questions.push((i) => {
+      const circulator = mesh.circulate(kind, i);
+      for (let step = 0; step < 20; step++) circulator.next();
+      for (let step = 0; step < 20; step++) circulator.prev();
+      return circulator.current;
+    });
+  }
+  expect(questions.length).toBeGreaterThan(60);
+  for (const question of questions) {
+    for (let i = 0; i < 6; i++) {
+      try {
+        question(i);
+      } catch (error) {
+        expect(String(error)).toMatch(/^(RangeError|HalfedgeError|TypeError): [A-Za-z].*[.?)]$/s);
+        expect((error as Error).message).toMatch(/expected|corrupt|breaks|close/);
+      }
+    }
+  }
+}
+
+describe('Whatever is written into the live views,', () => {
+  const values: [string, (slots: number, next: () => number) => number][] = [
+    ['valid indices', (slots, next) => Math.floor(next() * slots)],
+    ['anything', (_, next) => Math.floor((next() - 0.5) * 2 ** 32)],
+    ['-1', () => -1],
+    ['marks of deleted items', (_, next) => -2 - Math.floor(next() * 100)],
+    ['indices just out of range', (slots) => slots],
+    ['zeros', () => 0],
+  ];
+  describe.each(values)('be it %s,', (_, value) => {
+    test.each([1, 2, 3])('nothing hangs or crashes (seed %i)', (seed) => {
+      const next = random(seed);
+      const before = bytesInUse();
+      const start = performance.now();
+      for (let round = 0; round < 8; round++) {
+        const input = randomPolygons(1000 * seed + round);
+        const mesh = HalfedgeMesh.fromPolygons(input.positions, input.faces);
+        const slots = mesh.halfedgeSlots;
+        const share = next() < 0.5 ? 0.02 : 1;
+        for (const view of Object.values(mesh.connectivity) as Int32Array[]) {
+          if (next() < 0.3) continue;
+          for (let i = 0; i < view.length; i++) if (next() < share) view[i] = value(slots, next);
+        }
+        askEverything(mesh);
+        mesh.clone().dispose();
+        mesh.dispose();
+      }
+      expect(performance.now() - start).toBeLessThan(50 * SECONDS);
+      expect(bytesInUse()).toBe(before);
+    });
+  });
+
+  test('and a sound mesh is still made afterwards', () => {
+    const input = randomPolygons(1);
+    using mesh = HalfedgeMesh.fromPolygons(input.positions, input.faces);
+    expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+  });
+});
