@@ -199,7 +199,7 @@ TEST(Adjacency, NamesTheRingThatDoesNotClose) {
     Adjacency result;
     const Result<void> done = adjacency(mesh, ring, Direction::kCw, result);
     ASSERT_FALSE(done.ok());
-    EXPECT_EQ(done.error().code, "corrupt-mesh");
+    EXPECT_EQ(done.error().code, "corrupt-connectivity");
     EXPECT_TRUE(result.items.empty());
     const Result<Index> one = write_ring(mesh, ring, Direction::kCw, 2, {});
     ASSERT_FALSE(one.ok());
@@ -216,7 +216,7 @@ TEST(Adjacency, SurvivesArraysOfDifferentLengths) {
   Adjacency result;
   const Result<void> done = adjacency(mesh, Ring::kVertexFaces, Direction::kCcw, result);
   ASSERT_FALSE(done.ok());
-  EXPECT_EQ(done.error().code, "corrupt-mesh");
+  EXPECT_EQ(done.error().code, "corrupt-connectivity");
 }
 
 }  // namespace

@@ -11,9 +11,9 @@ namespace halfedge {
 namespace {
 
 Error corrupt(ItemKind kind, Index index) {
-  return {"corrupt-mesh", "the ring around " + std::string(name_of(kind)) + " " +
-                              std::to_string(index) +
-                              " does not close: validate names the broken links"};
+  return {"corrupt-connectivity", "the ring around " + std::string(name_of(kind)) + " " +
+                                      std::to_string(index) +
+                                      " does not close: validate names the broken links"};
 }
 
 Error out_of_memory() {

@@ -11,7 +11,7 @@
 /// flat arrays. Items come in exactly the order of the circulator of the same name.
 ///
 /// These functions check what they follow: on a mesh that breaks its invariants they return an
-/// error with the code corrupt-mesh, they don't hang or write out of bounds.
+/// error with the code corrupt-connectivity, they don't hang or write out of bounds.
 namespace halfedge {
 
 /// A kind of circulator: around what, and what it lists.
@@ -43,19 +43,19 @@ struct Adjacency {
 /// One row for each slot of the ring's centre (vertex, face or edge); empty for deleted slots and
 /// isolated vertices. `out` is overwritten and its memory reused; after an error it is empty.
 /// cost: O(slots), one pass
-/// errors: corrupt-mesh, out-of-memory
+/// errors: corrupt-connectivity, out-of-memory
 [[nodiscard]] Result<void> adjacency(const Connectivity& mesh, Ring ring, Direction direction,
                                      Adjacency& out);
 
 /// One row for each of `centres`, in their order; an item may be named more than once.
-/// errors: corrupt-mesh, out-of-memory, too-large (2^32 items and more), index-out-of-range and
-/// deleted-item (of `centres`; the message names the position)
+/// errors: corrupt-connectivity, out-of-memory, too-large (2^32 items and more), index-out-of-range
+/// and deleted-item (of `centres`; the message names the position)
 [[nodiscard]] Result<void> adjacency(const Connectivity& mesh, Ring ring, Direction direction,
                                      std::span<const Index> centres, Adjacency& out);
 
 /// Writes the ring around one item to `out`, as much of it as fits, and returns how long the ring
 /// is. Allocates nothing.
-/// errors: corrupt-mesh, index-out-of-range, deleted-item
+/// errors: corrupt-connectivity, index-out-of-range, deleted-item
 [[nodiscard]] Result<Index> write_ring(const Connectivity& mesh, Ring ring, Direction direction,
                                        Index centre, std::span<Index> out);
 

@@ -14,7 +14,7 @@ namespace halfedge {
       links.face.size() == size) {
     return {};
   }
-  return Error{"corrupt-mesh", "the halfedge arrays differ in length: validate names them"};
+  return Error{"corrupt-connectivity", "the halfedge arrays differ in length: validate names them"};
 }
 
 }  // namespace halfedge

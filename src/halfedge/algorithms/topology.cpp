@@ -14,9 +14,9 @@ Error out_of_memory(const char* what) {
 }
 
 Error corrupt(const char* link, ItemKind kind, Index index) {
-  return {"corrupt-mesh", "the " + std::string(link) + " of " + name_of(kind) + " " +
-                              std::to_string(index) +
-                              " breaks the invariants of a mesh: validate names what is wrong"};
+  return {"corrupt-connectivity",
+          "the " + std::string(link) + " of " + name_of(kind) + " " + std::to_string(index) +
+              " breaks the invariants of a mesh: validate names what is wrong"};
 }
 
 // Sets of vertices, each named by its smallest. Path halving keeps the trees flat.

@@ -9,8 +9,8 @@
 /// Numbers that don't change when a mesh is bent.
 ///
 /// These functions check what they follow: on a mesh that breaks its invariants they return an
-/// error with the code corrupt-mesh (or false), they don't hang or read out of bounds. Those that
-/// need memory return an error with the code out-of-memory when there is none.
+/// error with the code corrupt-connectivity (or false), they don't hang or read out of bounds.
+/// Those that need memory return an error with the code out-of-memory when there is none.
 namespace halfedge {
 
 /// V - E + F over all live items. An isolated vertex counts as a vertex.
