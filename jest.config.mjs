@@ -26,6 +26,14 @@ const suite = (name) => ({
 });
 
 export default {
-  projects: ['web', 'browser', 'package'].map(suite),
+  projects: [
+    suite('web'),
+    suite('browser'),
+    {
+      ...suite('package'),
+      globalSetup: '<rootDir>/tests/package/support/setup.mjs',
+      globalTeardown: '<rootDir>/tests/package/support/teardown.mjs',
+    },
+  ],
   testTimeout: 60_000,
 };

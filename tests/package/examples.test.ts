@@ -1,0 +1,157 @@
+import { cpSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
+import { root } from '../../scripts/lib/run.mjs';
+import { disconnect, withPage } from './support/browser.js';
+import { page } from './support/programs.js';
+import { node, packed, project, tryNode } from './support/project.js';
+import { serve } from './support/server.js';
+
+const example = (name: string) => readFileSync(join(root, 'examples', name), 'utf8');
+
+/** Two triangles that run along their common edge in the same direction. */
+const CLASHING = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 3\n';
+const PYRAMID = `# A square pyramid without its base
+v 0 0 1
+v 1 0 0
+v 0 1 0
+v -1 0 0
+v 0 -1 0
+f 1 2 3
+f 1 3 4
+f 1 4 5
+f 1 5 2
+`;
+
+let folder: string;
+beforeAll(() => {
+  const names = ['one_ring.mjs', 'mcguire_queries.mjs', 'load_file.mjs', 'page.html'];
+  folder = project('examples', {
+    ...Object.fromEntries(names.map((name) => [`examples/${name}`, example(name)])),
+    'pyramid.obj': PYRAMID,
+    'broken.off': 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 one 0\n3 0 1 2\n',
+    'clashing.off': CLASHING,
+  });
+  cpSync(join(folder, 'node_modules/halfedge/dist'), join(folder, 'dist'), { recursive: true });
+});
+afterAll(disconnect);
+
+test('one_ring.mjs walks counter-clockwise around the apex', async () => {
+  const ring = (await node(folder, 'examples/one_ring.mjs')).split('\n');
+  const start = ring.indexOf('vertex 1');
+  expect([...ring.slice(start), ...ring.slice(0, start)]).toEqual([
+    'vertex 1',
+    'vertex 2',
+    'vertex 3',
+    'vertex 4',
+  ]);
+});
+
+test("mcguire_queries.mjs answers McGuire's five questions", async () => {
+  const answers = (await node(folder, 'examples/mcguire_queries.mjs')).split('\n');
+  const sorted = answers.map((line) => {
+    const [question, items] = line.split('?  ');
+    return [question, items.split(' ').sort().join(' ')];
+  });
+  expect(sorted).toEqual([
+    ['Which faces use vertex 6', 'back right top'],
+    ['Which edges use vertex 6', '2-6 5-6 6-7'],
+    ['Which faces border edge 5-6', 'right top'],
+    ['Which edges border the top', '4-5 4-7 5-6 6-7'],
+    ['Which faces are adjacent to the top', 'back front left right'],
+  ]);
+});
+
+describe('load_file.mjs', () => {
+  test('tells counts, topology and validity', async () => {
+    expect(await node(folder, 'examples/load_file.mjs', 'pyramid.obj')).toBe(
+      `vertices              5
+halfedges             16
+edges                 8
+faces                 4
+Euler characteristic  1
+components            1
+boundary loops        1
+genus                 0
+valid                 yes`,
+    );
+  });
+
+  test.each([
+    ['without a file', [], /^Usage: /],
+    ['for a file that is not there', ['nowhere.obj'], /^nowhere\.obj can't be read: ENOENT/],
+    ['for a broken file, with the line', ['broken.off'], /^broken\.off: Line 5: .*\bone\b/],
+    [
+      'for a mesh that is none',
+      ['clashing.off'],
+      /^clashing\.off: Faces 0 and 1 both run from vertex 0 to vertex 1;/,
+    ],
+  ])('ends with one sentence %s', async (_, args, sentence) => {
+    const { ok, output } = await tryNode(folder, 'examples/load_file.mjs', ...args);
+    expect(ok).toBe(false);
+    expect(output).toMatch(sentence);
+    expect(output.trim()).not.toContain('\n');
+  });
+});
+
+describe('page.html', () => {
+  /** Opens the example as it lies in the repository, with `dist/` beside its folder. */
+  async function withExample(use: Parameters<typeof withPage>[1]) {
+    const server = await serve(folder);
+    try {
+      await withPage(`${server.address}examples/page.html`, use);
+    } finally {
+      await server.close();
+    }
+  }
+
+  const saying = (text: string) => `#answer >> text=${text}`;
+
+  test('walks the one-ring of a vertex of choice, of a file of choice', async () => {
+    await withExample(async ({ page: tab, complaints }) => {
+      await tab.waitForSelector(saying('4 vertices, 2 faces. Around vertex 0: 1, 2, 3'));
+      await tab.fill('#vertex', '1');
+      await tab.waitForSelector(saying('Around vertex 1: 2, 0'));
+      await tab.setInputFiles('#file', join(folder, 'pyramid.obj'));
+      await tab.waitForSelector(saying('5 vertices, 4 faces. Around vertex 1: 2, 0, 4'));
+      expect(complaints).toEqual([]);
+    });
+  });
+
+  test('says what is wrong with a vertex or a file, and goes on', async () => {
+    await withExample(async ({ page: tab, complaints }) => {
+      await tab.fill('#vertex', '9');
+      await tab.waitForSelector(saying('v is 9; expected a vertex from 0 to 3.'));
+      await tab.fill('#vertex', '1');
+      await tab.setInputFiles('#file', join(folder, 'broken.off'));
+      await tab.waitForSelector(saying('Line 5'));
+      await tab.fill('#vertex', '0');
+      await tab.waitForSelector(saying('Around vertex 0: 1, 2, 3'));
+      expect(complaints).toEqual([]);
+    });
+  });
+});
+
+test('the first program of the README runs as it stands', async () => {
+  const readme = readFileSync(
+    join(packed.folder, 'installed/node_modules/halfedge/README.md'),
+    'utf8',
+  );
+  const [, script] = /```js\n([\s\S]*?)```/.exec(readme) ?? [];
+  const map = '{ "imports": { "halfedge": "./node_modules/halfedge/dist/index.js" } }';
+  const site = project('readme', {
+    'index.html': page('./main.js', `<script type="importmap">${map}</script>`),
+    'main.js': script,
+    'bunny.obj': PYRAMID,
+  });
+  const server = await serve(site);
+  try {
+    await withPage(server.address, async ({ lines, complaints }) => {
+      for (let waited = 0; lines.length < 4 && waited < 10_000; waited += 20) await pause(20);
+      expect(complaints).toEqual([]);
+      expect(lines.sort()).toEqual(['1', '2', '3', '4']);
+    });
+  } finally {
+    await server.close();
+  }
+});

@@ -1,0 +1,60 @@
+import { setTimeout as pause } from 'node:timers/promises';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { packed } from './project.js';
+
+let connection: Promise<Browser> | undefined;
+
+/** A page, and what the browser tells of it as it goes. */
+interface Watched {
+  page: Page;
+  /** Errors and warnings in the console, uncaught errors, and requests that failed. */
+  complaints: string[];
+  /** All lines in the console. */
+  lines: string[];
+  /** The addresses requested. */
+  requests: string[];
+}
+
+/** Opens a page in a fresh profile and waits until it has a title, or a complaint. */
+export async function visit(address: string) {
+  return withPage(address, async ({ page, complaints, requests }) => {
+    let title = '';
+    for (let waited = 0; title === '' && complaints.length === 0 && waited < 20_000; waited += 20) {
+      await pause(20);
+      title = await page.title();
+    }
+    return { title, complaints, requests };
+  });
+}
+
+/** Opens a page in a fresh profile for as long as `use` runs. */
+export async function withPage<T>(
+  address: string,
+  use: (watched: Watched) => Promise<T>,
+): Promise<T> {
+  connection ??= chromium.connect(packed.browser);
+  const context = await (await connection).newContext();
+  try {
+    const page = await context.newPage();
+    const complaints: string[] = [];
+    const lines: string[] = [];
+    const requests: string[] = [];
+    page.on('console', (message) => {
+      lines.push(message.text());
+      if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => complaints.push(error.message));
+    page.on('requestfailed', (it) => complaints.push(`${it.url()}: ${it.failure()?.errorText}`));
+    page.on('request', (request) => requests.push(request.url()));
+    await page.goto(address);
+    return await use({ page, complaints, lines, requests });
+  } finally {
+    await context.close();
+  }
+}
+
+/** To be called after all tests of a file. */
+export async function disconnect(): Promise<void> {
+  await (await connection)?.close();
+  connection = undefined;
+}

@@ -1,0 +1,67 @@
+// Before the suite: packs the package, installs the tarball into an empty folder and starts
+// Chromium, once for all test files. Whatever is made lies in one temporary folder outside of the
+// repository, so that nothing can be found there but what was installed.
+
+import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { chromium } from 'playwright-core';
+import { capture, which } from '../../../scripts/lib/run.mjs';
+
+let folder;
+let browser;
+
+export default async function setup() {
+  try {
+    folder = mkdtempSync(join(tmpdir(), 'halfedge-package-'));
+    const { filename, files } = await pack();
+    const tarball = join(folder, filename);
+    await install(tarball);
+    browser = await launchChromium();
+    // Tests run in other realms, or processes: the environment is what they share with this one.
+    process.env.HALFEDGE_PACKED = JSON.stringify({
+      folder,
+      tarball,
+      files: files.map((file) => file.path).sort(),
+      browser: browser.wsEndpoint(),
+    });
+  } catch (error) {
+    await cleanUp();
+    throw error;
+  }
+}
+
+export async function cleanUp() {
+  await browser?.close();
+  if (folder) rmSync(folder, { recursive: true, force: true });
+}
+
+async function pack() {
+  const report = await npm(['pack', '--json', '--loglevel=error', '--pack-destination', folder]);
+  return JSON.parse(report)[0];
+}
+
+/** Offline and with an empty cache: the package needs nothing but itself. */
+async function install(tarball) {
+  const installed = join(folder, 'installed');
+  mkdirSync(installed);
+  await npm(['install', tarball, '--prefix', installed, '--offline', '--no-audit', '--no-fund']);
+}
+
+async function npm(args) {
+  // Run by `npm test`, npm would take its folders and settings from the outer npm.
+  const outer = Object.keys(process.env).filter((name) => name.startsWith('npm_'));
+  const env = Object.fromEntries(outer.map((name) => [name, undefined]));
+  const cache = ['--cache', join(folder, 'npm-cache')];
+  const { ok, output } = await capture('npm', [...args, ...cache], { env });
+  if (!ok) throw new Error(`npm ${args.join(' ')} failed:\n${output}`);
+  return output;
+}
+
+function launchChromium() {
+  const executablePath = which('chromium') ?? which('chromium-browser');
+  if (!executablePath) throw new Error('There is no Chromium on PATH: `npm run setup tests`.');
+  const quiet = ['background-networking', 'component-update', 'sync', 'quic'];
+  const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
+  return chromium.launchServer({ executablePath, args });
+}

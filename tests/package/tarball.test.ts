@@ -1,0 +1,79 @@
+import { readFileSync } from 'node:fs';
+import { join, relative } from 'node:path';
+import { filesBelow } from '../../scripts/lib/files.mjs';
+import { root } from '../../scripts/lib/run.mjs';
+import { node, packed, tool } from './support/project.js';
+
+/** What tsc makes of each module of the package, what the build adds, and what npm always ships. */
+function meantToShip(): string[] {
+  const sources = join(root, 'web/src');
+  const modules = filesBelow(sources)
+    .map((path) => relative(sources, path))
+    .filter((path) => path.endsWith('.ts') && !path.includes('.d.'))
+    .map((path) => `dist/${path.slice(0, -'.ts'.length)}`);
+  return [
+    'CHANGELOG.md',
+    'LICENSE',
+    'README.md',
+    'package.json',
+    'dist/core.mjs',
+    'dist/core.d.mts',
+    'dist/core.d.wasm.ts',
+    'dist/core.wasm',
+    'dist/core-base64.js',
+    ...modules.flatMap((path) => [`${path}.js`, `${path}.d.ts`]),
+  ].sort();
+}
+
+describe('The tarball', () => {
+  test('holds the package and nothing else', () => {
+    expect(packed.files).toEqual(meantToShip());
+  });
+
+  test('has no dependencies', () => {
+    const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+    expect(manifest).not.toHaveProperty('dependencies');
+    expect(manifest).not.toHaveProperty('peerDependencies');
+    const installed = JSON.parse(
+      readFileSync(join(packed.folder, 'installed/package-lock.json'), 'utf8'),
+    );
+    expect(Object.keys(installed.packages)).toEqual(['', 'node_modules/halfedge']);
+  });
+
+  test('tells nothing of the machine it was built on', () => {
+    const folder = join(packed.folder, 'installed/node_modules/halfedge');
+    const telling = filesBelow(folder).filter((path) => readFileSync(path).includes(root));
+    expect(telling).toEqual([]);
+  });
+
+  test('has no static import that a bundler would take for one of Node', () => {
+    const folder = join(packed.folder, 'installed/node_modules/halfedge/dist');
+    const importing = filesBelow(folder)
+      .filter((path) => /\.m?js$/.test(path))
+      .filter((path) => /(from|import|require)\s*\(?\s*['"]node:/.test(readFileSync(path, 'utf8')));
+    expect(importing).toEqual([]);
+  });
+
+  test('pleases publint', async () => {
+    const output = await node(root, tool('publint/src/cli.js'), 'run', packed.tarball, '--strict');
+    expect(output).toContain('All good!');
+  });
+
+  test('has types that resolve everywhere, says attw', async () => {
+    const attw = tool('@arethetypeswrong/cli/dist/index.js');
+    const format = ['--profile', 'esm-only', '--format', 'json', '--no-definitely-typed'];
+    const { analysis } = JSON.parse(await node(root, attw, packed.tarball, ...format));
+    expect(Object.keys(analysis.entrypoints).sort()).toEqual([
+      '.',
+      './core.wasm',
+      './inline',
+      './package.json',
+    ]);
+    // What remains is CommonJS, which an ESM package does not serve.
+    const problems = analysis.problems.filter(
+      (problem: { resolutionKind?: string }) =>
+        !['node10', 'node16-cjs'].includes(problem.resolutionKind ?? ''),
+    );
+    expect(problems).toEqual([]);
+  });
+});

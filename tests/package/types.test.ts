@@ -1,0 +1,108 @@
+import { project, tool, tryNode } from './support/project.js';
+
+const consumer = `
+import { type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Vertex } from 'halfedge';
+import wasm from 'halfedge/core.wasm';
+import { init as initInline } from 'halfedge/inline';
+
+export async function oneRing(positions: Float32Array, indices: Uint32Array): Promise<Vertex[]> {
+  await init();
+  await init({ wasm });
+  await init({ wasm: new URL('https://example.org/core.wasm') });
+  await initInline({ wasm: new Uint8Array(8) });
+  const mesh = HalfedgeMesh.fromTriangles(positions, indices);
+  const h: Halfedge = mesh.vertexHalfedge(0);
+  const f: Face = mesh.face(mesh.opposite(h));
+  if (f === NONE) return [];
+  const links: Int32Array = mesh.connectivity.next;
+  const ring: Vertex[] = [...mesh.vertexVertices(mesh.toVertex(links[h]), 'cw')];
+  mesh.dispose();
+  return ring;
+}
+
+export function explain(error: unknown): string {
+  return error instanceof HalfedgeError ? error.code + error.witness.faces.join() : '';
+}
+
+declare const mesh: HalfedgeMesh;
+declare const someFace: Face;
+// Each of these must be an error, or tsc objects to the directive above it.
+// @ts-expect-error A face is no halfedge.
+mesh.next(someFace);
+// @ts-expect-error A halfedge is no vertex.
+mesh.valence(mesh.faceHalfedge(0));
+// @ts-expect-error A string is no index.
+mesh.next('0');
+// @ts-expect-error There are two directions.
+mesh.vertexVertices(0, 'clockwise');
+// @ts-expect-error Counts are read only.
+mesh.faceCount = 3;
+// @ts-expect-error Positions come first.
+HalfedgeMesh.fromTriangles([0, 1, 2]);
+// @ts-expect-error Not an option.
+void init({ url: '/core.wasm' });
+// @ts-expect-error Internals are not exported.
+export { Links } from 'halfedge';
+// @ts-expect-error Nor can they be reached by path.
+export { Links as Reached } from 'halfedge/dist/links.js';
+`;
+
+const strict = {
+  strict: true,
+  exactOptionalPropertyTypes: true,
+  noUncheckedIndexedAccess: false,
+  // The package's types are checked, TypeScript's own are not: that takes seconds.
+  skipLibCheck: false,
+  skipDefaultLibCheck: true,
+  noEmit: true,
+  target: 'es2022',
+  types: [] as string[],
+};
+
+/** Compiles the consumer; returns what tsc says, which is nothing if all is well. */
+async function compile(name: string, options: object, source = consumer): Promise<string> {
+  const folder = project(name, {
+    'package.json': '{ "type": "module", "private": true }',
+    'tsconfig.json': JSON.stringify({
+      compilerOptions: { ...strict, ...options },
+      files: ['consumer.ts'],
+    }),
+    'consumer.ts': source,
+  });
+  const { output } = await tryNode(folder, tool('typescript/bin/tsc'), '-p', '.');
+  return output.trim();
+}
+
+describe('The types, installed, under strict,', () => {
+  test('serve a consumer behind a bundler and refuse wrong uses', async () => {
+    expect(await compile('types-bundler', { module: 'esnext', moduleResolution: 'bundler' })).toBe(
+      '',
+    );
+  });
+
+  test('serve a consumer in Node, without the types of the browser', async () => {
+    // Of all that Node's own types declare, ours need this; to check those too would take seconds.
+    const url = 'declare global { class URL { constructor(address: string); href: string; } }';
+    const options = { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'] };
+    expect(await compile('types-nodenext', options, url + consumer)).toBe('');
+  });
+
+  test('let `using` end the life of a mesh', async () => {
+    const source = `
+import { HalfedgeMesh } from 'halfedge';
+export function count(): number {
+  using mesh = new HalfedgeMesh();
+  return mesh.vertexCount;
+}
+`;
+    const options = { module: 'nodenext', lib: ['es2022', 'dom', 'esnext.disposable'] };
+    expect(await compile('types-using', options, source)).toBe('');
+  });
+
+  test('are what tsc reads: a wrong use that is not expected fails', async () => {
+    const source = "import { HalfedgeMesh } from 'halfedge';\nnew HalfedgeMesh().next('0');\n";
+    const output = await compile('types-wrong', { module: 'nodenext' }, source);
+    expect(output).toMatch(/^consumer\.ts\(2,25\): error TS2345: Argument of type 'string'/);
+    expect(output.split('error TS')).toHaveLength(2);
+  });
+});
