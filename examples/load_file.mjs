@@ -1,0 +1,45 @@
+// Reads an OBJ or OFF file and tells what is in it: counts, topology, validity.
+//
+//   node examples/load_file.mjs model.obj
+
+import { readFile } from 'node:fs/promises';
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+
+function describe(mesh) {
+  const { vertexCount, halfedgeCount, edgeCount, faceCount } = mesh;
+  console.log(`vertices              ${vertexCount}`);
+  console.log(`halfedges             ${halfedgeCount}`);
+  console.log(`edges                 ${edgeCount}`);
+  console.log(`faces                 ${faceCount}`);
+  console.log(`Euler characteristic  ${mesh.eulerCharacteristic()}`);
+  console.log(`components            ${mesh.components().length}`);
+  console.log(`boundary loops        ${mesh.boundaryLoops().length}`);
+  console.log(`genus                 ${mesh.genus()}`);
+
+  const problems = mesh.validate();
+  const isValid = problems.every(({ severity }) => severity !== 'error');
+  console.log(`valid                 ${isValid ? 'yes' : 'no'}`);
+  for (const { severity, message } of problems) console.log(`${severity}: ${message}`);
+}
+
+/** Runs the program; returns a sentence if it can't do what it was asked. */
+async function main(path) {
+  if (path === undefined) return 'Usage: node examples/load_file.mjs <file.obj or file.off>';
+  await init();
+  let mesh;
+  try {
+    mesh = HalfedgeMesh.parse(await readFile(path)).mesh;
+  } catch (error) {
+    if (error instanceof HalfedgeError) return `${path}: ${error.message}`;
+    return `${path} can't be read: ${error.message}.`;
+  }
+  describe(mesh);
+  mesh.dispose();
+  return undefined;
+}
+
+const complaint = await main(process.argv[2]);
+if (complaint !== undefined) {
+  console.error(complaint);
+  process.exitCode = 1;
+}
