@@ -1,14 +1,23 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 
-const fromRoot = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 export default defineConfig({
-  // So that the built page can be put into any folder of a server.
+  root: fromHere('.'),
+  // Relative, so that the built page works from any folder of a server.
   base: './',
-  // The explorer uses the package as it is shipped.
+  publicDir: false,
   resolve: {
-    alias: [{ find: /^halfedge$/, replacement: fromRoot('dist/index.js') }],
+    // The package as it is shipped: `npm run build` makes it.
+    alias: [{ find: /^halfedge$/, replacement: fromHere('../../dist/index.js') }],
   },
-  build: { outDir: fromRoot('build/explorer'), emptyOutDir: true, target: 'es2022' },
+  server: { fs: { allow: [fromHere('../..')] } },
+  build: {
+    outDir: fromHere('../../build/explorer'),
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 1000,
+  },
 });

@@ -1,0 +1,67 @@
+import { HalfedgeError, HalfedgeMesh } from 'halfedge';
+import type { Sample } from '../samples/index.js';
+
+/** A mesh on show, and where it came from. */
+export interface MeshDocument {
+  readonly name: string;
+  readonly mesh: HalfedgeMesh;
+  /** The id of the sample, or null for a file of the user. */
+  readonly sample: string | null;
+  /** The vertex that is selected first; null for one in the middle of the picture. */
+  readonly start: number | null;
+  /** From where the mesh is first seen. */
+  readonly view: readonly [number, number, number];
+}
+
+/** A sentence for somebody whose file or sample could not be opened. */
+export interface OpenFailure {
+  readonly title: string;
+  readonly message: string;
+}
+
+const FORMATS = ['obj', 'off'] as const;
+
+export async function openSample(sample: Sample): Promise<MeshDocument> {
+  const { name, start, view, id } = sample;
+  return { name, mesh: await sample.load(), sample: id, start, view };
+}
+
+/** Reads an OBJ or OFF file; throws what `HalfedgeMesh.parse` throws. */
+export async function openFile(file: File): Promise<MeshDocument> {
+  const extension = file.name.split('.').at(-1)?.toLowerCase();
+  const format = FORMATS.find((known) => known === extension);
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const { mesh } = HalfedgeMesh.parse(bytes, format ? { format } : {});
+  return { name: file.name, mesh, sample: null, start: null, view: [0.35, 0.3, 1] };
+}
+
+export function failureOf(error: unknown, name: string): OpenFailure {
+  const title = `“${name}” was not opened`;
+  if (error instanceof HalfedgeError || error instanceof Error) {
+    return { title, message: error.message };
+  }
+  return { title, message: String(error) };
+}
+
+/** What the mesh panel tells of a mesh. */
+export interface MeshFacts {
+  readonly characteristic: number;
+  readonly genus: number;
+  readonly components: number;
+  /** One halfedge of each boundary loop. */
+  readonly boundaryLoops: readonly number[];
+  readonly isolatedVertices: number;
+  readonly problems: ReturnType<HalfedgeMesh['validate']>;
+}
+
+/** Goes through the whole mesh: on a million faces this takes a noticeable moment. */
+export function factsOfMesh(mesh: HalfedgeMesh): MeshFacts {
+  return {
+    characteristic: mesh.eulerCharacteristic(),
+    genus: mesh.genus(),
+    components: mesh.components().length,
+    boundaryLoops: [...mesh.boundaryLoops()],
+    isolatedVertices: mesh.connectivity.vertexHalfedge.filter((h) => h === -1).length,
+    problems: mesh.validate(4),
+  };
+}

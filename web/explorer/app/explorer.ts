@@ -1,0 +1,239 @@
+import type { Direction } from 'halfedge';
+import { type Sample, samples } from '../samples/index.js';
+import type { PickMode } from '../scene/picking.js';
+import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
+import {
+  factsOfMesh,
+  failureOf,
+  type MeshDocument,
+  type MeshFacts,
+  type OpenFailure,
+  openFile,
+  openSample,
+} from './documents.js';
+import { type Item, itemCount, itemName, linksOf, sameItem, type WalkKey } from './items.js';
+import { CirculatorPlayer } from './player.js';
+import { Signal } from './signal.js';
+
+/** Steps a second, by the position of the speed slider. */
+export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
+
+/** A circulator as the user chose it: one of the offered groups, one of its circulators. */
+export interface Choice {
+  readonly group: number;
+  readonly circulator: Circulator;
+}
+
+/** The player as it stands; a new object after every step. */
+export interface Play {
+  readonly player: CirculatorPlayer;
+  readonly position: number;
+  readonly playing: boolean;
+}
+
+/** The state of the page, and everything that can be done to it. Knows nothing of the DOM. */
+export class Explorer {
+  readonly document = new Signal<MeshDocument | null>(null);
+  readonly facts = new Signal<MeshFacts | null>(null);
+  readonly selected = new Signal<Item | null>(null);
+  readonly hovered = new Signal<Item | null>(null);
+  readonly pickMode = new Signal<PickMode>('auto');
+  readonly groups = new Signal<readonly QueryGroup[]>([]);
+  readonly choice = new Signal<Choice | null>(null);
+  readonly direction = new Signal<Direction>('ccw');
+  readonly play = new Signal<Play | null>(null);
+  readonly speed = new Signal(2);
+  /** What is being opened, while it is. */
+  readonly busy = new Signal<string | null>(null);
+  readonly failure = new Signal<OpenFailure | null>(null);
+  /** A remark on the last key or entry that led nowhere; read out by screen readers. */
+  readonly remark = new Signal('');
+
+  readonly #preferred = new Map<string, { group: number; name: string }>();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #opening = 0;
+
+  /** Opens a sample or a file. A failure leaves the mesh on show as it is. */
+  async open(source: Sample | File): Promise<void> {
+    const opening = ++this.#opening;
+    this.pause();
+    this.failure.value = null;
+    this.busy.value = source.name;
+    await painted();
+    try {
+      const opened = source instanceof File ? await openFile(source) : await openSample(source);
+      if (opening === this.#opening) this.#show(opened);
+      else opened.mesh.dispose();
+    } catch (error) {
+      if (opening === this.#opening) this.failure.value = failureOf(error, source.name);
+    } finally {
+      if (opening === this.#opening) this.busy.value = null;
+    }
+  }
+
+  openFirstSample(): Promise<void> {
+    return this.open(samples[0]);
+  }
+
+  /** Selects an item, or nothing. An index that the mesh does not have is remarked on instead. */
+  select(item: Item | null): void {
+    const mesh = this.document.value?.mesh;
+    if (item && mesh) {
+      const count = itemCount(mesh, item.kind);
+      if (item.index >= count) {
+        this.remark.value =
+          count === 0
+            ? `This mesh has no ${item.kind}.`
+            : `There is no ${itemName(item)}: this mesh has ${item.kind} 0 to ${count - 1}.`;
+        return;
+      }
+    }
+    this.remark.value = '';
+    if (sameItem(item, this.selected.value)) return;
+    this.pause();
+    this.selected.value = item;
+    this.#offerQueries();
+  }
+
+  /** Walks along the link with that key, as the inspector shows it. */
+  walk(key: WalkKey): void {
+    const { value: selected } = this.selected;
+    const mesh = this.document.value?.mesh;
+    if (!mesh) return;
+    if (!selected) {
+      this.remark.value = 'Nothing is selected: pick an item first.';
+      return;
+    }
+    const link = linksOf(mesh, selected).find((candidate) => candidate.key === key);
+    if (!link) {
+      this.remark.value = `${itemName(selected)} has no such link: press H for its halfedge first.`;
+    } else if (!link.target) {
+      this.remark.value = `${link.name} of ${itemName(selected)} is empty (∅).`;
+    } else {
+      this.select(link.target);
+    }
+  }
+
+  choose(choice: Choice): void {
+    const selected = this.selected.value;
+    if (!selected) return;
+    this.#preferred.set(selected.kind, { group: choice.group, name: choice.circulator.name });
+    this.choice.value = choice;
+    this.#load();
+  }
+
+  setDirection(direction: Direction): void {
+    this.direction.value = direction;
+    this.#load();
+  }
+
+  /** Plays to the end of the lap; from the beginning if it is there already. */
+  start(): void {
+    const player = this.play.value?.player;
+    if (!player || player.count === 0) return;
+    if (player.done) player.seek(0);
+    this.#publish(true);
+    this.#tick();
+  }
+
+  pause(): void {
+    clearTimeout(this.#timer);
+    if (this.play.value?.playing) this.#publish(false);
+  }
+
+  toggle(): void {
+    if (this.play.value?.playing) this.pause();
+    else this.start();
+  }
+
+  /** One step, forward (1) or back (-1). */
+  step(by: 1 | -1): void {
+    const player = this.play.value?.player;
+    if (player) this.seek(player.position + by);
+  }
+
+  seek(position: number): void {
+    this.pause();
+    const player = this.play.value?.player;
+    if (!player) return;
+    player.seek(position);
+    this.#publish(false);
+  }
+
+  #show(opened: MeshDocument): void {
+    const before = this.document.value;
+    this.selected.value = null;
+    this.hovered.value = null;
+    this.facts.value = null;
+    this.#offerQueries();
+    this.document.value = opened;
+    before?.mesh.dispose();
+    if (!this.selected.value && opened.mesh.vertexCount > 0) {
+      this.select({ kind: 'vertex', index: opened.start ?? 0 });
+    }
+    // Let the page show the mesh before the whole of it is checked.
+    setTimeout(() => {
+      if (this.document.value === opened) this.facts.value = factsOfMesh(opened.mesh);
+    }, 60);
+  }
+
+  #offerQueries(): void {
+    const selected = this.selected.value;
+    const mesh = this.document.value?.mesh;
+    if (!selected || !mesh) {
+      this.groups.value = [];
+      this.choice.value = null;
+      this.play.value = null;
+      return;
+    }
+    const groups = queriesFor(mesh, selected);
+    const preferred = this.#preferred.get(selected.kind);
+    const wanted = preferred && groups[preferred.group] ? preferred : { group: 0, name: '' };
+    const { circulators } = groups[wanted.group];
+    const circulator = circulators.find(({ name }) => name === wanted.name) ?? circulators[0];
+    this.groups.value = groups;
+    this.choice.value = { group: wanted.group, circulator };
+    this.#load();
+  }
+
+  #load(): void {
+    clearTimeout(this.#timer);
+    const mesh = this.document.value?.mesh;
+    const choice = this.choice.value;
+    const group = choice ? this.groups.value[choice.group] : undefined;
+    if (!mesh || !choice || !group) {
+      this.play.value = null;
+      return;
+    }
+    const player = new CirculatorPlayer(mesh, {
+      circulator: choice.circulator,
+      index: group.index,
+      direction: this.direction.value,
+      ...(group.start === undefined ? {} : { start: group.start }),
+    });
+    this.play.value = { player, position: 0, playing: false };
+  }
+
+  #publish(playing: boolean): void {
+    const player = this.play.value?.player;
+    if (player) this.play.value = { player, position: player.position, playing };
+  }
+
+  #tick(): void {
+    clearTimeout(this.#timer);
+    const player = this.play.value?.player;
+    if (!player) return;
+    player.forward();
+    this.#publish(!player.done);
+    if (player.done) return;
+    this.#timer = setTimeout(() => this.#tick(), 1000 / SPEEDS[this.speed.value]);
+  }
+}
+
+/** After the browser has shown what was changed so far; a hidden page shows nothing, so not long. */
+function painted(): Promise<void> {
+  return new Promise((resolve) => {
+    requestAnimationFrame(() => setTimeout(resolve, 0));
+    setTimeout(resolve, 250);
+  });
+}

@@ -1,0 +1,60 @@
+import '@fontsource-variable/inter/wght.css';
+import '@fontsource-variable/jetbrains-mono/wght.css';
+import './styles/tokens.css';
+import './styles/layout.css';
+import './styles/components.css';
+import { init } from 'halfedge';
+import { Explorer } from './app/explorer.js';
+import { View } from './scene/view.js';
+import { h } from './ui/dom.js';
+import { listenToKeys } from './ui/keyboard.js';
+import { busyNotice, dropTarget, failureNotice, helpDialog } from './ui/notices.js';
+import { panel } from './ui/panel.js';
+import { pickBar } from './ui/pick-bar.js';
+import { listenToPointer } from './ui/pointer.js';
+import { publishState } from './ui/state-attributes.js';
+import { Theme } from './ui/theme.js';
+import { topBar } from './ui/top-bar.js';
+
+const theme = new Theme();
+const explorer = new Explorer();
+const canvas = h('canvas', {
+  tabindex: 0,
+  'aria-label': 'The mesh in 3D. Arrow keys orbit, plus and minus zoom.',
+});
+const labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
+const stage = h('main', { class: 'stage' }, canvas, labels);
+const help = helpDialog();
+const openHelp = () => help.showModal();
+
+async function start(): Promise<void> {
+  const app = h('div', { id: 'app' }, stage);
+  document.body.append(app);
+  const view = new View(explorer, canvas, labels);
+  theme.current.subscribe(() => view.applyTheme());
+  const side = panel(explorer);
+  app.append(
+    topBar(explorer, theme, openHelp),
+    pickBar(explorer, () => view.focus()),
+    side,
+    failureNotice(explorer),
+    busyNotice(explorer),
+    dropTarget(explorer),
+    help,
+  );
+  view.keepClearOf(side);
+  listenToKeys(explorer, view, openHelp);
+  listenToPointer(explorer, view, canvas);
+  publishState(explorer, view, stage);
+  await init();
+  await explorer.openFirstSample();
+}
+
+start().catch((error: unknown) => {
+  document.documentElement.dataset.state = 'error';
+  explorer.failure.value = {
+    title: 'The explorer could not start',
+    message: error instanceof Error ? error.message : String(error),
+  };
+  if (!document.querySelector('.notice')) document.body.append(failureNotice(explorer));
+});

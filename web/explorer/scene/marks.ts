@@ -1,0 +1,136 @@
+import type { HalfedgeMesh } from 'halfedge';
+import type { Vector3 } from 'three';
+import type { Explorer } from '../app/explorer.js';
+import { type Item, itemName, type LinkRole, linksOf, sameItem } from '../app/items.js';
+import type { Mark } from './highlights.js';
+import type { Label } from './labels.js';
+import type { Palette } from './palette.js';
+
+/** No more visited items than this are drawn, the latest ones. */
+const TRAIL_CAP = 600;
+const ORDINAL_CAP = 150;
+
+/** What is drawn over the mesh in a state of the page. */
+export interface Overlay {
+  readonly marks: Mark[];
+  readonly labels: Label[];
+}
+
+/** Where the label of an item is anchored, and to which side of the anchor it goes. */
+export interface Anchors {
+  point(item: Item): Vector3;
+  side(item: Item): Vector3 | undefined;
+}
+
+/** Marks and labels for the selection, its links, the visited trail and what is under the pointer. */
+export function overlayOf(explorer: Explorer, palette: Palette, anchors: Anchors): Overlay {
+  const overlay: Overlay = { marks: [], labels: [] };
+  const mesh = explorer.document.value?.mesh;
+  if (!mesh) return overlay;
+  const selected = explorer.selected.value;
+  const onTrail = (explorer.play.value?.position ?? 0) > 0;
+  if (selected) {
+    addSelected(overlay, palette, anchors, selected);
+    if (onTrail) addTrail(overlay, explorer, palette, anchors);
+    else addLinks(overlay, mesh, palette, anchors, selected);
+  }
+  const hovered = explorer.hovered.value;
+  if (hovered && !sameItem(hovered, selected)) {
+    overlay.marks.push({ item: hovered, color: palette.ink, weight: 'faint' });
+    overlay.labels.push({
+      text: itemName(hovered),
+      look: 'hover',
+      point: anchors.point(hovered),
+      side: anchors.side(hovered),
+      lift: hovered.kind === 'face' ? 0 : 20,
+    });
+  }
+  return overlay;
+}
+
+function addSelected(
+  { marks, labels }: Overlay,
+  palette: Palette,
+  anchors: Anchors,
+  selected: Item,
+): void {
+  marks.push({ item: selected, color: palette.self, weight: 'strong' });
+  labels.push({
+    text: itemName(selected),
+    look: 'self',
+    point: anchors.point(selected),
+    side: anchors.side(selected),
+    lift: selected.kind === 'face' ? 0 : 22,
+  });
+}
+
+/** The visited items with their ordinals and the halfedges that led to them; the current strong. */
+function addTrail(
+  { marks, labels }: Overlay,
+  explorer: Explorer,
+  palette: Palette,
+  anchors: Anchors,
+): void {
+  const play = explorer.play.value;
+  const visits = play?.player.visits ?? [];
+  const current = visits.at(-1);
+  if (!current) return;
+  for (const visit of visits.slice(-TRAIL_CAP)) {
+    const weight = visit === current ? 'strong' : 'fine';
+    const carrier: Item = { kind: 'halfedge', index: visit.halfedge };
+    if (!sameItem(carrier, visit.item)) marks.push({ item: carrier, color: palette.next, weight });
+    marks.push({ item: visit.item, color: palette.next, weight });
+  }
+  labels.unshift({
+    text: `${visits.length}`,
+    look: 'current',
+    point: anchors.point(current.item),
+    lift: 0,
+  });
+  for (let i = visits.length - 2; i >= 0 && i >= visits.length - ORDINAL_CAP; i--) {
+    labels.push({
+      text: `${i + 1}`,
+      look: 'ordinal',
+      point: anchors.point(visits[i].item),
+      lift: 0,
+    });
+  }
+}
+
+const COLORS: Record<LinkRole, 'next' | 'opposite' | 'vertex' | 'self'> = {
+  next: 'next',
+  prev: 'next',
+  halfedge: 'next',
+  opposite: 'opposite',
+  vertex: 'vertex',
+  edge: 'self',
+  face: 'self',
+};
+
+/** The items that the links of the selected one lead to, with their numbers. */
+function addLinks(
+  { marks, labels }: Overlay,
+  mesh: HalfedgeMesh,
+  palette: Palette,
+  anchors: Anchors,
+  selected: Item,
+): void {
+  for (const { number, target, role } of linksOf(mesh, selected)) {
+    if (!target) continue;
+    if (role === 'face') {
+      marks.push({ item: target, color: palette.self, weight: 'fine' });
+    } else if (role !== 'edge' && !(role === 'vertex' && number === undefined)) {
+      const color = palette[COLORS[role]];
+      marks.push({ item: target, color, weight: 'fine', dashed: role === 'prev' });
+    }
+    if (number !== undefined) {
+      labels.push({
+        text: `${number}`,
+        look: 'link',
+        role,
+        point: anchors.point(target),
+        lift: role === 'vertex' ? 18 : 0,
+      });
+    }
+  }
+}

@@ -1,0 +1,220 @@
+import { hasDirection, queryCode } from '../app/circulators.js';
+import { type Explorer, type Play, SPEEDS } from '../app/explorer.js';
+import { itemName } from '../app/items.js';
+import { fill, h, type IconName, icon, setAttribute } from './dom.js';
+
+/** Longer laps are scrubbed, and list only their last visits. */
+const LIST_CAP = 60;
+
+/** Chooses a circulator and plays it. */
+export function circulatorPanel(explorer: Explorer): HTMLElement {
+  const kinds = h('div', { class: 'kinds' });
+  const code = h('code', { class: 'code', 'aria-label': 'Code of this circulator' });
+  const body = h('div', { class: 'circulator' });
+  const section = h(
+    'section',
+    { 'aria-labelledby': 'circulator-title' },
+    h('h2', { id: 'circulator-title', class: 'visually-hidden' }, 'Circulator'),
+    body,
+  );
+  section.classList.add('circulator');
+  const direction = directionControl(explorer);
+  body.append(kinds, code, ...player(explorer, direction));
+  const show = () => {
+    const choice = explorer.choice.value;
+    section.hidden = choice === null;
+    if (!choice) return;
+    const focused = (document.activeElement as HTMLInputElement | null)?.value;
+    const inKinds = kinds.contains(document.activeElement);
+    fill(kinds, ...kindControls(explorer));
+    if (inKinds) kinds.querySelector<HTMLInputElement>(`input[value="${focused}"]`)?.focus();
+    direction.hidden = !hasDirection(choice.circulator);
+  };
+  explorer.choice.subscribe(show);
+  explorer.play.subscribe((play) => {
+    if (play) code.textContent = queryCode(play.player.query);
+  });
+  return section;
+}
+
+/** Which item to go around, where there is a choice, and what to list there. */
+function kindControls(explorer: Explorer): HTMLElement[] {
+  const { value: groups } = explorer.groups;
+  const chosen = explorer.choice.value;
+  const group = groups[chosen?.group ?? 0];
+  const around = h(
+    'div',
+    { class: 'segments', role: 'radiogroup', 'aria-label': 'Around' },
+    ...groups.map(({ caption, circulators }, i) => {
+      const input = h('input', {
+        type: 'radio',
+        name: 'around',
+        value: i,
+        checked: i === chosen?.group,
+        onchange: () => explorer.choose({ group: i, circulator: circulators[0] }),
+      });
+      return h('label', {}, input, caption);
+    }),
+  );
+  const chips = h(
+    'div',
+    { class: 'chips', role: 'radiogroup', 'aria-label': 'Circulator' },
+    ...group.circulators.map((circulator) => {
+      const input = h('input', {
+        type: 'radio',
+        name: 'circulator',
+        value: circulator.name,
+        checked: circulator === chosen?.circulator,
+        onchange: () => explorer.choose({ group: chosen?.group ?? 0, circulator }),
+      });
+      return h('label', {}, input, circulator.label);
+    }),
+  );
+  if (groups.length > 1) return group.circulators.length > 1 ? [around, chips] : [around];
+  return [h('p', { class: 'caption' }, group.caption), chips];
+}
+
+function directionControl(explorer: Explorer): HTMLElement {
+  const option = (value: 'ccw' | 'cw', title: string) => {
+    const input = h('input', {
+      type: 'radio',
+      name: 'direction',
+      value,
+      'aria-label': title,
+      onchange: () => explorer.setDirection(value),
+    });
+    explorer.direction.subscribe((direction) => {
+      input.checked = direction === value;
+    });
+    return h('label', { title: `${title} (C)` }, input, icon(value), value);
+  };
+  return h(
+    'div',
+    { class: 'segments', role: 'radiogroup', 'aria-label': 'Direction' },
+    option('ccw', 'counter-clockwise'),
+    option('cw', 'clockwise'),
+  );
+}
+
+function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
+  const button = (name: IconName, label: string, key: string, act: () => void) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'button square',
+        'aria-label': label,
+        title: `${label} (${key})`,
+        onclick: act,
+      },
+      icon(name),
+    );
+  const restart = button('restart', 'Back to the start', 'Home', () => explorer.seek(0));
+  const back = button('back', 'Step back', ',', () => explorer.step(-1));
+  const toggle = button('play', 'Play', 'space', () => explorer.toggle());
+  const forward = button('forward', 'Step forward', '.', () => explorer.step(1));
+  toggle.classList.add('play');
+  const scrub = h('input', {
+    type: 'range',
+    min: 0,
+    step: 1,
+    'aria-label': 'Visited items',
+    oninput: () => explorer.seek(Number(scrub.value)),
+  });
+  const place = h('output', {});
+  const hop = h('p', { class: 'hop', 'aria-live': 'polite' });
+  const visited = h('ol', { class: 'visited', 'aria-label': 'Visited, in order' });
+
+  explorer.play.subscribe((play) => {
+    if (!play) return;
+    const { position, playing, player } = play;
+    setAttribute(toggle, 'aria-label', playing ? 'Pause' : 'Play');
+    toggle.title = `${playing ? 'Pause' : 'Play'} (space)`;
+    fill(toggle, icon(playing ? 'pause' : 'play'));
+    toggle.disabled = player.count === 0;
+    forward.disabled = player.done;
+    back.disabled = restart.disabled = position === 0;
+    scrub.max = String(player.count);
+    scrub.value = String(position);
+    scrub.disabled = player.count === 0;
+    scrub.style.setProperty('--filled', `${(100 * position) / Math.max(1, player.count)}%`);
+    setAttribute(scrub, 'aria-valuetext', `${position} of ${player.count}`);
+    place.textContent = `${position} of ${player.count}`;
+    hop.classList.toggle('idle', position === 0);
+    hop.textContent = position === 0 ? idleWords(play) : player.words;
+    fill(visited, ...visits(explorer, play));
+    visited.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
+  });
+  return [
+    h(
+      'div',
+      { class: 'transport', role: 'group', 'aria-label': 'Player' },
+      h('div', { class: 'buttons' }, restart, back, toggle, forward),
+      direction,
+    ),
+    h('div', { class: 'scrub' }, scrub, place, speed(explorer)),
+    hop,
+    visited,
+  ];
+}
+
+function idleWords({ player }: Play): string {
+  if (player.count === 0) return 'There is nothing to visit here: the range is empty.';
+  const things = player.count === 1 ? 'one item' : `${player.count} items`;
+  return `${things[0].toUpperCase()}${things.slice(1)} to visit. Press play, or step.`;
+}
+
+function visits(explorer: Explorer, { player, position }: Play): HTMLElement[] {
+  const first = Math.max(0, position - LIST_CAP);
+  const shown = player.visits.slice(first).map(({ item }, i) => {
+    const ordinal = first + i + 1;
+    const name = itemName(item);
+    return h(
+      'li',
+      {},
+      h(
+        'button',
+        {
+          type: 'button',
+          'data-item': name,
+          'aria-label': `${name}, visited as number ${ordinal}`,
+          'aria-current': ordinal === position ? 'step' : null,
+          onclick: () => explorer.seek(ordinal),
+          onmouseenter: () => {
+            explorer.hovered.value = item;
+          },
+          onmouseleave: () => {
+            explorer.hovered.value = null;
+          },
+        },
+        h('i', {}, String(ordinal)),
+        name,
+      ),
+    );
+  });
+  const waiting = Math.min(player.count - position, Math.max(0, 16 - shown.length));
+  for (let i = 0; i < waiting; i++) {
+    shown.push(h('li', { class: 'waiting', 'aria-hidden': 'true' }));
+  }
+  return shown;
+}
+
+function speed(explorer: Explorer): HTMLElement {
+  const options = SPEEDS.map((value, i) => h('option', { value: i }, `${value} a second`));
+  const select = h(
+    'select',
+    {
+      class: 'speed',
+      'aria-label': 'Speed, in steps a second',
+      title: 'Speed',
+      onchange: () => {
+        explorer.speed.value = Number(select.value);
+      },
+    },
+    ...options,
+  );
+  explorer.speed.subscribe((value) => {
+    select.value = String(value);
+  });
+  return select;
+}

@@ -1,0 +1,119 @@
+import type { Explorer } from '../app/explorer.js';
+import { factsOf, type Item, itemName, type Link, linksOf, parseItemName } from '../app/items.js';
+import { fill, h } from './dom.js';
+
+const TITLES = { vertex: 'Vertex', halfedge: 'Halfedge', edge: 'Edge', face: 'Face' } as const;
+
+/** The selected item: what it is, and its links as buttons that walk. */
+export function inspector(explorer: Explorer): HTMLElement {
+  const title = h('h2', { id: 'inspector-title' });
+  const facts = h('p', { class: 'facts' });
+  const links = h('ul', { class: 'links', 'aria-label': 'Links' });
+  const remark = h('p', { class: 'remark', role: 'status' });
+  explorer.remark.subscribe((text) => {
+    remark.textContent = text;
+  });
+  const show = () => {
+    const selected = explorer.selected.value;
+    const mesh = explorer.document.value?.mesh;
+    if (!selected || !mesh) {
+      title.textContent = 'Nothing selected';
+      fill(facts, 'Pick a vertex, edge, halfedge or face.');
+      fill(links);
+      return;
+    }
+    title.textContent = `${TITLES[selected.kind]} ${selected.index}`;
+    const parts = [...factsOf(mesh, selected).map(fact), position(explorer, selected)];
+    fill(facts, ...parts.flatMap((part) => [part, ' ']));
+    // Keep the keyboard where it is when a walk rebuilds the list.
+    const focused = [...links.querySelectorAll('button')].indexOf(
+      document.activeElement as HTMLButtonElement,
+    );
+    fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link)));
+    if (focused >= 0) (links.querySelectorAll('button')[focused] ?? title).focus();
+  };
+  explorer.document.subscribe(show);
+  explorer.selected.subscribe(show);
+  return h(
+    'section',
+    { class: 'inspector', 'aria-labelledby': 'inspector-title' },
+    h('div', { class: 'item-head' }, h('div', { class: 'name' }, title, facts), goTo(explorer)),
+    links,
+    remark,
+  );
+}
+
+function fact(text: string): HTMLElement {
+  const marked = text === 'boundary' || text === 'pinched' || text === 'at the boundary';
+  return h('span', marked ? { class: 'on-boundary' } : {}, text);
+}
+
+/** Where a vertex lies, in the coordinates of the file. */
+function position(explorer: Explorer, { kind, index }: Item): HTMLElement | null {
+  const mesh = explorer.document.value?.mesh;
+  if (kind !== 'vertex' || !mesh) return null;
+  const xyz = [...mesh.positions.subarray(3 * index, 3 * index + 3)];
+  const text = xyz.map((x) => Number(x.toPrecision(4))).join(', ');
+  return h('span', { class: 'mono' }, `(${text})`);
+}
+
+function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {
+  const label = `${name}: ${target ? itemName(target) : 'empty'} (${hint})`;
+  return h(
+    'li',
+    {},
+    h(
+      'button',
+      {
+        type: 'button',
+        'data-link': name,
+        'data-target': itemName(target),
+        'aria-label': label,
+        title: hint,
+        disabled: target === null,
+        onclick: () => explorer.select(target),
+        onmouseenter: () => {
+          explorer.hovered.value = target;
+        },
+        onmouseleave: () => {
+          explorer.hovered.value = null;
+        },
+      },
+      h('span', { class: `number role-${role}` }, number === undefined ? '' : String(number)),
+      h('span', { class: 'api' }, name),
+      h('span', { class: 'hint' }, hint),
+      h('span', { class: 'target' }, itemName(target)),
+      h('kbd', { class: 'kbd' }, key),
+    ),
+  );
+}
+
+/** A field that takes the name of an item: `v12`, `face 3`. */
+function goTo(explorer: Explorer): HTMLElement {
+  const input = h('input', {
+    type: 'text',
+    name: 'item',
+    placeholder: 'Go to v12',
+    'aria-label': 'Go to an item, such as v12, h31, e15 or f7',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    enterkeyhint: 'go',
+  });
+  return h(
+    'form',
+    {
+      class: 'goto',
+      onsubmit: (event) => {
+        event.preventDefault();
+        const item = parseItemName(input.value);
+        if (!item) {
+          explorer.remark.value = `“${input.value}” is no item: write a letter and a number, such as v12, h31, e15 or f7.`;
+          return;
+        }
+        explorer.select(item);
+        if (explorer.remark.value === '') input.value = '';
+      },
+    },
+    input,
+  );
+}

@@ -1,0 +1,125 @@
+import type { Explorer } from '../app/explorer.js';
+import { h, icon } from './dom.js';
+
+/** The sentence about a file that could not be opened. */
+export function failureNotice(explorer: Explorer): HTMLElement {
+  const title = h('h2');
+  const message = h('p', { 'data-message': true });
+  const calm = h('p', { class: 'calm' });
+  const notice = h(
+    'div',
+    { class: 'notice card', role: 'alert', hidden: true },
+    icon('warning'),
+    title,
+    message,
+    calm,
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'button square quiet',
+        'aria-label': 'Dismiss',
+        onclick: () => {
+          explorer.failure.value = null;
+        },
+      },
+      icon('close'),
+    ),
+  );
+  explorer.failure.subscribe((failure) => {
+    notice.hidden = failure === null;
+    if (!failure) return;
+    title.textContent = failure.title;
+    message.textContent = failure.message;
+    const shown = explorer.document.value?.name;
+    calm.textContent = shown ? `${shown} is still open.` : 'Choose another mesh above.';
+  });
+  return notice;
+}
+
+/** What is being opened. */
+export function busyNotice(explorer: Explorer): HTMLElement {
+  const text = h('span');
+  const notice = h('div', { class: 'busy card', role: 'status', hidden: true }, text);
+  explorer.busy.subscribe((name) => {
+    notice.hidden = name === null;
+    text.textContent = name === null ? '' : `Opening ${name} …`;
+  });
+  return notice;
+}
+
+/** Takes files that are dropped anywhere on the page, and shows that it would. */
+export function dropTarget(explorer: Explorer): HTMLElement {
+  const target = h('div', { class: 'drop-target', hidden: true }, 'Drop an OBJ or OFF file');
+  let depth = 0;
+  const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  window.addEventListener('dragenter', (event) => {
+    if (!carriesFile(event)) return;
+    depth += 1;
+    target.hidden = false;
+  });
+  window.addEventListener('dragleave', (event) => {
+    if (!carriesFile(event)) return;
+    depth = Math.max(0, depth - 1);
+    target.hidden = depth === 0;
+  });
+  window.addEventListener('dragover', (event) => {
+    if (carriesFile(event)) event.preventDefault();
+  });
+  window.addEventListener('drop', (event) => {
+    if (!carriesFile(event)) return;
+    event.preventDefault();
+    depth = 0;
+    target.hidden = true;
+    const file = event.dataTransfer?.files[0];
+    if (file) void explorer.open(file);
+  });
+  return target;
+}
+
+const KEYS: readonly [string[], string][] = [
+  [['N', 'P', 'O'], 'walk to next, prev, opposite'],
+  [['V', 'U'], 'walk to the to-vertex, from-vertex'],
+  [['E', 'F', 'H'], 'walk to the edge, the face, a halfedge'],
+  [['Space'], 'play or pause the circulator'],
+  [[',', '.'], 'step back, step forward'],
+  [['C'], 'change the direction'],
+  [['Z', '0'], 'zoom to the selection, to the whole mesh'],
+  [['←', '→', '↑', '↓'], 'orbit'],
+  [['+', '−'], 'zoom'],
+  [['G'], 'go to an item by name'],
+  [['Esc'], 'close, or select nothing'],
+];
+
+/** The list of keys. */
+export function helpDialog(): HTMLDialogElement {
+  const dialog = h(
+    'dialog',
+    { class: 'help card', 'aria-labelledby': 'help-title' },
+    h(
+      'header',
+      {},
+      h('h2', { id: 'help-title' }, 'Keys'),
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'button square quiet',
+          'aria-label': 'Close',
+          onclick: () => dialog.close(),
+        },
+        icon('close'),
+      ),
+    ),
+    h('dl', {}),
+  );
+  const list = dialog.querySelector('dl') as HTMLElement;
+  for (const [keys, text] of KEYS) {
+    const caps = keys.map((key) => h('kbd', { class: 'kbd' }, key));
+    list.append(h('dt', {}, ...caps), h('dd', {}, text));
+  }
+  dialog.addEventListener('click', (event) => {
+    if (event.target === dialog) dialog.close();
+  });
+  return dialog;
+}

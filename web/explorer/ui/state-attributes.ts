@@ -1,0 +1,36 @@
+import type { Explorer } from '../app/explorer.js';
+import { itemName } from '../app/items.js';
+import type { View } from '../scene/view.js';
+import { setAttribute } from './dom.js';
+
+/**
+ * Keeps the state of the page readable from outside, as attributes of `html` and `main.stage`.
+ * README.md beside this folder documents them; tests and embedding pages rely on them.
+ */
+export function publishState(explorer: Explorer, view: View, stage: HTMLElement): void {
+  const publish = (name: string, value: string | number | null) =>
+    setAttribute(stage, `data-${name}`, value);
+  explorer.busy.subscribe((busy) => {
+    if (busy !== null) document.documentElement.dataset.state = 'loading';
+  });
+  explorer.document.subscribe((opened) => publish('mesh', opened?.name ?? null));
+  explorer.selected.subscribe((item) => publish('selected', item && itemName(item)));
+  explorer.hovered.subscribe((item) => publish('hovered', item && itemName(item)));
+  explorer.play.subscribe((play) => {
+    const done = play?.player.done && play.position > 0;
+    publish('player', play ? (play.playing ? 'playing' : done ? 'done' : 'paused') : null);
+    publish('position', play?.position ?? null);
+    publish('count', play?.player.count ?? null);
+  });
+  let frames = 0;
+  view.stage.onFrame(() => {
+    frames += 1;
+    publish('frames', frames);
+  });
+  view.stage.onRest(() => {
+    publish('camera', view.cameraState());
+    if (explorer.busy.value === null && explorer.document.value) {
+      document.documentElement.dataset.state = 'ready';
+    }
+  });
+}

@@ -1,0 +1,127 @@
+import type { Explorer } from '../app/explorer.js';
+import { samples } from '../samples/index.js';
+import { fill, h, icon } from './dom.js';
+import type { Theme } from './theme.js';
+
+/** Brand, the menu of meshes, the button that opens a file, the theme and the list of keys. */
+export function topBar(explorer: Explorer, theme: Theme, openHelp: () => void): HTMLElement {
+  const input = h('input', {
+    type: 'file',
+    accept: '.obj,.off',
+    hidden: true,
+    'data-file': true,
+    'aria-label': 'Mesh file',
+    onchange: () => {
+      const file = input.files?.[0];
+      if (file) void explorer.open(file);
+      input.value = '';
+    },
+  });
+  const menu = meshMenu(explorer);
+  const name = h('span', {}, '…');
+  explorer.document.subscribe((opened) => {
+    name.textContent = opened?.name ?? 'Choose a mesh';
+  });
+  const themeButton = h('button', {
+    type: 'button',
+    class: 'button square card',
+    onclick: () => theme.toggle(),
+  });
+  theme.current.subscribe((current) => {
+    const label = current === 'dark' ? 'Switch to light theme' : 'Switch to dark theme';
+    themeButton.setAttribute('aria-label', label);
+    themeButton.title = label;
+    fill(themeButton, icon(current === 'dark' ? 'sun' : 'moon'));
+  });
+  return h(
+    'header',
+    { class: 'top-bar' },
+    h(
+      'div',
+      { class: 'start card' },
+      h('h1', { class: 'brand' }, brandMark(), h('b', {}, 'halfedge'), h('span', {}, 'explorer')),
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'button quiet mesh-button',
+          popovertarget: 'mesh-menu',
+          'aria-label': 'Choose a mesh',
+        },
+        name,
+        icon('chevron'),
+      ),
+      menu,
+      h(
+        'button',
+        { type: 'button', class: 'button quiet', 'data-open': true, onclick: () => input.click() },
+        icon('open'),
+        'Open file',
+      ),
+      input,
+    ),
+    h(
+      'div',
+      { class: 'end' },
+      themeButton,
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'button square card wide',
+          'aria-label': 'Keys',
+          title: 'Keys (?)',
+          onclick: openHelp,
+        },
+        icon('help'),
+      ),
+    ),
+  );
+}
+
+function meshMenu(explorer: Explorer): HTMLElement {
+  const menu = h('div', { id: 'mesh-menu', class: 'mesh-menu card', popover: 'auto' });
+  const entry = (id: string) => {
+    const sample = samples.find((candidate) => candidate.id === id);
+    if (!sample) throw new Error(`There is no sample ${id}.`);
+    const button = h(
+      'button',
+      {
+        type: 'button',
+        'data-sample': id,
+        onclick: () => {
+          menu.hidePopover();
+          document.querySelector<HTMLElement>('.stage canvas')?.focus();
+          void explorer.open(sample);
+        },
+      },
+      h('b', {}, sample.name),
+      h('small', {}, sample.note),
+    );
+    explorer.document.subscribe((opened) => {
+      button.setAttribute('aria-current', String(opened?.sample === id));
+    });
+    return button;
+  };
+  const group = (title: string, ids: readonly string[]) => [h('h3', {}, title), ...ids.map(entry)];
+  menu.append(
+    ...group('Models', ['bunny', 'suzanne']),
+    ...group('Closed', ['icosahedron', 'icosphere', 'cube', 'torus', 'football', 'star']),
+    ...group('With a boundary', ['grid', 'annulus', 'pinched']),
+  );
+  menu.addEventListener('beforetoggle', (event) => {
+    const anchor = document.querySelector('.mesh-button')?.getBoundingClientRect();
+    if (!anchor || (event as ToggleEvent).newState !== 'open') return;
+    menu.style.inset = `${anchor.bottom + 6}px auto auto ${anchor.left}px`;
+  });
+  return menu;
+}
+
+/** A halfedge and its opposite. */
+function brandMark(): SVGSVGElement {
+  const svg = icon('arrow');
+  svg.setAttribute('viewBox', '0 0 32 32');
+  svg.innerHTML =
+    '<path d="M6 13h20l-6.5-6.5" stroke="var(--self)"/><path d="M26 19H6l6.5 6.5" stroke="var(--next)"/>';
+  return svg;
+}
