@@ -29,7 +29,7 @@ TEST(Parse, FindsTheFormatByTheContent) {
     EXPECT_EQ(file.value().format, Format::kObj) << text;
   }
   for (const std::string text :
-       {kOff, "\xEF\xBB\xBFOFF 0 0 0", "# c\n  OFF0 0 0", "NOFF\n0 0", "0 0 0\n", "1 0\n1 2 3"}) {
+       {kOff, "\xEF\xBB\xBFOFF 0 0 0", "# c\n  OFF0 0 0", "NOFF\n0 0", "1 0\n1 2 3"}) {
     const auto file = parse(bytes_of(text));
     ASSERT_TRUE(file) << text << file.error().message;
     EXPECT_EQ(file.value().format, Format::kOff) << text;
@@ -52,6 +52,7 @@ TEST(Parse, TrustsTheContentMoreThanTheClaim) {
 
 TEST(Parse, FallsBackOnTheClaim) {
   EXPECT_EQ(error_of("# nothing\n", Format::kObj), "");
+  EXPECT_EQ(error_of("0 0 0\n", Format::kOff), "");
   EXPECT_EQ(error_of("v one two three\n", Format::kObj),
             "parse-error: line 1: expected a number for x of the vertex, found \"one\"");
   EXPECT_EQ(error_of("OOF\n", Format::kOff),
@@ -69,6 +70,11 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
             "file");
   EXPECT_EQ(error_of("\nhello world\n"),
             "unknown-format: line 2: expected the start of an OBJ or OFF file, found \"hello\"");
+  for (const std::string line : {"0 0 0", "1", "1 2 3 4", "1 2 -3", "1 2 x", "1.5 2 3"}) {
+    EXPECT_EQ(error_of(line + "\n"),
+              "unknown-format: line 1: expected the start of an OBJ or OFF file, found \"" +
+                  line.substr(0, line.find(' ')) + "\"");
+  }
   const std::pair<std::string, std::string> kinds[] = {
       {"ply\nformat ascii 1.0\n", "a PLY file"},
       {"solid cube\nfacet normal 0 0 1\n", "an STL file"},

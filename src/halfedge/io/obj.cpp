@@ -176,8 +176,9 @@ std::vector<std::string> ObjReader::notes() {
   return notes;
 }
 
+/// Reads the file again to find the place. Takes the soup, to free it before.
 /// pre: a corner is beyond the vertices.
-Error unknown_vertex(std::span<const std::uint8_t> bytes, const PolygonSoup& soup) {
+Error unknown_vertex(std::span<const std::uint8_t> bytes, PolygonSoup soup) {
   const std::size_t vertices = soup.positions.size() / 3;
   const Index* const bad = std::find_if(soup.corners.begin(), soup.corners.end(),
                                         [vertices](Index vertex) { return vertex >= vertices; });
@@ -189,11 +190,16 @@ Error unknown_vertex(std::span<const std::uint8_t> bytes, const PolygonSoup& sou
     for (face = 0; corner >= soup.sizes[face]; ++face) corner -= soup.sizes[face];
   }
 
+  soup = {};
   const auto wanted = static_cast<Index>(face);
   FacePositions positions({&wanted, 1});
   (void)read_obj(bytes, &positions);
+  const char* const start = positions.positions()[0];
+  if (start == nullptr) {
+    return {"out-of-memory", "memory was exhausted while a wrong index was looked for"};
+  }
   TextScanner text(bytes);
-  text.move_to(positions.positions()[0]);
+  text.move_to(start);
   for (std::size_t i = 0; i <= corner; ++i) {  // past the keyword and the corners before
     text.skip_token();
     text.skip_blanks();
@@ -211,7 +217,7 @@ Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, FacePositions* 
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   SoupWriter& out = reader.out();
   const bool complete = out.corner_count() == 0 || out.largest_index() < out.vertex_count();
-  if (!complete && wanted == nullptr) return unknown_vertex(bytes, out.soup());
+  if (!complete && wanted == nullptr) return unknown_vertex(bytes, std::move(out.soup()));
   return ParsedFile{Format::kObj, std::move(out.soup()), reader.notes()};
 }
 

@@ -129,12 +129,12 @@ Result<OffHeader> read_off_header(TextScanner& text) {
 bool looks_like_off(TextScanner text) {
   text.skip_to_token();
   if (read_header_word(text)) return true;
+  // Counts without the word: zero of anything is not enough to tell.
   int counts = 0;
   for (; !text.at_line_end(); text.skip_blanks(), ++counts) {
     std::int64_t count = 0;
-    if (!is_digit(text.rest().front()) || !text.read_integer(count) || !text.at_token_end()) {
-      return false;
-    }
+    if (!text.read_integer(count) || !text.at_token_end()) return false;
+    if (count < 0 || (count == 0 && counts == 0)) return false;
   }
   return counts == 2 || counts == 3;
 }

@@ -33,7 +33,6 @@ bool TextScanner::read_float(float& value) {
     ++number;
     if (number != end_ && *number == '-') return false;
   }
-  if (number == end_) return false;
   // What is too large or too small becomes infinite or zero, and some versions report it.
   const auto [stop, code] = fast_float::from_chars(number, end_, value);
   if (code == std::errc::invalid_argument) return false;
