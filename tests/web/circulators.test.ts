@@ -1,5 +1,5 @@
 import { type CirculatorKind, type Direction, HalfedgeMesh, init, NONE, type Rows } from 'halfedge';
-import { growMemory } from './support/core.js';
+import { changeConnectivity, growMemory } from './support/core.js';
 import {
   bowTie,
   type Input,
@@ -122,6 +122,7 @@ describe.each([
       const reverse = [first, ...rest.reverse()];
       expect([...mesh.vertexOutgoingHalfedges(v, 'ccw', h)]).toEqual(reverse);
       expect([...mesh.vertexIncomingHalfedges(v, 'ccw', h)]).toEqual(reverse.map((g) => g ^ 1));
+      expect([...mesh.vertexIncomingHalfedges(v, 'ccw', h ^ 1)]).toEqual(reverse.map((g) => g ^ 1));
       expect([...mesh.vertexVertices(v, 'ccw', h)]).toEqual(reverse.map((g) => mesh.toVertex(g)));
       expect([...mesh.vertexEdges(v, 'ccw', h)]).toEqual(reverse.map((g) => g >> 1));
       const faces = reverse.map((g) => mesh.face(g)).filter((g) => g !== NONE);
@@ -192,6 +193,277 @@ describe.each([
   });
 });
 
+describe('A range', () => {
+  test('can be walked any number of times', () => {
+    using mesh = build(quadGrid());
+    for (const items of [
+      mesh.vertexVertices(5),
+      mesh.vertexFaces(1),
+      mesh.edgeFaces(1),
+      mesh.faces(),
+    ]) {
+      const once = [...items];
+      expect(once.length).toBeGreaterThan(0);
+      expect([...items]).toEqual(once);
+      expect(items.toArray()).toEqual(once);
+    }
+  });
+
+  test('can be walked by several loops at the same time', () => {
+    using mesh = build(quadGrid());
+    const ring = mesh.vertexFaces(5);
+    const couples: number[][] = [];
+    for (const a of ring) for (const b of ring) couples.push([a, b]);
+    const faces = [3, 0, 1, 4];
+    expect(couples).toEqual(faces.flatMap((a) => faces.map((b) => [a, b])));
+    expect(new Set(ring)).toEqual(new Set(faces));
+  });
+
+  test('can be nested in others of the same mesh, and of other meshes', () => {
+    using mesh = build(quadGrid());
+    using other = build(tetrahedron());
+    let corners = 0;
+    for (const v of mesh.vertices()) {
+      for (const f of mesh.vertexFaces(v)) {
+        for (const w of mesh.faceVertices(f)) {
+          for (const u of other.vertexVertices(w % 4)) corners += Number(u >= 0);
+          corners += w === v ? 1000 : 0;
+        }
+      }
+    }
+    expect(corners).toBe(4 * 9 * (1000 + 4 * 3));
+  });
+
+  test('can be left early, and begins anew', () => {
+    using mesh = build(quadGrid());
+    const ring = mesh.vertexVertices(5);
+    for (let i = 0; i < 3; i++) {
+      const seen: number[] = [];
+      for (const w of ring) {
+        seen.push(w);
+        if (seen.length === 2) break;
+      }
+      expect(seen).toEqual([9, 4]);
+    }
+    const [first] = ring;
+    expect(first).toBe(9);
+    expect(() => {
+      for (const _ of ring) throw new Error('from the body');
+    }).toThrow('from the body');
+    expect([...ring]).toEqual([9, 4, 1, 6]);
+  });
+
+  test('stays at its end', () => {
+    using mesh = build(quadGrid());
+    for (const items of [
+      mesh.vertexVertices(0),
+      mesh.vertexFaces(0),
+      mesh.edgeVertices(0),
+      mesh.faces(),
+    ]) {
+      const iterator = items[Symbol.iterator]();
+      while (!iterator.next().done);
+      expect(iterator.next().done).toBe(true);
+      expect(iterator.next()).toEqual({ value: NONE, done: true });
+    }
+  });
+
+  test.each([Int32Array, Uint32Array])('fills a buffer (%p)', (Kind) => {
+    using mesh = build(quadGrid());
+    const buffer = new Kind(6).fill(77);
+    expect(mesh.vertexVertices(5).into(buffer)).toBe(4);
+    expect([...buffer]).toEqual([9, 4, 1, 6, 77, 77]);
+    expect(mesh.vertexFaces(1, 'cw').into(buffer)).toBe(2);
+    expect([...buffer]).toEqual([0, 1, 1, 6, 77, 77]);
+    expect(mesh.vertexVertices(5).into(new Kind(4))).toBe(4);
+  });
+
+  test('says how much room a buffer lacks', () => {
+    using mesh = build(quadGrid());
+    expect(() => mesh.vertexVertices(5).into(new Int32Array(3))).toThrow(
+      new RangeError('buffer has length 3; expected at least 4.'),
+    );
+    expect(() => mesh.vertexFaces(5).into(new Int32Array(0))).toThrow(RangeError);
+    for (const buffer of [
+      null,
+      4,
+      'four',
+      {},
+      [0, 0, 0, 0],
+      new Float32Array(4),
+      new Uint8Array(4),
+    ]) {
+      expect(() => mesh.vertexVertices(5).into(buffer as never)).toThrow(TypeError);
+      expect(() => mesh.vertexVertices(5).into(buffer as never)).toThrow(
+        /^buffer is .*; expected an Int32Array or a Uint32Array\.$/,
+      );
+    }
+  });
+
+  test('of an isolated vertex is empty in every form', () => {
+    using mesh = build(triangleAndIsolatedVertex());
+    for (const kind of aroundVertices) {
+      for (const direction of directions) {
+        expect([...mesh[kind](3, direction)]).toEqual([]);
+        expect(mesh[kind](3, direction).toArray()).toEqual([]);
+        expect(mesh[kind](3, direction).into(new Int32Array(0))).toBe(0);
+        expect(mesh.circulate(kind, 3, { direction }).current).toBe(NONE);
+      }
+      expect(() => mesh[kind](3, 'ccw', 0)).toThrow(RangeError);
+    }
+  });
+});
+
+describe('After the connectivity has changed,', () => {
+  const sentence =
+    'This circulator was used after the connectivity changed under it; expected a new one.';
+  const use: [string, (mesh: HalfedgeMesh, change: () => void) => unknown][] = [
+    [
+      'the next step of a loop',
+      (mesh, change) => {
+        for (const _ of mesh.vertexVertices(5)) change();
+      },
+    ],
+    [
+      'the next step of a loop over faces',
+      (mesh, change) => {
+        for (const _ of mesh.vertexFaces(5)) change();
+      },
+    ],
+    [
+      'the next step of a loop over an edge',
+      (mesh, change) => {
+        for (const _ of mesh.edgeVertices(5)) change();
+      },
+    ],
+    [
+      'the next step of a loop over all faces',
+      (mesh, change) => {
+        for (const _ of mesh.faces()) change();
+      },
+    ],
+    [
+      'a range',
+      (mesh, change) => {
+        const ring = mesh.vertexVertices(5);
+        change();
+        return [...ring];
+      },
+    ],
+    [
+      'an array of a range',
+      (mesh, change) => {
+        const ring = mesh.vertexFaces(5);
+        change();
+        return ring.toArray();
+      },
+    ],
+    [
+      'filling a buffer',
+      (mesh, change) => {
+        const ring = mesh.vertexFaces(5);
+        change();
+        return ring.into(new Int32Array(4));
+      },
+    ],
+    ...(['current', 'halfedge'] as const).map(
+      (name): [string, (mesh: HalfedgeMesh, change: () => void) => unknown] => [
+        `${name} of a circulator`,
+        (mesh, change) => {
+          const circulator = mesh.circulate('vertexVertices', 5);
+          change();
+          return circulator[name];
+        },
+      ],
+    ),
+    ...(['next', 'prev'] as const).map(
+      (name): [string, (mesh: HalfedgeMesh, change: () => void) => unknown] => [
+        `${name}() of a circulator`,
+        (mesh, change) => {
+          const circulator = mesh.circulate('vertexVertices', 5);
+          change();
+          return circulator[name]();
+        },
+      ],
+    ),
+  ];
+  test.each(use)('%s throws', (_, use) => {
+    using mesh = build(quadGrid());
+    expect(() => use(mesh, () => changeConnectivity(mesh))).toThrow(
+      expect.objectContaining({ code: 'stale-circulator', message: sentence }),
+    );
+    expect(() => use(mesh, () => {})).not.toThrow();
+  });
+
+  test('new circulators work', () => {
+    using mesh = build(quadGrid());
+    changeConnectivity(mesh);
+    expect([...mesh.vertexVertices(5)]).toEqual([9, 4, 1, 6]);
+  });
+});
+
+describe('With corrupted links', () => {
+  // Each of these makes vertex 5 of the grid a walk that never comes back to where it began.
+  const corruptions: [string, (views: Record<string, Int32Array>, anchor: number) => void][] = [
+    [
+      'a cycle that misses the anchor',
+      ({ prev, next }, anchor) => {
+        const second = prev[prev[anchor] ^ 1] ^ 1;
+        prev[second] = second ^ 1;
+        next[second ^ 1] = second;
+      },
+    ],
+    [
+      'an index out of range',
+      ({ prev, next }, anchor) => {
+        prev[prev[anchor] ^ 1] = 1 << 29;
+        next[next[anchor ^ 1] ^ 1] = 1 << 29;
+      },
+    ],
+    [
+      'the mark of a deleted item',
+      ({ prev, next }, anchor) => {
+        prev[prev[anchor] ^ 1] = -5;
+        next[next[anchor ^ 1] ^ 1] = -5;
+      },
+    ],
+    [
+      'an anchor out of range',
+      ({ vertexHalfedge }) => {
+        vertexHalfedge[5] = 999;
+      },
+    ],
+  ];
+  test.each(corruptions)('(%s) every form throws', (_, corrupt) => {
+    using mesh = build(quadGrid());
+    corrupt(mesh.connectivity as never, mesh.vertexHalfedge(5));
+    for (const kind of aroundVertices) {
+      for (const direction of directions) {
+        for (const walk of [
+          () => [...mesh[kind](5, direction)],
+          () => mesh[kind](5, direction).toArray(),
+          () => mesh[kind](5, direction).into(new Int32Array(100)),
+        ]) {
+          expect(walk).toThrow(expect.objectContaining({ code: 'corrupt-connectivity' }));
+        }
+      }
+    }
+  });
+
+  test('a circulator that shows nothing any more throws', () => {
+    using mesh = build(quadGrid());
+    const circulator = mesh.circulate('vertexFaces', 5);
+    mesh.connectivity.face.fill(NONE);
+    expect(circulator.next()).toBe(NONE);
+    expect([...mesh.vertexFaces(5)]).toEqual([]);
+    mesh.connectivity.face.fill(-7);
+    expect(() => mesh.circulate('vertexFaces', 5)).toThrow('corrupt');
+    expect(() => [...mesh.vertexFaces(5)]).toThrow('corrupt');
+    mesh.connectivity.toVertex.fill(-7);
+    expect(() => [...mesh.vertexVertices(5)]).toThrow('corrupt');
+  });
+});
+
 describe('The endless form', () => {
   test('stands on a halfedge', () => {
     using mesh = build(quadGrid());
@@ -256,12 +528,14 @@ describe('A circulator', () => {
     },
   );
 
-  test.each(aroundVertices)('%s refuses a start that does not leave the vertex', (kind) => {
+  test.each(aroundVertices)('%s refuses a start that is not at the vertex', (kind) => {
     using mesh = build(quadGrid());
-    const start = mesh.findHalfedge(0, 1);
+    const start = mesh.findHalfedge(4, 0);
     expect(() => range(mesh, kind)(1, 'cw', start)).toThrow(
       new RangeError(
-        `start is halfedge ${start}, which leaves vertex 0; expected one that leaves vertex 1.`,
+        kind === 'vertexIncomingHalfedges'
+          ? `start is halfedge ${start}, which goes from vertex 4 to 0; expected one that arrives at vertex 1.`
+          : `start is halfedge ${start}, which leaves vertex 4; expected one that leaves vertex 1.`,
       ),
     );
     expect(() => range(mesh, kind)(0, 'cw', 48)).toThrow(
@@ -280,6 +554,14 @@ describe('A circulator', () => {
       ),
     );
     expect(() => range(mesh, kind)(0, 'cw', mesh.opposite(inner))).toThrow('which lies in no face');
+  });
+
+  test.each([...aroundEdges, 'halfedgeLoop'] as const)('%s refuses a start in options', (kind) => {
+    using mesh = build(quadGrid());
+    expect(() => mesh.circulate(kind, 0, { start: 1 })).toThrow(RangeError);
+    expect(() => mesh.circulate(kind, 0, { start: 1 })).toThrow(
+      /^start is 1; expected none, because/,
+    );
   });
 
   test('goes on after growth of the memory', () => {
@@ -312,8 +594,16 @@ describe('A circulator', () => {
   test('throws when its mesh was disposed of', () => {
     const mesh = build(quadGrid());
     const circulator = mesh.circulate('vertexVertices', 5);
+    const ranges = [mesh.vertexVertices(5), mesh.vertexFaces(5), mesh.faces()];
+    const underway = ranges.map((items) => items[Symbol.iterator]());
     mesh.dispose();
     for (const use of [
+      ...ranges.map((items) => () => [...items]),
+      ...ranges.map((items) => () => items.toArray()),
+      ...underway.map((iterator) => () => iterator.next()),
+      () => mesh.vertexVertices(5),
+      () => mesh.vertices(),
+      () => mesh.circulate('vertexVertices', 5),
       () => circulator.next(),
       () => circulator.prev(),
       () => circulator.current,

@@ -1,7 +1,8 @@
 // The public names, but for `init`, of which each entry has its own.
 
 export type { BuildOptions, Polygons } from './build.js';
-export type { CirculateOptions } from './circulation.js';
+export type { CirculateOptions, CirculatorKind } from './circulation.js';
+export type { Circulator } from './circulator.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export {
   type Direction,
@@ -16,9 +17,10 @@ export {
   type Vertex,
   type VertexLike,
 } from './items.js';
-export type { Circulator, CirculatorKind } from './laps.js';
+export type { LiveItems } from './live.js';
 export { HalfedgeMesh } from './mesh.js';
 export type { ConnectivityViews } from './navigation.js';
+export type { Orbit } from './orbit.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
 export type { RingKind, Rows } from './rings.js';
 export type { Component } from './topology.js';

@@ -1,5 +1,7 @@
-import { checkOptions } from './arguments.js';
+import { checkOptions, describe } from './arguments.js';
+import { aroundEdge, aroundFace, aroundLoop, aroundVertex } from './around.js';
 import { BulkRings } from './bulk.js';
+import { Circulator } from './circulator.js';
 import type {
   Direction,
   Edge,
@@ -11,14 +13,27 @@ import type {
   Vertex,
   VertexLike,
 } from './items.js';
-import { Circulator, type CirculatorKind, lap, liveItems } from './laps.js';
+import type { Links } from './links.js';
+import { LiveItems } from './live.js';
 import { linksOf } from './navigation.js';
+import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, type Orbit, TO_VERTEX } from './orbit.js';
+import { directionIndex, type RingKind } from './rings.js';
+
+/** The circulators that `circulate` knows: all around one item, by the names of their methods. */
+export type CirculatorKind = RingKind | 'halfedgeLoop';
+
+/** What a circulator shows. */
+type Shown<Kind extends CirculatorKind> =
+  ReturnType<Circulation[Kind]> extends Orbit<infer Item> ? Item : never;
 
 /** Which way a circulator goes, and where it begins. */
 export interface CirculateOptions {
   /** Default: 'ccw'. */
   direction?: Direction;
-  /** A halfedge that leaves the vertex, or lies in the face, to begin at. Edges and loops have none. */
+  /**
+   * A halfedge to begin at: one that leaves the vertex (`vertexIncomingHalfedges` also takes one that
+   * arrives there), or one of the face. Edges and loops have none.
+   */
   start?: HalfedgeLike;
 }
 
@@ -32,12 +47,8 @@ export interface CirculateOptions {
  */
 export abstract class Circulation extends BulkRings {
   /** The one-ring: the vertices that share an edge with `v`. */
-  vertexVertices(
-    v: VertexLike,
-    direction: Direction = 'ccw',
-    start?: HalfedgeLike,
-  ): Iterable<Vertex> {
-    return lap(linksOf(this), 'vertexVertices', v, direction, start) as Vertex[];
+  vertexVertices(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Vertex> {
+    return aroundVertex(linksOf(this), v, direction, start, TO_VERTEX);
   }
 
   /** The halfedges that leave `v`. */
@@ -45,8 +56,8 @@ export abstract class Circulation extends BulkRings {
     v: VertexLike,
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
-  ): Iterable<Halfedge> {
-    return lap(linksOf(this), 'vertexOutgoingHalfedges', v, direction, start) as Halfedge[];
+  ): Orbit<Halfedge> {
+    return aroundVertex(linksOf(this), v, direction, start, ITSELF);
   }
 
   /** The halfedges that arrive at `v`; `start` is still one that leaves it. */
@@ -54,87 +65,148 @@ export abstract class Circulation extends BulkRings {
     v: VertexLike,
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
-  ): Iterable<Halfedge> {
-    return lap(linksOf(this), 'vertexIncomingHalfedges', v, direction, start) as Halfedge[];
+  ): Orbit<Halfedge> {
+    return aroundVertex(linksOf(this), v, direction, start, OPPOSITE);
   }
 
   /** The edges at `v`. */
-  vertexEdges(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Iterable<Edge> {
-    return lap(linksOf(this), 'vertexEdges', v, direction, start) as Edge[];
+  vertexEdges(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Edge> {
+    return aroundVertex(linksOf(this), v, direction, start, EDGE);
   }
 
   /** The faces at `v`. */
-  vertexFaces(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Iterable<Face> {
-    return lap(linksOf(this), 'vertexFaces', v, direction, start) as Face[];
+  vertexFaces(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Face> {
+    return aroundVertex(linksOf(this), v, direction, start, FACE);
   }
 
   /** The corners of `f`. */
-  faceVertices(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Iterable<Vertex> {
-    return lap(linksOf(this), 'faceVertices', f, direction, start) as Vertex[];
+  faceVertices(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Vertex> {
+    return aroundFace(linksOf(this), f, direction, start, TO_VERTEX);
   }
 
   /** The halfedges of `f`. */
-  faceHalfedges(
-    f: FaceLike,
-    direction: Direction = 'ccw',
-    start?: HalfedgeLike,
-  ): Iterable<Halfedge> {
-    return lap(linksOf(this), 'faceHalfedges', f, direction, start) as Halfedge[];
+  faceHalfedges(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Halfedge> {
+    return aroundFace(linksOf(this), f, direction, start, ITSELF);
   }
 
   /** The edges of `f`. */
-  faceEdges(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Iterable<Edge> {
-    return lap(linksOf(this), 'faceEdges', f, direction, start) as Edge[];
+  faceEdges(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Edge> {
+    return aroundFace(linksOf(this), f, direction, start, EDGE);
   }
 
   /** The neighbour across each edge of `f`: one that shares several edges comes as often. */
-  faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Iterable<Face> {
-    return lap(linksOf(this), 'faceFaces', f, direction, start) as Face[];
+  faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Face> {
+    return aroundFace(linksOf(this), f, direction, start, OPPOSITE_FACE);
   }
 
   /** The two ends of `e`, side 0 first. */
-  edgeVertices(e: EdgeLike): Iterable<Vertex> {
-    return lap(linksOf(this), 'edgeVertices', e, 'ccw') as Vertex[];
+  edgeVertices(e: EdgeLike): Orbit<Vertex> {
+    return aroundEdge(linksOf(this), e, TO_VERTEX);
   }
 
   /** The two halfedges of `e`, side 0 first. */
-  edgeHalfedges(e: EdgeLike): Iterable<Halfedge> {
-    return lap(linksOf(this), 'edgeHalfedges', e, 'ccw') as Halfedge[];
+  edgeHalfedges(e: EdgeLike): Orbit<Halfedge> {
+    return aroundEdge(linksOf(this), e, ITSELF);
   }
 
   /** The one or two faces of `e`, side 0 first. */
-  edgeFaces(e: EdgeLike): Iterable<Face> {
-    return lap(linksOf(this), 'edgeFaces', e, 'ccw') as Face[];
+  edgeFaces(e: EdgeLike): Orbit<Face> {
+    return aroundEdge(linksOf(this), e, FACE);
   }
 
   /** The face loop or boundary loop through `h`, beginning at `h`. */
-  halfedgeLoop(h: HalfedgeLike, direction: Direction = 'ccw'): Iterable<Halfedge> {
-    return lap(linksOf(this), 'halfedgeLoop', h, direction) as Halfedge[];
+  halfedgeLoop(h: HalfedgeLike, direction: Direction = 'ccw'): Orbit<Halfedge> {
+    return aroundLoop(linksOf(this), h, direction, ITSELF);
   }
 
   /** All live vertices, in index order. */
-  vertices(): Iterable<Vertex> {
-    return liveItems(linksOf(this), 'vertex') as Vertex[];
+  vertices(): LiveItems<Vertex> {
+    return new LiveItems(linksOf(this), 'vertex');
   }
 
   /** All live halfedges, in index order. */
-  halfedges(): Iterable<Halfedge> {
-    return liveItems(linksOf(this), 'halfedge') as Halfedge[];
+  halfedges(): LiveItems<Halfedge> {
+    return new LiveItems(linksOf(this), 'halfedge');
   }
 
   /** All live edges, in index order. */
-  edges(): Iterable<Edge> {
-    return liveItems(linksOf(this), 'edge') as Edge[];
+  edges(): LiveItems<Edge> {
+    return new LiveItems(linksOf(this), 'edge');
   }
 
   /** All live faces, in index order. */
-  faces(): Iterable<Face> {
-    return liveItems(linksOf(this), 'face') as Face[];
+  faces(): LiveItems<Face> {
+    return new LiveItems(linksOf(this), 'face');
   }
 
-  /** An endless circulator around one item; `kind` is the name of one of the methods above. */
-  circulate(kind: CirculatorKind, item: number, options: CirculateOptions = {}): Circulator {
+  /**
+   * An endless circulator around one item; `kind` is the name of one of the methods above. It begins
+   * where a lap of that method does.
+   */
+  circulate<Kind extends CirculatorKind>(
+    kind: Kind,
+    item: number,
+    options: CirculateOptions = {},
+  ): Circulator<Shown<Kind>> {
     const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
-    return new Circulator(linksOf(this), kind, item, direction, start);
+    if (!Object.hasOwn(AROUND, kind)) throw noSuchKind(kind);
+    return new Circulator(AROUND[kind](linksOf(this), item, direction, start)) as Circulator<
+      Shown<Kind>
+    >;
   }
+}
+
+type Around = (
+  links: Links,
+  item: number,
+  direction: Direction,
+  start: number | undefined,
+) => Orbit<number>;
+
+const vertexOrbit =
+  (view: number): Around =>
+  (links, v, direction, start) =>
+    aroundVertex(links, v, direction, start, view);
+
+const faceOrbit =
+  (view: number): Around =>
+  (links, f, direction, start) =>
+    aroundFace(links, f, direction, start, view);
+
+const edgeOrbit =
+  (view: number): Around =>
+  (links, e, direction, start) => {
+    directionIndex(direction);
+    refuseStart(start, 'an edge begins with its side 0');
+    return aroundEdge(links, e, view);
+  };
+
+const AROUND: Record<CirculatorKind, Around> = {
+  vertexVertices: vertexOrbit(TO_VERTEX),
+  vertexOutgoingHalfedges: vertexOrbit(ITSELF),
+  vertexIncomingHalfedges: vertexOrbit(OPPOSITE),
+  vertexEdges: vertexOrbit(EDGE),
+  vertexFaces: vertexOrbit(FACE),
+  faceVertices: faceOrbit(TO_VERTEX),
+  faceHalfedges: faceOrbit(ITSELF),
+  faceEdges: faceOrbit(EDGE),
+  faceFaces: faceOrbit(OPPOSITE_FACE),
+  edgeVertices: edgeOrbit(TO_VERTEX),
+  edgeHalfedges: edgeOrbit(ITSELF),
+  edgeFaces: edgeOrbit(FACE),
+  halfedgeLoop: (links, h, direction, start) => {
+    refuseStart(start, 'a loop begins at its halfedge');
+    return aroundLoop(links, h, direction, ITSELF);
+  },
+};
+
+function refuseStart(start: unknown, reason: string): void {
+  if (start === undefined) return;
+  throw new RangeError(`start is ${describe(start)}; expected none, because ${reason}.`);
+}
+
+function noSuchKind(kind: unknown): Error {
+  const kinds = Object.keys(AROUND).join(', ');
+  const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
+  return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }

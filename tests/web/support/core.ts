@@ -1,5 +1,7 @@
 // A private door, for tests only: what a user of the package can't and needn't see.
+import type { HalfedgeMesh } from 'halfedge';
 import { core } from '../../../dist/loader.js';
+import { linksOf } from '../../../dist/navigation.js';
 
 /** The bytes that are allocated in WebAssembly memory. */
 export const bytesInUse = (): number => core().bytesInUse();
@@ -40,4 +42,9 @@ export function withLeft(bytes: number, use: () => void): void {
   } finally {
     for (const address of blocks) core().free(address);
   }
+}
+
+/** What every change of connectivity does to circulators, without a change. */
+export function changeConnectivity(mesh: HalfedgeMesh): void {
+  linksOf(mesh as never).version += 1;
 }
