@@ -34,6 +34,18 @@ bool grow(Array<Index>& array, std::size_t count) {
 
 }  // namespace
 
+Connectivity& Connectivity::operator=(Connectivity&& other) noexcept {
+  if (this == &other) return *this;
+  links_ = std::move(other.links_);
+  free_vertices_ = std::exchange(other.free_vertices_, {});
+  free_edges_ = std::exchange(other.free_edges_, {});
+  free_faces_ = std::exchange(other.free_faces_, {});
+  // Not the version of `other`, which a circulator of this mesh may remember by chance.
+  version_ = std::max(version_, other.version_) + 1;
+  ++other.version_;
+  return *this;
+}
+
 bool Connectivity::reserve(Index vertices, Index edges, Index faces) {
   const std::size_t halfedges = 2 * std::size_t{edges};
   return links_.vertex_halfedge.reserve(vertices) && links_.face_halfedge.reserve(faces) &&

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace halfedge {
 
@@ -60,8 +61,9 @@ inline constexpr Index kDeleted = 0xFFFF'FFFE;
 class Connectivity : public Circulators<Connectivity> {
  public:
   Connectivity() = default;
-  Connectivity(Connectivity&&) = default;
-  Connectivity& operator=(Connectivity&&) = default;
+  /// Moving leaves `other` empty. It counts as a change of both.
+  Connectivity(Connectivity&& other) noexcept { *this = std::move(other); }
+  Connectivity& operator=(Connectivity&& other) noexcept;
 
   // ---- counts -------------------------------------------------------------------------------
 
