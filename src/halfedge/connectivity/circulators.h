@@ -241,20 +241,25 @@ class Orbit {
   };
 
   /// The lap that begins at `first`; empty if `first` is.
-  Orbit(const Mesh& mesh, Halfedge first) : mesh_(&mesh), first_(first) {}
+  Orbit(const Mesh& mesh, Halfedge first) : mesh_(&mesh), first_(first), stamp_(mesh) {}
 
-  [[nodiscard]] Iterator begin() const { return Iterator(*mesh_, first_); }
+  [[nodiscard]] Iterator begin() const {
+    stamp_.check(*mesh_);
+    return Iterator(*mesh_, first_);
+  }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
   [[nodiscard]] bool empty() const { return begin() == end(); }
 
   /// The endless form of the same walk, standing where the lap begins.
   [[nodiscard]] Circulator<Mesh, Walk, View, Checked> circulator() const {
+    stamp_.check(*mesh_);
     return {*mesh_, first_};
   }
 
  private:
   const Mesh* mesh_;
   Halfedge first_;
+  [[no_unique_address]] VersionStamp<Checked> stamp_;
 };
 
 /// The live items of one kind in index order; deleted slots are stepped over.

@@ -13,8 +13,8 @@ using Index = std::uint32_t;
 /// The empty link: "no face", "no halfedge". Reads as -1 in the Int32Array views of JavaScript.
 inline constexpr Index kNone = 0xFFFF'FFFF;
 
-/// The most slots of one kind. More cannot be addressed: the sign bit marks empty and deleted links,
-/// and a free list needs two values more than there are slots.
+/// The most slots of one kind. More cannot be addressed: the sign bit marks empty and deleted
+/// links, and a free list needs two values more than there are slots.
 inline constexpr Index kMaxSlots = 0x7FFF'FFFE;
 
 /// A 32-bit index that knows what it points at: a Vertex does not compare with a Face, and neither
