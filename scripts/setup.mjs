@@ -53,6 +53,7 @@ const hasApt = () => onPath('apt-get');
 
 /** Makes the machine ready for the given purposes: 'build', 'tests', 'bench'. */
 export async function setup(purposes = ['build']) {
+  checkNode();
   const missing = () => requirements.filter((it) => purposes.includes(it.purpose) && !it.found());
   const before = missing();
   if (before.length > 0) {
@@ -66,6 +67,16 @@ export async function setup(purposes = ['build']) {
     }
   }
   await installNpmPackages();
+}
+
+/** The version that package.json asks for: an older Node fails later, and less clearly. */
+function checkNode() {
+  const { engines } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
+  const needed = engines.node.replace('>=', '');
+  const older = needed.localeCompare(process.versions.node, 'en', { numeric: true }) > 0;
+  if (older) {
+    throw new Failure(`This is Node ${process.versions.node}: install Node ${needed} or newer.`);
+  }
 }
 
 function sentenceOf(missing) {
