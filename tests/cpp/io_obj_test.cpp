@@ -54,7 +54,7 @@ TEST(Obj, LeavesSmallAndRepeatedFacesToTheBuilder) {
 TEST(Obj, ReadsTheVertexOfEachFormOfCorner) {
   for (const char* face :
        {"1 2 3", "1/5 2/6 3/7", "1/5/9 2/6/8 3/7/7", "1//9 2//8 3//7", "1/ 2/ 3/", "1// 2// 3//",
-        "1/-1/-2 2/-9 3//-3", "+1 +2/+3 3", "01 002 3"}) {
+        "1/-1/-2 2/-9 3//-3", "+1 +2/+3 3", "01 002 3", "00000000000000000000000001 2 3"}) {
     const Parsed file = parse_obj(square_and(std::string("f ") + face + "\n"));
     EXPECT_EQ(file.error, "") << face;
     EXPECT_EQ(file.faces, (Faces{{0, 1, 2}})) << face;
@@ -251,6 +251,9 @@ TEST(Obj, ShowsStrangeBytesOfAnErrorInPlainText) {
   EXPECT_EQ(obj_error("v " + std::string(100, 'a')),
             "parse-error: line 1: expected a number for x of the vertex, found \"" +
                 std::string(32, 'a') + "...\"");
+  EXPECT_EQ(obj_error("v " + std::string(32, '~')),
+            "parse-error: line 1: expected a number for x of the vertex, found \"" +
+                std::string(32, '~') + "\"");
 }
 
 TEST(Obj, FindsTheLinesOfFaces) {

@@ -22,18 +22,21 @@ Error index_error(const TextScanner& text, std::size_t corner, std::size_t face)
   return error;
 }
 
-std::optional<Error> check_size(const SoupWriter& out) {
-  const std::string counts = std::to_string(out.vertex_count()) + " vertices, " +
-                             std::to_string(out.face_count()) + " faces and " +
-                             std::to_string(out.corner_count()) + " corners of faces";
+std::optional<Error> check_size(SoupWriter& out) {
+  const std::size_t vertices = out.vertex_count();
+  const std::size_t faces = out.face_count();
+  const std::size_t corners = out.corner_count();
+  const bool too_large = std::max({vertices, faces, corners}) > kMaxSlots;
+  if (!too_large && !out.out_of_memory()) return std::nullopt;
+
+  out.soup() = {};
+  const std::string counts = std::to_string(vertices) + " vertices, " + std::to_string(faces) +
+                             " faces and " + std::to_string(corners) + " corners of faces";
   if (out.out_of_memory()) {
     return Error{"out-of-memory", "memory was exhausted after " + counts + " had been read"};
   }
-  if (std::max({out.vertex_count(), out.face_count(), out.corner_count()}) > kMaxSlots) {
-    return Error{"too-large", "the file has " + counts + ", expected at most " +
-                                  std::to_string(kMaxSlots) + " of each"};
-  }
-  return std::nullopt;
+  return Error{"too-large", "the file has " + counts + ", expected at most " +
+                                std::to_string(kMaxSlots) + " of each"};
 }
 
 }  // namespace halfedge::io

@@ -58,15 +58,8 @@ class SoupWriter {
     }
   }
   void add_vertex(float x, float y, float z) {
-    Array<float>& positions = soup_.positions;
-    const std::size_t size = positions.size();
-    if (positions.capacity() - size < 3 && !positions.reserve(size + size / 2 + 96) &&
-        !positions.reserve(size + 3)) {
-      out_of_memory_ = true;
-      return;
-    }
-    (void)positions.resize(size + 3);  // there is room
-    float* const p = positions.data() + size;
+    float* const p = append(soup_.positions, 3);
+    if (p == nullptr) return;
     p[0] = x;
     p[1] = y;
     p[2] = z;
@@ -79,7 +72,7 @@ class SoupWriter {
   }
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
-    if (!soup_.corners.push_back(vertex)) out_of_memory_ = true;
+    if (Index* const p = append(soup_.corners, 1)) *p = vertex;
   }
   /// Sizes are kept from the first face on that is no triangle.
   void end_face() {
@@ -97,7 +90,21 @@ class SoupWriter {
   }
   void add_size(Index size) {
     if (soup_.sizes.empty() && !soup_.sizes.resize(faces_, 3)) out_of_memory_ = true;
-    if (!soup_.sizes.push_back(size)) out_of_memory_ = true;
+    if (Index* const p = append(soup_.sizes, 1)) *p = size;
+  }
+  /// Room for `count` new elements, or null. Where half as much again is too much, an eighth may
+  /// do; less would copy the array time and again.
+  template <class T>
+  [[nodiscard]] T* append(Array<T>& array, std::size_t count) {
+    const std::size_t size = array.size();
+    const std::size_t needed = size + count;
+    if (needed > array.capacity() && !array.reserve(needed + size / 2 + 96) &&
+        !array.reserve(needed + size / 8)) {
+      out_of_memory_ = true;
+      return nullptr;
+    }
+    (void)array.resize(needed);  // there is room
+    return array.data() + size;
   }
 
   PolygonSoup soup_;
@@ -115,7 +122,8 @@ class SoupWriter {
 [[nodiscard]] Error unexpected(const TextScanner& text, const std::string& expected);
 /// index-out-of-range: "line N: corner … of face … is …", for the caller to say what was expected.
 [[nodiscard]] Error index_error(const TextScanner& text, std::size_t corner, std::size_t face);
-/// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing.
-[[nodiscard]] std::optional<Error> check_size(const SoupWriter& out);
+/// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing. The soup is freed
+/// with an error, which needs memory itself.
+[[nodiscard]] std::optional<Error> check_size(SoupWriter& out);
 
 }  // namespace halfedge::io
