@@ -30,7 +30,8 @@ struct Component {
     return std::int64_t{vertices} - edges + faces;
   }
   /// The number of handles: V - E + F = 2 - 2 genus - boundary loops. 0 for a disk, an annulus and
-  /// a sphere, 1 for a torus, punctured or not.
+  /// a sphere, 1 for a torus, punctured or not. Where fans meet at a pinched vertex they count as
+  /// joined in their order around it, as boundary loops run.
   [[nodiscard]] std::int64_t genus() const {
     return (2 - euler_characteristic() - boundary_loops) / 2;
   }
