@@ -75,7 +75,7 @@ export const samples: readonly Sample[] = [
     id: 'torus',
     name: 'Torus',
     note: 'quads, genus 1',
-    start: 170,
+    start: 296,
     view: [0.1, 0.75, 1],
     load: generated(() => generate.torus(28, 14)),
   },

@@ -33,6 +33,7 @@ export class Stage {
   readonly size = new Vector2(1, 1);
   readonly #renderer: WebGLRenderer;
   readonly #listeners: (() => void)[] = [];
+  readonly #woken: (() => void)[] = [];
   readonly #rested: (() => void)[] = [];
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
@@ -64,14 +65,17 @@ export class Stage {
     this.#listeners.push(listener);
   }
 
-  /** Calls `listener` whenever the picture has come to rest. */
-  onRest(listener: () => void): void {
-    this.#rested.push(listener);
+  /** Calls `listener` when the picture begins to change, and when it has come to rest. */
+  onChange(begins: () => void, rests: () => void): void {
+    this.#woken.push(begins);
+    this.#rested.push(rests);
   }
 
   /** Asks for one more frame. */
   invalidate(): void {
-    if (this.#frame === 0) this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    for (const listener of this.#woken) listener();
   }
 
   setLight(sky: Color, ground: Color, ambient: number, key: number): void {
@@ -152,6 +156,14 @@ export class Stage {
       return linear < 1;
     };
     this.invalidate();
+  }
+
+  /** Whether a point is in the part of the picture that no panel covers. */
+  inSight(point: Vector3): boolean {
+    const { x, y, z } = this.project(point, new Vector3());
+    const { top, right, bottom, left } = this.#insets;
+    const inside = x > left && x < this.size.x - right && y > top && y < this.size.y - bottom;
+    return inside && z < 1;
   }
 
   /** Where a point appears: CSS pixels from the canvas's top left; `z` beyond 1 is out of sight. */

@@ -1,6 +1,6 @@
 import { Color, Matrix4, Spherical, Vector3 } from 'three';
 import type { MeshDocument } from '../app/documents.js';
-import type { Explorer } from '../app/explorer.js';
+import type { Explorer, Play } from '../app/explorer.js';
 import type { Item } from '../app/items.js';
 import { anchorOf, reachOf, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
@@ -14,6 +14,11 @@ import { Picker } from './picking.js';
 import { Stage } from './stage.js';
 import { Surface, SurfaceView } from './surface.js';
 import { Wire } from './wire.js';
+
+/** A walk whose edges are shorter than this on the screen is looked at more closely. */
+const TOO_SMALL_PX = 44;
+/** Walks longer than this go too far to be looked at from near. */
+const LONG_WALK = 40;
 
 /** Everything that belongs to the mesh on show. */
 interface Shown {
@@ -46,6 +51,12 @@ export class View {
     this.stage.onFrame(() => this.#beforeFrame());
     this.applyTheme();
     explorer.document.subscribe((opened) => this.#show(opened));
+    let before = 0;
+    explorer.play.subscribe((play) => {
+      const begins = before === 0 && play?.position === 1;
+      before = play?.position ?? 0;
+      if (play && before > 0) this.#follow(play, begins);
+    });
     for (const signal of [explorer.selected, explorer.hovered, explorer.play]) {
       signal.subscribe(() => this.#mark());
     }
@@ -78,7 +89,7 @@ export class View {
       this.fit();
       return;
     }
-    const target = anchorOf(item, shown.surface, shown.frames, shown.glyphs);
+    const target = this.#anchor(item, shown);
     const distance = this.stage.distanceFor(1.8 * reachOf(item, shown.surface));
     this.stage.fly(target, this.#towards(item, shown), distance);
   }
@@ -139,6 +150,32 @@ export class View {
     return matrix.elements.map((x) => Number(x.toPrecision(8))).join(' ');
   }
 
+  /**
+   * Keeps the player in sight: comes near when a walk begins that is too small to be seen, and
+   * turns to the current item when it has left the picture.
+   */
+  #follow({ player }: Play, begins: boolean): void {
+    const shown = this.#shown;
+    const item = player.current?.item;
+    const selected = this.#explorer.selected.value;
+    if (!shown || !item || !selected) return;
+    const point = this.#anchor(item, shown);
+    const { x, y, z } = point;
+    const pixels =
+      reachOf(selected, shown.surface) / this.stage.pixelAt(this.stage.depthOf(x, y, z));
+    if (begins && pixels < TOO_SMALL_PX && player.count < LONG_WALK) {
+      this.focus();
+    } else if (!this.stage.inSight(point)) {
+      const { camera, controls } = this.stage;
+      const distance = camera.position.distanceTo(controls.target);
+      this.stage.fly(point, this.#towards(item, shown), distance);
+    }
+  }
+
+  #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
+    return anchorOf(item, surface, frames, glyphs);
+  }
+
   /** The direction to look from: the present one, turned to the front of the item if it is behind. */
   #towards(item: Item, { surface, frames }: Shown): Vector3 {
     const { camera, controls } = this.stage;
@@ -183,9 +220,9 @@ export class View {
   #mark(): void {
     const shown = this.#shown;
     if (!shown) return;
-    const { surface, frames, glyphs } = shown;
+    const { glyphs } = shown;
     const { marks, labels } = overlayOf(this.#explorer, this.#palette, {
-      point: (item) => anchorOf(item, surface, frames, glyphs),
+      point: (item) => this.#anchor(item, shown),
       side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
     });
     this.#highlights.setMarks(marks);

@@ -37,7 +37,7 @@ export function inspector(explorer: Explorer): HTMLElement {
   return h(
     'section',
     { class: 'inspector', 'aria-labelledby': 'inspector-title' },
-    h('div', { class: 'item-head' }, h('div', { class: 'name' }, title, facts), goTo(explorer)),
+    h('div', { class: 'item-head' }, title, goTo(explorer), facts),
     links,
     remark,
   );
@@ -53,8 +53,15 @@ function position(explorer: Explorer, { kind, index }: Item): HTMLElement | null
   const mesh = explorer.document.value?.mesh;
   if (kind !== 'vertex' || !mesh) return null;
   const xyz = [...mesh.positions.subarray(3 * index, 3 * index + 3)];
-  const text = xyz.map((x) => Number(x.toPrecision(4))).join(', ');
-  return h('span', { class: 'mono' }, `(${text})`);
+  return h('span', { class: 'mono' }, `(${fourDigits(xyz).join(', ')})`);
+}
+
+/** Rounded to four digits of the largest, so that rounding errors of a zero are shown as 0. */
+function fourDigits(values: readonly number[]): number[] {
+  const largest = Math.max(...values.map(Math.abs));
+  if (!(largest > 0 && largest < Infinity)) return [...values];
+  const unit = 10 ** (Math.floor(Math.log10(largest)) - 3);
+  return values.map((x) => Number((Math.round(x / unit) * unit).toPrecision(4)) + 0);
 }
 
 function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {

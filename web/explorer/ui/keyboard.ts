@@ -45,9 +45,12 @@ export function listenToKeys(explorer: Explorer, view: View, openHelp: () => voi
 function belongsToControl({ target, key }: KeyboardEvent): boolean {
   if (document.querySelector('dialog[open], :popover-open')) return true;
   if (!(target instanceof HTMLElement)) return false;
-  if (target instanceof HTMLInputElement && target.type === 'text') return key !== 'Escape';
-  const arrows = key.startsWith('Arrow') || key === 'Home' || key === 'End';
-  if (target instanceof HTMLInputElement) return arrows || key === ' ';
-  const onButton = target.closest('button') !== null;
-  return onButton && (key === ' ' || key === 'Enter' || arrows);
+  if (target instanceof HTMLSelectElement) return true;
+  const arrow = key.startsWith('Arrow');
+  if (target instanceof HTMLInputElement) {
+    if (target.type === 'text') return key !== 'Escape';
+    if (target.type === 'range') return arrow || key === 'Home' || key === 'End';
+    return arrow || key === ' ';
+  }
+  return target.closest('button') !== null && (key === ' ' || key === 'Enter' || arrow);
 }

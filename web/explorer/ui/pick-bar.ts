@@ -32,7 +32,7 @@ export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
     });
     modes.append(h('label', { title }, input, text));
   }
-  const readout = h('p', { class: 'readout' });
+  const readout = h('p', { class: 'readout card' });
   explorer.hovered.subscribe((item) => {
     const mesh = explorer.document.value?.mesh;
     if (!item || !mesh) return fill(readout);

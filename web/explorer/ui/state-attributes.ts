@@ -10,8 +10,10 @@ import { setAttribute } from './dom.js';
 export function publishState(explorer: Explorer, view: View, stage: HTMLElement): void {
   const publish = (name: string, value: string | number | null) =>
     setAttribute(stage, `data-${name}`, value);
+  const page = document.documentElement;
   explorer.busy.subscribe((busy) => {
-    if (busy !== null) document.documentElement.dataset.state = 'loading';
+    if (busy !== null) page.dataset.state = 'loading';
+    else view.stage.invalidate();
   });
   explorer.document.subscribe((opened) => publish('mesh', opened?.name ?? null));
   explorer.selected.subscribe((item) => publish('selected', item && itemName(item)));
@@ -27,10 +29,13 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
     frames += 1;
     publish('frames', frames);
   });
-  view.stage.onRest(() => {
-    publish('camera', view.cameraState());
-    if (explorer.busy.value === null && explorer.document.value) {
-      document.documentElement.dataset.state = 'ready';
-    }
-  });
+  view.stage.onChange(
+    () => {
+      if (page.dataset.state === 'ready') page.dataset.state = 'drawing';
+    },
+    () => {
+      publish('camera', view.cameraState());
+      if (explorer.busy.value === null && explorer.document.value) page.dataset.state = 'ready';
+    },
+  );
 }

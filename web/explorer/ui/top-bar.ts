@@ -89,9 +89,11 @@ function meshMenu(explorer: Explorer): HTMLElement {
       {
         type: 'button',
         'data-sample': id,
-        onclick: () => {
+        onclick: (event) => {
           menu.hidePopover();
-          document.querySelector<HTMLElement>('.stage canvas')?.focus();
+          // The menu hands the focus back to its button: right for the keyboard, odd for a mouse.
+          const byMouse = (event as MouseEvent).detail > 0;
+          if (byMouse) (document.activeElement as HTMLElement | null)?.blur();
           void explorer.open(sample);
         },
       },
