@@ -28,7 +28,11 @@ const suite = (name) => ({
 export default {
   projects: [
     suite('web'),
-    suite('browser'),
+    {
+      ...suite('browser'),
+      globalSetup: '<rootDir>/tests/browser/support/setup.mjs',
+      globalTeardown: '<rootDir>/tests/browser/support/teardown.mjs',
+    },
     {
       ...suite('package'),
       globalSetup: '<rootDir>/tests/package/support/setup.mjs',

@@ -1,0 +1,120 @@
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { dragonOff } from '../fixtures/dragon.js';
+import { disconnect, ExplorerPage } from './support/explorer.js';
+
+const TETRAHEDRON = `OFF
+4 4 6
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1
+3 0 1 3
+3 0 3 2
+3 1 2 3
+`;
+
+let explorer: ExplorerPage;
+beforeAll(async () => {
+  explorer = await ExplorerPage.open();
+});
+beforeEach(() => explorer.sample('icosahedron', 'Icosahedron'));
+afterEach(() => expect(explorer.complaints).toEqual([]));
+afterAll(async () => {
+  await explorer.close();
+  await disconnect();
+});
+
+const notice = () => explorer.page.waitForSelector('[role=alert]:not([hidden])');
+const message = () => explorer.page.textContent('[role=alert] [data-message]');
+
+describe('A file', () => {
+  test('that is dropped on the page opens', async () => {
+    await explorer.drop('tetrahedron.off', TETRAHEDRON);
+    await explorer.ready('tetrahedron.off');
+    expect(await explorer.page.textContent('.counts')).toContain('Vertices4Edges6Faces4');
+    await explorer.press('End');
+    expect(await explorer.visited()).toHaveLength(3);
+    await explorer.screenshot('dropped-1280-light');
+  });
+
+  test('that is chosen in the dialog opens', async () => {
+    const chooser = explorer.page.waitForEvent('filechooser');
+    await explorer.page.click('[data-open]');
+    const quad = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
+    await (await chooser).setFiles({
+      name: 'quad.obj',
+      mimeType: 'model/obj',
+      buffer: Buffer.from(quad),
+    });
+    await explorer.ready('quad.obj');
+    expect(await explorer.page.textContent('.counts')).toContain('Vertices4Edges4Faces1');
+  });
+
+  test('that is broken is refused in a sentence, and the mesh on show stays', async () => {
+    await explorer.drop('broken.off', TETRAHEDRON.replace('3 0 3 2', '3 0 3 99'));
+    await notice();
+    expect(await message()).toMatch(/^Line 9: .*"99".*expected a vertex from 0 to 3\.$/);
+    expect(await explorer.page.textContent('[role=alert]')).toContain(
+      '“broken.off” was not opened',
+    );
+    expect(await explorer.page.textContent('[role=alert]')).toContain('Icosahedron is still open.');
+    await explorer.screenshot('error-1280-light');
+    expect(await explorer.state('mesh')).toBe('Icosahedron');
+    await explorer.press('.');
+    expect(await explorer.visited()).toHaveLength(1);
+    await explorer.page.click('[aria-label=Dismiss]');
+    expect(await explorer.page.isVisible('[role=alert]')).toBe(false);
+    await explorer.drop('tetrahedron.off', TETRAHEDRON);
+    await explorer.ready('tetrahedron.off');
+  });
+
+  test('whose faces make no manifold is refused, naming an edge', async () => {
+    const third = TETRAHEDRON.replace('4 4 6', '4 5 6').concat('3 0 1 2\n');
+    await explorer.drop('fin.off', third);
+    await notice();
+    expect(await message()).toMatch(/[Ff]ace/);
+    expect(await message()).not.toContain('undefined');
+    expect(await explorer.state('mesh')).toBe('Icosahedron');
+  });
+
+  test.each([
+    ['notes.txt', 'Dear diary, this is no mesh.'],
+    ['empty.off', ''],
+    ['picture.obj', '\u0000\u0001\u0002\ufffd'.repeat(50)],
+  ])('%s that is no mesh is refused in a sentence', async (name, content) => {
+    await explorer.drop(name, content);
+    await notice();
+    expect(await message()).toMatch(/^[A-Z“"].{15,}\.$/s);
+    expect(await explorer.state('mesh')).toBe('Icosahedron');
+  });
+
+  test('without faces opens as vertices alone', async () => {
+    await explorer.drop('points.off', 'OFF\n2 0 0\n0 0 0\n1 0 0\n');
+    await explorer.ready('points.off');
+    expect(await explorer.state('selected')).toBe('v0');
+    expect(await explorer.page.getAttribute('[data-link]', 'data-target')).toBe('∅');
+    expect(await explorer.page.textContent('.hop')).toContain('nothing to visit');
+  });
+});
+
+test('A mesh of 871,414 faces opens, and can be picked and walked', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'halfedge-dragon-'));
+  const path = join(folder, 'dragon.off');
+  writeFileSync(path, dragonOff());
+  await explorer.page.setInputFiles('[data-file]', path);
+  await explorer.page.waitForSelector('html[data-state=ready] [data-mesh="dragon.off"]', {
+    timeout: 120_000,
+  });
+  rmSync(folder, { recursive: true });
+  expect(await explorer.page.textContent('.counts')).toContain('Faces871,414');
+  await explorer.screenshot('dragon-1280-light');
+  await explorer.press('z');
+  await explorer.projection();
+  await explorer.press('End');
+  expect(await explorer.visited()).toHaveLength(Number(await explorer.state('count')));
+  await explorer.projection();
+  await explorer.screenshot('dragon-close-1280-light');
+}, 180_000);

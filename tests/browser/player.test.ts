@@ -1,0 +1,156 @@
+import { type HalfedgeMesh, init } from 'halfedge';
+import { disconnect, ExplorerPage, sampleMesh } from './support/explorer.js';
+
+let explorer: ExplorerPage;
+let mesh: HalfedgeMesh;
+beforeAll(async () => {
+  await init();
+  mesh = sampleMesh('bunny.off');
+  explorer = await ExplorerPage.open();
+});
+afterEach(() => expect(explorer.complaints).toEqual([]));
+afterAll(async () => {
+  await explorer.close();
+  await disconnect();
+});
+
+const names = (letter: string, items: Iterable<number>) => [...items].map((i) => letter + i);
+const hop = () => explorer.page.textContent('.hop');
+
+describe('The circulator player', () => {
+  test('steps around the one-ring in the order of mesh.vertexVertices, both ways', async () => {
+    for (const direction of ['ccw', 'cw'] as const) {
+      await explorer.goTo('v0');
+      await explorer.goTo('v1224');
+      await explorer.page.check(`[name=direction][value=${direction}]`);
+      const expected = names('v', mesh.vertexVertices(1224, direction));
+      expect(await explorer.state('count')).toBe(String(expected.length));
+      for (let i = 1; i <= expected.length; i++) {
+        await explorer.page.click('[aria-label="Step forward"]');
+        expect(await explorer.visited()).toEqual(expected.slice(0, i));
+      }
+      expect(await explorer.state('player')).toBe('done');
+      expect(await explorer.page.isDisabled('[aria-label="Step forward"]')).toBe(true);
+    }
+    await explorer.page.check('[name=direction][value=ccw]');
+  });
+
+  test('tells in words what each hop did', async () => {
+    await explorer.goTo('v0');
+    await explorer.goTo('v1224');
+    await explorer.press('.', '.');
+    const [first, second] = mesh.vertexOutgoingHalfedges(1224);
+    expect(await hop()).toBe(
+      `opposite(prev(h${first})) = h${second} → vertex ${mesh.toVertex(second)}`,
+    );
+    expect(await explorer.page.textContent('.code')).toBe("mesh.vertexVertices(1224, 'ccw')");
+  });
+
+  test('steps back, and scrubs to any place', async () => {
+    await explorer.goTo('v0');
+    await explorer.goTo('v1224');
+    const expected = names('v', mesh.vertexVertices(1224));
+    await explorer.press('.', '.', '.', ',');
+    expect(await explorer.visited()).toEqual(expected.slice(0, 2));
+    await explorer.page.fill('.scrub input', '5');
+    expect(await explorer.visited()).toEqual(expected.slice(0, 5));
+    await explorer.page.click('ol.visited li:nth-child(1) button');
+    expect(await explorer.visited()).toEqual(expected.slice(0, 1));
+    await explorer.page.click('[aria-label="Back to the start"]');
+    expect(await explorer.visited()).toEqual([]);
+  });
+
+  test('plays to the end of the lap, marks the trail, and plays again', async () => {
+    await explorer.goTo('v0');
+    await explorer.goTo('v1224');
+    await explorer.press('z');
+    await explorer.page.selectOption('.speed', { label: '8 a second' });
+    await explorer.page.click('.play');
+    await explorer.until('player', 'playing');
+    expect(await explorer.page.getAttribute('.play', 'aria-label')).toBe('Pause');
+    await explorer.until('player', 'done');
+    expect(await explorer.visited()).toEqual(names('v', mesh.vertexVertices(1224)));
+    const count = Number(await explorer.state('count'));
+    expect(await explorer.page.textContent('.tag.current')).toBe(String(count));
+    const ordinals = await explorer.page.$$eval('.tag.ordinal:not(.away)', (all) =>
+      all.map((tag) => tag.textContent),
+    );
+    expect(ordinals).toEqual(Array.from({ length: count - 1 }, (_, i) => String(count - 1 - i)));
+    await explorer.screenshot('one-ring-1280-light');
+    await explorer.press('Space');
+    await explorer.until('player', 'playing');
+    await explorer.until('player', 'done');
+  });
+
+  test('pauses where it is, and goes on from there', async () => {
+    await explorer.goTo('v0');
+    await explorer.goTo('v1224');
+    await explorer.page.selectOption('.speed', { label: '1 a second' });
+    await explorer.press('Space');
+    await explorer.until('position', '1');
+    await explorer.press('Space');
+    await explorer.until('player', 'paused');
+    const position = await explorer.state('position');
+    await explorer.page.waitForTimeout(1300);
+    expect(await explorer.state('position')).toBe(position);
+    await explorer.page.selectOption('.speed', { label: '8 a second' });
+    await explorer.page.click('.play');
+    await explorer.until('player', 'done');
+    expect(await explorer.visited()).toEqual(names('v', mesh.vertexVertices(1224)));
+  });
+
+  test('offers every circulator of the selected item', async () => {
+    const kinds = () =>
+      explorer.page.$$eval('[name=circulator]', (inputs) =>
+        inputs.map((input) => (input as HTMLInputElement).value),
+      );
+    await explorer.goTo('v7');
+    expect(await kinds()).toEqual([
+      'vertexVertices',
+      'vertexOutgoingHalfedges',
+      'vertexIncomingHalfedges',
+      'vertexEdges',
+      'vertexFaces',
+    ]);
+    await explorer.goTo('f7');
+    expect(await kinds()).toEqual(['faceVertices', 'faceHalfedges', 'faceEdges', 'faceFaces']);
+    await explorer.goTo('e7');
+    expect(await kinds()).toEqual(['edgeVertices', 'edgeHalfedges', 'edgeFaces']);
+    expect(await explorer.page.isVisible('[name=direction]')).toBe(false);
+    await explorer.page.check('[value=edgeFaces]');
+    await explorer.press('End');
+    expect(await explorer.visited()).toEqual(names('f', mesh.edgeFaces(7)));
+  });
+
+  test('goes around the vertex and the face of a halfedge, from there', async () => {
+    await explorer.goTo('h500');
+    await explorer.press('End');
+    expect(await explorer.visited()).toEqual(names('h', mesh.halfedgeLoop(500)));
+    await explorer.page.check('[name=around][value="1"]');
+    await explorer.page.check('[value=vertexFaces]');
+    await explorer.press('c', 'End');
+    const v = mesh.fromVertex(500);
+    expect(await explorer.page.textContent('.code')).toBe(`mesh.vertexFaces(${v}, 'cw', 500)`);
+    expect(await explorer.visited()).toEqual(names('f', mesh.vertexFaces(v, 'cw', 500)));
+    await explorer.page.check('[name=around][value="2"]');
+    await explorer.page.check('[value=faceFaces]');
+    await explorer.press('End');
+    const f = mesh.face(500);
+    expect(await explorer.visited()).toEqual(names('f', mesh.faceFaces(f, 'cw', 500)));
+    await explorer.press('c', 'z');
+    await explorer.screenshot('face-faces-1280-light');
+  });
+});
+
+test('The circulator player visits a boundary vertex as an open path, in the dark', async () => {
+  const dark = await ExplorerPage.open({ dark: true });
+  await dark.sample('grid', 'Open grid');
+  await dark.goTo('v3');
+  await dark.press('z', 'End');
+  // 7 vertices to a row: the path runs from one boundary neighbour of v3 to the other.
+  expect(await dark.visited()).toEqual(['v4', 'v10', 'v2']);
+  expect(await dark.page.textContent('.facts')).toContain('boundary');
+  await dark.screenshot('boundary-vertex-1280-dark');
+  expect(dark.complaints).toEqual([]);
+  await dark.close();
+});

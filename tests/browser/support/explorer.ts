@@ -1,0 +1,171 @@
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { HalfedgeMesh } from 'halfedge';
+import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+
+const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
+  address: string;
+  browser: string;
+  screenshots: string;
+};
+
+let connection: Promise<Browser> | undefined;
+
+export interface Settings {
+  readonly width?: number;
+  readonly height?: number;
+  readonly dark?: boolean;
+  /** A telephone: touch, and two device pixels to the CSS pixel. */
+  readonly phone?: boolean;
+  readonly motion?: boolean;
+}
+
+export type Point = readonly [x: number, y: number];
+
+/** The explorer in a tab of its own, as a user sees it; read through its documented attributes. */
+export class ExplorerPage {
+  readonly page: Page;
+  /** Errors and warnings in the console, uncaught errors and failed requests. */
+  readonly complaints: string[] = [];
+  readonly #context: BrowserContext;
+
+  private constructor(context: BrowserContext, page: Page) {
+    this.#context = context;
+    this.page = page;
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) this.complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => this.complaints.push(error.message));
+    page.on('requestfailed', (it) => {
+      this.complaints.push(`${it.url()}: ${it.failure()?.errorText}`);
+    });
+  }
+
+  /** Opens the page and waits until the first mesh is drawn. */
+  static async open(settings: Settings = {}): Promise<ExplorerPage> {
+    connection ??= chromium.connect(shared.browser);
+    const { width = 1280, height = 800, dark = false, phone = false, motion = false } = settings;
+    const context = await (await connection).newContext({
+      viewport: { width, height },
+      colorScheme: dark ? 'dark' : 'light',
+      reducedMotion: motion ? 'no-preference' : 'reduce',
+      ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
+    });
+    const explorer = new ExplorerPage(context, await context.newPage());
+    await explorer.page.goto(shared.address);
+    await explorer.ready('Bunny');
+    return explorer;
+  }
+
+  close(): Promise<void> {
+    return this.#context.close();
+  }
+
+  /** Waits until this mesh is on show, drawn and at rest. */
+  async ready(mesh: string): Promise<void> {
+    await this.page.waitForSelector(`html[data-state=ready] main.stage[data-mesh="${mesh}"]`);
+  }
+
+  /** Opens a sample by the menu. */
+  async sample(id: string, name: string): Promise<void> {
+    await this.page.click('.mesh-button');
+    await this.page.click(`[data-sample=${id}]`);
+    await this.ready(name);
+  }
+
+  /** An attribute of the stage, without `data-`. */
+  async state(name: string): Promise<string | null> {
+    return this.page.getAttribute('main.stage', `data-${name}`);
+  }
+
+  /** Waits until an attribute of the stage has this value; null: until it is gone. */
+  async until(name: string, value: string | null): Promise<void> {
+    const selector =
+      value === null ? `main.stage:not([data-${name}])` : `main.stage[data-${name}="${value}"]`;
+    await this.page.waitForSelector(selector, { timeout: 15_000 });
+  }
+
+  /** Selects an item by its name, in the field of the inspector. */
+  async goTo(item: string): Promise<void> {
+    await this.page.fill('.goto input', item);
+    await this.page.press('.goto input', 'Enter');
+    await this.page.focus('main.stage canvas');
+  }
+
+  async press(...keys: string[]): Promise<void> {
+    for (const key of keys) await this.page.keyboard.press(key);
+  }
+
+  /** The items that the player lists as visited. */
+  async visited(): Promise<string[]> {
+    return this.page.$$eval('ol.visited [data-item]', (buttons) =>
+      buttons.map((button) => (button as HTMLElement).dataset.item ?? ''),
+    );
+  }
+
+  /** Waits until the picture is drawn and nothing moves. */
+  async rest(): Promise<void> {
+    await this.page.waitForSelector('html[data-state=ready]');
+  }
+
+  /** Waits for the camera to rest, and returns where positions of the mesh appear in the window. */
+  async projection(): Promise<(position: ArrayLike<number>) => Point> {
+    await this.rest();
+    const m = ((await this.state('camera')) ?? '').split(' ').map(Number);
+    const { width, height } = this.page.viewportSize() ?? { width: 0, height: 0 };
+    return ({ 0: x, 1: y, 2: z }) => {
+      const row = (k: number) => m[k] * x + m[4 + k] * y + m[8 + k] * z + m[12 + k];
+      return [((row(0) / row(3) + 1) * width) / 2, ((1 - row(1) / row(3)) * height) / 2];
+    };
+  }
+
+  /** Keeps a picture of the page among the artefacts. */
+  async screenshot(name: string): Promise<void> {
+    mkdirSync(shared.screenshots, { recursive: true });
+    await this.page.evaluate(() => document.fonts.ready);
+    await this.rest();
+    await this.page.screenshot({ path: join(shared.screenshots, `${name}.png`) });
+  }
+
+  /** How many different colours the page shows in a part of the window. */
+  async colours(x: number, y: number, width: number, height: number): Promise<number> {
+    const picture = await this.page.screenshot({ clip: { x, y, width, height } });
+    return this.page.evaluate(
+      async (data) => {
+        const bitmap = await createImageBitmap(await (await fetch(data)).blob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        if (!context) return 0;
+        context.drawImage(bitmap, 0, 0);
+        const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+        return new Set(new Uint32Array(pixels.buffer)).size;
+      },
+      `data:image/png;base64,${picture.toString('base64')}`,
+    );
+  }
+
+  /** Drops a file on the page, as from the desktop. */
+  async drop(name: string, content: string): Promise<void> {
+    const transfer = await this.page.evaluateHandle(
+      ([file, text]) => {
+        const data = new DataTransfer();
+        data.items.add(new File([text], file));
+        return data;
+      },
+      [name, content] as const,
+    );
+    await this.page.dispatchEvent('main.stage', 'dragenter', { dataTransfer: transfer });
+    await this.page.dispatchEvent('main.stage', 'drop', { dataTransfer: transfer });
+  }
+}
+
+/** To be called after all tests of a file. */
+export async function disconnect(): Promise<void> {
+  await (await connection)?.close();
+  connection = undefined;
+}
+
+/** The mesh of a sample file, as the package reads it here. */
+export function sampleMesh(name: string): HalfedgeMesh {
+  const path = join(process.cwd(), 'web/explorer/samples', name);
+  return HalfedgeMesh.parse(readFileSync(path, 'utf8'), { format: 'off' }).mesh;
+}

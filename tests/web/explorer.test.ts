@@ -1,0 +1,264 @@
+import { HalfedgeMesh, init, NONE } from 'halfedge';
+import {
+  circulators,
+  type Query,
+  queriesFor,
+  queryCode,
+} from '../../web/explorer/app/circulators.js';
+import {
+  factsOf,
+  type Item,
+  itemCount,
+  itemName,
+  linksOf,
+  parseItemName,
+} from '../../web/explorer/app/items.js';
+import { CirculatorPlayer } from '../../web/explorer/app/player.js';
+import * as generate from '../../web/explorer/samples/generators.js';
+
+beforeAll(() => init());
+
+function meshOf({ positions, faces }: generate.Polygons): HalfedgeMesh {
+  return HalfedgeMesh.fromPolygons(positions, faces);
+}
+
+/** 4 × 4 vertices, row by row, and 9 quads. */
+const grid = () => meshOf(generate.openGrid(3));
+
+const query = (name: string, index: number, direction: 'ccw' | 'cw', start?: number): Query => {
+  const circulator = circulators.find((candidate) => candidate.name === name);
+  if (!circulator) throw new Error(`There is no circulator ${name}.`);
+  return { circulator, index, direction, ...(start === undefined ? {} : { start }) };
+};
+
+/** What the package itself lists for a query. */
+function range(mesh: HalfedgeMesh, { circulator, index, direction, start }: Query): number[] {
+  const method = mesh[circulator.name] as (i: number, d: string, s?: number) => Iterable<number>;
+  return [...method.call(mesh, index, direction, start)];
+}
+
+describe('generated samples', () => {
+  test.each([
+    ['icosahedron', generate.icosahedron(), 2, 0],
+    ['icosphere', generate.icosphere(2), 2, 0],
+    ['cube', generate.cube(), 2, 0],
+    ['torus', generate.torus(28, 14), 0, 0],
+    ['truncated icosahedron', generate.truncatedIcosahedron(), 2, 0],
+    ['star prism', generate.starPrism(), 2, 0],
+    ['open grid', generate.openGrid(6), 1, 1],
+    ['annulus', generate.annulus(14), 0, 2],
+  ])('%s is valid, with the topology that it is shown for', (_name, polygons, chi, loops) => {
+    const mesh = meshOf(polygons);
+    expect(mesh.validate()).toEqual([]);
+    expect(mesh.eulerCharacteristic()).toBe(chi);
+    expect([...mesh.boundaryLoops()]).toHaveLength(loops);
+    expect(mesh.components()).toHaveLength(1);
+  });
+
+  test('closed ones have their normals outside', () => {
+    for (const make of [
+      generate.icosahedron,
+      generate.cube,
+      () => generate.torus(12, 8),
+      generate.truncatedIcosahedron,
+      generate.starPrism,
+    ]) {
+      const { positions, faces } = make();
+      const corner = (v: number) => positions.slice(3 * v, 3 * v + 3);
+      let volume = 0;
+      for (const [first, ...rest] of faces) {
+        for (let i = 1; i < rest.length; i++) {
+          const [[a, b, c], [d, e, f], [g, h, k]] = [first, rest[i - 1], rest[i]].map(corner);
+          volume += a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g);
+        }
+      }
+      expect(volume).toBeGreaterThan(0);
+    }
+  });
+
+  test('the pinched vertex has three fans in one cycle', () => {
+    const mesh = meshOf(generate.pinchedVertex());
+    expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+    expect(mesh.isManifoldVertex(0)).toBe(false);
+    expect(mesh.valence(0)).toBe(15);
+  });
+});
+
+describe('names of items', () => {
+  test('are read in every form that a user may write', () => {
+    expect(parseItemName('v12')).toEqual({ kind: 'vertex', index: 12 });
+    expect(parseItemName(' Halfedge 3 ')).toEqual({ kind: 'halfedge', index: 3 });
+    expect(parseItemName('E0')).toEqual({ kind: 'edge', index: 0 });
+    expect(parseItemName('face7')).toEqual({ kind: 'face', index: 7 });
+    for (const text of ['', '12', 'v', 'v-1', 'v1.5', 'x3', 'v12 h3']) {
+      expect(parseItemName(text)).toBeNull();
+    }
+  });
+
+  test('show an empty link as ∅, never as -1', () => {
+    const mesh = grid();
+    for (const h of mesh.halfedges()) {
+      for (const { name, target } of linksOf(mesh, { kind: 'halfedge', index: h })) {
+        expect(itemName(target)).toMatch(name === 'face' ? /^(f\d+|∅)$/ : /^[vhe]\d+$/);
+      }
+    }
+    const boundary = [...mesh.halfedges()].find((h) => mesh.face(h) === NONE) as number;
+    const links = linksOf(mesh, { kind: 'halfedge', index: boundary });
+    expect(links.find(({ name }) => name === 'face')?.target).toBeNull();
+  });
+});
+
+describe('links of an item', () => {
+  test('carry the numbers (1) to (7) of the figure and lead where the mesh says', () => {
+    const mesh = grid();
+    expect(linksOf(mesh, { kind: 'vertex', index: 5 })).toMatchObject([
+      { number: 1, target: { kind: 'halfedge', index: mesh.vertexHalfedge(5) } },
+    ]);
+    expect(linksOf(mesh, { kind: 'face', index: 4 })).toMatchObject([
+      { number: 2, target: { kind: 'halfedge', index: mesh.faceHalfedge(4) } },
+    ]);
+    const h = mesh.faceHalfedge(4);
+    expect(linksOf(mesh, { kind: 'halfedge', index: h })).toMatchObject([
+      { number: 3, target: { kind: 'vertex', index: mesh.toVertex(h) } },
+      { number: 4, target: { kind: 'face', index: 4 } },
+      { number: 5, target: { kind: 'halfedge', index: mesh.next(h) } },
+      { number: 6, target: { kind: 'halfedge', index: mesh.opposite(h) } },
+      { number: 7, target: { kind: 'halfedge', index: mesh.prev(h) } },
+      { name: 'fromVertex', target: { kind: 'vertex', index: mesh.fromVertex(h) } },
+      { name: 'edge', target: { kind: 'edge', index: mesh.edge(h) } },
+    ]);
+    expect(linksOf(mesh, { kind: 'edge', index: 3 })).toMatchObject([
+      { target: { kind: 'halfedge', index: 6 } },
+      { target: { kind: 'halfedge', index: 7 } },
+    ]);
+  });
+
+  test('have one key each', () => {
+    const mesh = grid();
+    for (const kind of ['vertex', 'halfedge', 'edge', 'face'] as const) {
+      const keys = linksOf(mesh, { kind, index: 0 }).map(({ key }) => key);
+      expect(new Set(keys).size).toBe(keys.length);
+    }
+  });
+
+  test('facts tell boundary, valence and degree', () => {
+    const mesh = grid();
+    expect(factsOf(mesh, { kind: 'vertex', index: 5 })).toEqual(['interior', 'valence 4']);
+    expect(factsOf(mesh, { kind: 'vertex', index: 0 })).toEqual(['boundary', 'valence 2']);
+    expect(factsOf(mesh, { kind: 'face', index: 4 })).toEqual(['interior', 'degree 4']);
+    expect(factsOf(mesh, { kind: 'face', index: 0 })).toEqual(['at the boundary', 'degree 4']);
+    const alone = HalfedgeMesh.fromPolygons([0, 0, 0], []);
+    expect(factsOf(alone, { kind: 'vertex', index: 0 })).toEqual(['isolated', 'valence 0']);
+    expect(linksOf(alone, { kind: 'vertex', index: 0 })[0].target).toBeNull();
+  });
+});
+
+/** Everything that can be asked of any item of a mesh, in both directions. */
+function* allQueries(mesh: HalfedgeMesh): Iterable<Query> {
+  for (const kind of ['vertex', 'halfedge', 'edge', 'face'] as const) {
+    for (let index = 0; index < itemCount(mesh, kind); index++) {
+      for (const group of queriesFor(mesh, { kind, index })) {
+        for (const { name } of group.circulators) {
+          yield query(name, group.index, 'ccw', group.start);
+          yield query(name, group.index, 'cw', group.start);
+        }
+      }
+    }
+  }
+}
+
+/** What a player has visited after every step of a lap forward, and of the lap back. */
+function played(mesh: HalfedgeMesh, asked: Query): { count: number; states: number[][] } {
+  const player = new CirculatorPlayer(mesh, asked);
+  const states: number[][] = [];
+  const note = () => states.push(player.visits.map(({ item }: { item: Item }) => item.index));
+  while (player.forward()) note();
+  while (player.back()) note();
+  player.seek(player.count - 1);
+  note();
+  return { count: player.count, states };
+}
+
+describe('the circulator player', () => {
+  test.each([
+    ['an open grid', () => generate.openGrid(3)],
+    ['a pinched vertex', generate.pinchedVertex],
+    ['pentagons and hexagons', generate.truncatedIcosahedron],
+    ['an annulus', () => generate.annulus(5)],
+  ])('visits what the package lists, forward and back, on %s', (_name, make) => {
+    const mesh = meshOf(make());
+    let asked = 0;
+    for (const one of allQueries(mesh)) {
+      const lap = range(mesh, one);
+      const first = (length: number) => lap.slice(0, length);
+      const forward = lap.map((_, i) => first(i + 1));
+      const back = lap.map((_, i) => first(lap.length - 1 - i));
+      const states = [...forward, ...back, first(Math.max(0, lap.length - 1))];
+      const code = queryCode(one);
+      expect({ code, ...played(mesh, one) }).toEqual({ code, count: lap.length, states });
+      asked += 1;
+    }
+    expect(asked).toBeGreaterThan(100);
+  });
+
+  /** The sentences of a whole lap. */
+  function told(mesh: HalfedgeMesh, asked: Query): string[] {
+    const player = new CirculatorPlayer(mesh, asked);
+    const words: string[] = [];
+    while (player.forward()) words.push(player.words);
+    return words;
+  }
+
+  test('says in words where it starts and what each hop did', () => {
+    const mesh = grid();
+    const between = (a: number, b: number) => mesh.findHalfedge(a, b);
+    const anchor = mesh.vertexHalfedge(5);
+    expect(told(mesh, query('vertexVertices', 5, 'cw'))).toEqual([
+      `vertexHalfedge(5) = h${between(5, 6)} → vertex 6`,
+      `next(opposite(h${between(5, 6)})) = h${between(5, 1)} → vertex 1`,
+      `next(opposite(h${between(5, 1)})) = h${between(5, 4)} → vertex 4`,
+      `next(opposite(h${between(5, 4)})) = h${between(5, 9)} → vertex 9`,
+    ]);
+    expect(told(mesh, query('vertexVertices', 5, 'ccw')).slice(0, 2)).toEqual([
+      `from vertexHalfedge h${anchor}: opposite(prev(h${anchor})) = h${between(5, 9)} → vertex 9`,
+      `opposite(prev(h${between(5, 9)})) = h${between(5, 4)} → vertex 4`,
+    ]);
+    expect(told(mesh, query('faceEdges', 4, 'ccw'))[0]).toBe(
+      `faceHalfedge(4) = h${mesh.faceHalfedge(4)} → edge ${mesh.faceHalfedge(4) >> 1}`,
+    );
+    expect(told(mesh, query('halfedgeLoop', 7, 'cw'))[0]).toBe('starts at h7 itself');
+    expect(told(mesh, query('edgeVertices', 3, 'ccw'))[1]).toBe(
+      `opposite(h6) = h7 → vertex ${mesh.toVertex(7)}`,
+    );
+  });
+
+  test('tells of the halfedges without a face that it skips', () => {
+    const mesh = grid();
+    const [outside, inside, last] = [0, 5, 2].map((w) => mesh.findHalfedge(1, w));
+    expect(told(mesh, query('vertexFaces', 1, 'cw'))).toEqual([
+      `from vertexHalfedge h${outside}: next(opposite(h${outside})) = h${inside} → face 0`,
+      `next(opposite(h${inside})) = h${last} → face 1`,
+    ]);
+    const started = told(mesh, query('vertexFaces', 1, 'ccw', outside));
+    expect(started[0]).toBe(
+      `from the chosen h${outside}: opposite(prev(h${outside})) = h${last} → face 1`,
+    );
+    expect(told(mesh, query('vertexFaces', 1, 'ccw', inside))[1]).toBe(
+      `opposite(prev(h${inside})) = h${outside}, no face there: skipped; opposite(prev(h${outside})) = h${last} → face 1`,
+    );
+  });
+
+  test('has nothing to visit around an isolated vertex', () => {
+    const alone = HalfedgeMesh.fromPolygons([0, 0, 0], []);
+    const player = new CirculatorPlayer(alone, query('vertexVertices', 0, 'ccw'));
+    expect(player.count).toBe(0);
+    expect(player.forward()).toBe(false);
+    expect(player.words).toBe('');
+  });
+
+  test('shows the query as the code that asks it', () => {
+    expect(queryCode(query('vertexVertices', 12, 'ccw'))).toBe("mesh.vertexVertices(12, 'ccw')");
+    expect(queryCode(query('faceEdges', 3, 'cw', 8))).toBe("mesh.faceEdges(3, 'cw', 8)");
+    expect(queryCode(query('edgeFaces', 3, 'cw'))).toBe('mesh.edgeFaces(3)');
+  });
+});
