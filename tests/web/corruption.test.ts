@@ -7,24 +7,32 @@ beforeAll(() => init());
 
 const SECONDS = 1000;
 
+/** The names of all that a mesh has. */
+function membersOf(mesh: HalfedgeMesh): string[] {
+  const names: string[] = [];
+  for (let at = Object.getPrototypeOf(mesh); at !== Object.prototype; ) {
+    names.push(...Object.getOwnPropertyNames(at));
+    at = Object.getPrototypeOf(at);
+  }
+  return names;
+}
+
 /** Every question there is; each either answers or throws one of the library's errors. */
 function askEverything(mesh: HalfedgeMesh): void {
   const questions: ((i: number) => unknown)[] = [];
-  for (let at = Object.getPrototypeOf(mesh); at !== Object.prototype; ) {
-    for (const name of Object.getOwnPropertyNames(at)) {
-      if (['constructor', 'dispose', 'circulate'].includes(name)) continue;
-      questions.push((i) => {
-        const member = Reflect.get(at, name, mesh);
-        if (typeof member !== 'function') return member;
-        const takesItem =
-          /^(is|next|prev|opp|edge|face|to[VE]|from|rot|vertex|halfedgeL|val|deg|find)/;
-        const isWhole = /^(vertices|faces|edges|halfedges|validate)$/.test(name);
-        const result =
-          takesItem.test(name) && !isWhole ? member.call(mesh, i, i) : member.call(mesh);
-        return typeof result === 'object' && Symbol.iterator in result ? [...result] : result;
-      });
-    }
-    at = Object.getPrototypeOf(at);
+  for (const name of membersOf(mesh)) {
+    if (['constructor', 'clone', 'dispose', 'circulate'].includes(name)) continue;
+    questions.push((i) => {
+      const member = Reflect.get(mesh, name);
+      if (typeof member !== 'function') return member;
+      const takesItem =
+        /^(is|next|prev|opp|edge|face|to[VE]|from|rot|vertex|halfedgeL|val|deg|find)/;
+      const isWhole = /^(vertices|faces|edges|halfedges|validate)$/.test(name);
+      const items =
+        isWhole || !takesItem.test(name) ? [] : name.startsWith('find') ? [i, i + 1] : [i];
+      const result = member.call(mesh, ...items);
+      return typeof result === 'object' && Symbol.iterator in result ? [...result] : result;
+    });
   }
   for (const kind of [
     'vertexVertices',

@@ -67,7 +67,10 @@ describe('A mesh too large for memory', () => {
             }).dispose(),
           () => HalfedgeMesh.parse(text).mesh.dispose(),
           () => HalfedgeMesh.parse(`${text}f 1 1 1\n`).mesh.dispose(),
-          () => whole.clone().dispose(),
+          () => {
+            using copy = whole.clone();
+            expect(copy.edgeCount).toBe(whole.edgeCount);
+          },
           () => whole.allVertexVertices(),
           () => whole.components(),
           () => whole.boundaryLoops(),
