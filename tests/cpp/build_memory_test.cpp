@@ -2,33 +2,15 @@
 #include <halfedge/build/build.h>
 
 #include <cstddef>
-#include <cstdio>
-#include <fstream>
-#include <string>
+#include <cstdlib>
 
+#include "support/limited_memory.h"
 #include "support/shapes.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-#include <sys/resource.h>
-#include <unistd.h>
-#define HALFEDGE_CAN_LIMIT_MEMORY 1
-#endif
 
 namespace halfedge::test {
 namespace {
 
 #if defined(HALFEDGE_CAN_LIMIT_MEMORY)
-
-std::size_t address_space_in_use() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * std::size_t(sysconf(_SC_PAGESIZE));
-}
 
 // Builds with ever more memory until there is enough. Exits with 0 if each build before that ended
 // in an error with a sentence, and there were many of them.
@@ -36,8 +18,7 @@ std::size_t address_space_in_use() {
   constexpr std::size_t kStep = std::size_t{1} << 20U;
   const std::size_t in_use = address_space_in_use();
   for (int failures = 0;; ++failures) {
-    const rlimit limit{in_use + kStep * std::size_t(failures), RLIM_INFINITY};
-    if (setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+    if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
     Mesh mesh;
     BuildReport report;
     if (build_from_polygons(mesh, shape.polygons(), report)) std::_Exit(failures > 20 ? 0 : 3);
