@@ -1,3 +1,4 @@
+import { runInNewContext } from 'node:vm';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { quadGrid, randomPolygons, tetrahedron } from './support/meshes.js';
 import { random, shuffle } from './support/random.js';
@@ -92,6 +93,20 @@ describe('A mesh from triangles', () => {
     }
     for (const mesh of meshes) mesh.dispose();
   });
+});
+
+test('Arrays of another realm, such as a frame, are as good as any', () => {
+  const foreign = (code: string) => runInNewContext(code);
+  using mesh = HalfedgeMesh.fromTriangles(
+    foreign('Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0)'),
+    foreign('Uint32Array.of(0, 1, 2)'),
+  );
+  expect(mesh.faceCount).toBe(1);
+  const { mesh: read } = HalfedgeMesh.parse(
+    foreign(`Uint8Array.from('OFF 0 0 0', (c) => c.charCodeAt(0)).buffer`),
+  );
+  expect(read.vertexCount).toBe(0);
+  read.dispose();
 });
 
 describe('A mesh from polygons', () => {

@@ -55,8 +55,11 @@ export class Links {
   version = 0;
   disposed = false;
 
-  #core: Core;
-  #address: number;
+  /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
+  onRefresh: (() => void) | undefined;
+
+  readonly #core: Core;
+  readonly #address: number;
 
   /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
   constructor(core: Core, address: number) {
@@ -96,6 +99,7 @@ export class Links {
     this.edgeCount = words[at + 11];
     this.faceCount = words[at + 12];
     this.version = words[at + 13] + 2 ** 32 * words[at + 14];
+    this.onRefresh?.();
   }
 
   /** Whether growth of the memory has detached the views; never true of an empty mesh. */
@@ -123,6 +127,7 @@ export class Links {
     this.vertexCount = this.edgeCount = this.faceCount = 0;
     this.version += 1;
     this.disposed = true;
+    this.onRefresh?.();
   }
 
   /** The address of the mesh for calls into the core. Throws if disposed. */

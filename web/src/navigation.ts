@@ -46,6 +46,14 @@ export abstract class Navigation {
   readonly #links: Links;
   #views: ConnectivityViews | undefined;
 
+  // The views of #links once more: one indirection less takes a tenth off each accessor.
+  #next: Int32Array;
+  #prev: Int32Array;
+  #toVertex: Int32Array;
+  #face: Int32Array;
+  #vertexHalfedge: Int32Array;
+  #faceHalfedge: Int32Array;
+
   static {
     linksOf = (mesh) => mesh.#links;
   }
@@ -53,6 +61,20 @@ export abstract class Navigation {
   /** @internal */
   constructor(links: Links) {
     this.#links = links;
+    this.#next = links.next;
+    this.#prev = links.prev;
+    this.#toVertex = links.toVertex;
+    this.#face = links.face;
+    this.#vertexHalfedge = links.vertexHalfedge;
+    this.#faceHalfedge = links.faceHalfedge;
+    links.onRefresh = () => {
+      this.#next = links.next;
+      this.#prev = links.prev;
+      this.#toVertex = links.toVertex;
+      this.#face = links.face;
+      this.#vertexHalfedge = links.vertexHalfedge;
+      this.#faceHalfedge = links.faceHalfedge;
+    };
   }
 
   /** Live vertices. */
@@ -138,67 +160,67 @@ export abstract class Navigation {
 
   /** The halfedge after `h` in its face loop or boundary loop. */
   next(h: HalfedgeLike): Halfedge {
-    const r = typeof h === 'number' ? this.#links.next[h] : -1;
+    const r = typeof h === 'number' ? this.#next[h] : -1;
     return (r >= 0 ? r : this.#readNext(h)) as Halfedge;
   }
 
   /** The halfedge before `h` in its face loop or boundary loop. */
   prev(h: HalfedgeLike): Halfedge {
-    const r = typeof h === 'number' ? this.#links.prev[h] : -1;
+    const r = typeof h === 'number' ? this.#prev[h] : -1;
     return (r >= 0 ? r : this.#readPrev(h)) as Halfedge;
   }
 
   /** The other halfedge of the same edge: `h ^ 1`. */
   opposite(h: HalfedgeLike): Halfedge {
-    if (!(typeof h === 'number' && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    if (!(typeof h === 'number' && this.#next[h] >= 0)) this.#links.checkHalfedge(h);
     return (h ^ 1) as Halfedge;
   }
 
   /** The edge of `h`: `h >> 1`. */
   edge(h: HalfedgeLike): Edge {
-    if (!(typeof h === 'number' && this.#links.next[h] >= 0)) this.#links.checkHalfedge(h);
+    if (!(typeof h === 'number' && this.#next[h] >= 0)) this.#links.checkHalfedge(h);
     return (h >> 1) as Edge;
   }
 
   /** The face on the left of `h`, or `NONE` for a boundary halfedge. */
   face(h: HalfedgeLike): Face {
-    const r = typeof h === 'number' ? this.#links.face[h] : -2;
+    const r = typeof h === 'number' ? this.#face[h] : -2;
     return (r >= -1 ? r : this.#readFace(h)) as Face;
   }
 
   /** The vertex that `h` points to. */
   toVertex(h: HalfedgeLike): Vertex {
-    const r = typeof h === 'number' ? this.#links.toVertex[h] : -1;
+    const r = typeof h === 'number' ? this.#toVertex[h] : -1;
     return (r >= 0 ? r : this.#readToVertex(h)) as Vertex;
   }
 
   /** The vertex that `h` leaves. */
   fromVertex(h: HalfedgeLike): Vertex {
-    const r = isInteger(h) ? this.#links.toVertex[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#toVertex[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readToVertex(h, 1)) as Vertex;
   }
 
   /** The next halfedge that leaves the same vertex, counter-clockwise: `opposite(prev(h))`. */
   rotateCcw(h: HalfedgeLike): Halfedge {
-    const r = typeof h === 'number' ? this.#links.prev[h] : -1;
+    const r = typeof h === 'number' ? this.#prev[h] : -1;
     return ((r >= 0 ? r : this.#readPrev(h)) ^ 1) as Halfedge;
   }
 
   /** The next halfedge that leaves the same vertex, clockwise: `next(opposite(h))`. */
   rotateCw(h: HalfedgeLike): Halfedge {
-    const r = isInteger(h) ? this.#links.next[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#next[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readNext(h, 1)) as Halfedge;
   }
 
   /** The next halfedge that arrives at the same vertex, clockwise: `opposite(next(h))`. */
   nextOnVertex(h: HalfedgeLike): Halfedge {
-    const r = typeof h === 'number' ? this.#links.next[h] : -1;
+    const r = typeof h === 'number' ? this.#next[h] : -1;
     return ((r >= 0 ? r : this.#readNext(h)) ^ 1) as Halfedge;
   }
 
   /** The next halfedge that arrives at the same vertex, counter-clockwise: `prev(opposite(h))`. */
   prevOnVertex(h: HalfedgeLike): Halfedge {
-    const r = isInteger(h) ? this.#links.prev[h ^ 1] : -1;
+    const r = isInteger(h) ? this.#prev[h ^ 1] : -1;
     return (r >= 0 ? r : this.#readPrev(h, 1)) as Halfedge;
   }
 
@@ -207,13 +229,13 @@ export abstract class Navigation {
    * `NONE` for an isolated vertex.
    */
   vertexHalfedge(v: VertexLike): Halfedge {
-    const r = typeof v === 'number' ? this.#links.vertexHalfedge[v] : -2;
+    const r = typeof v === 'number' ? this.#vertexHalfedge[v] : -2;
     return (r >= -1 ? r : this.#readVertexHalfedge(v)) as Halfedge;
   }
 
   /** One halfedge of `f`: the one that leads to the first vertex of the input face. */
   faceHalfedge(f: FaceLike): Halfedge {
-    const r = typeof f === 'number' ? this.#links.faceHalfedge[f] : -1;
+    const r = typeof f === 'number' ? this.#faceHalfedge[f] : -1;
     return (r >= 0 ? r : this.#readFaceHalfedge(f)) as Halfedge;
   }
 
@@ -222,7 +244,7 @@ export abstract class Navigation {
     if (side !== 0 && side !== 1) {
       throw new RangeError(`side is ${describe(side)}; expected 0 or 1.`);
     }
-    if (!(isInteger(e) && this.#links.next[2 * e] >= 0)) this.#links.checkEdge(e);
+    if (!(isInteger(e) && this.#next[2 * e] >= 0)) this.#links.checkEdge(e);
     return (2 * e + side) as Halfedge;
   }
 
