@@ -3,6 +3,7 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { build as bundle } from 'esbuild';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 
 const address = new URL('../../dist/core.wasm', import.meta.url);
@@ -184,6 +185,24 @@ describe('init', () => {
     expect(error.code).toBe('init-failed');
     expect(error.message).toContain('wasm is "http://"; expected an address');
   });
+});
+
+test('init says what to do in a script that has no address', async () => {
+  const { outputFiles } = await bundle({
+    entryPoints: [fileURLToPath(new URL('../../dist/index.js', import.meta.url))],
+    bundle: true,
+    format: 'esm',
+    write: false,
+  });
+  const script = Buffer.from(outputFiles[0].contents).toString('base64');
+  const api = (await import(`data:text/javascript;base64,${script}`)) as Halfedges;
+  const error = await rejection(api.init());
+  expect(error.code).toBe('init-failed');
+  expect(error.message).toContain(
+    "call init({ wasm }) with an address, or import from 'halfedge/inline'",
+  );
+  await api.init({ wasm: bytes });
+  expectWorking(api);
 });
 
 describe('init, from a server,', () => {

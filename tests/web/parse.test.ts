@@ -39,7 +39,7 @@ describe('parse', () => {
     expect(report).toEqual({
       format: 'off',
       problems: [],
-      summary: 'OFF: 3 vertices, 3 edges, 1 faces.',
+      summary: 'OFF: 3 vertices, 3 edges, 1 face.',
     });
     expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
     mesh.dispose();

@@ -1,4 +1,5 @@
 import { type InitOptions, moduleFrom, wasmOption } from './compile.js';
+import { HalfedgeError } from './errors.js';
 import { load } from './loader.js';
 
 /**
@@ -16,9 +17,21 @@ export async function init(options: InitOptions = {}): Promise<void> {
 }
 
 function besideThisFile(): URL {
-  // In this form, bundlers recognise an asset.
-  const url = new URL('./core.wasm', import.meta.url);
+  const url = addressOfModule();
   // In development, Vite up to 7 serves packages from copies of their JavaScript alone.
   const copied = url.pathname.includes('/.vite/deps/');
   return copied ? new URL('../../halfedge/dist/core.wasm', url) : url;
+}
+
+function addressOfModule(): URL {
+  try {
+    return new URL('./core.wasm', import.meta.url); // in this form, bundlers recognise an asset
+  } catch (cause) {
+    throw new HalfedgeError(
+      'init-failed',
+      "This script has no address (it is a blob: or data: URL), so that core.wasm can't be looked for beside it: " +
+        "call init({ wasm }) with an address, or import from 'halfedge/inline'.",
+      { cause },
+    );
+  }
 }

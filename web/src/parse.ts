@@ -70,6 +70,14 @@ function reportOf(links: Links, format: FileFormat, notes: string[]): ParseRepor
   const problems = notes.map((message): Problem => {
     return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
   });
-  const found = `${format.toUpperCase()}: ${links.vertexCount} vertices, ${links.edgeCount} edges, ${links.faceCount} faces.`;
+  const counts = [
+    counted(links.vertexCount, 'vertex', 'vertices'),
+    counted(links.edgeCount, 'edge', 'edges'),
+    counted(links.faceCount, 'face', 'faces'),
+  ];
+  const found = `${format.toUpperCase()}: ${counts.join(', ')}.`;
   return { format, problems, summary: [found, ...notes].join(' ') };
 }
+
+const counted = (count: number, one: string, many: string) =>
+  `${count} ${count === 1 ? one : many}`;
