@@ -2,7 +2,10 @@
 
 /// The whole library. Each header can be included alone.
 
+#include <halfedge/algorithms/adjacency.h>
+#include <halfedge/algorithms/topology.h>
 #include <halfedge/build/build.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
+#include <halfedge/validate/validate.h>
