@@ -476,6 +476,34 @@ describe('The endless form', () => {
     expect(mesh.face(circulator.halfedge)).toBe(1);
   });
 
+  test('moves to another item of its kind', () => {
+    using mesh = build(triangleAndIsolatedVertex());
+    for (const direction of directions) {
+      const ring = mesh.circulate('vertexVertices', 3, { direction });
+      expect(ring.current).toBe(NONE);
+      for (const v of [0, 1, 2, 3, 0]) {
+        expect(ring.moveTo(v)).toBe(ring);
+        const fresh = mesh.circulate('vertexVertices', v, { direction });
+        for (let i = 0; i < 5; i++) {
+          expect([ring.halfedge, ring.current]).toEqual([fresh.halfedge, fresh.current]);
+          expect(ring.next()).toBe(fresh.next());
+        }
+      }
+      const start = mesh.findHalfedge(1, 2);
+      expect(ring.moveTo(1, start).halfedge).toBe(start);
+      expect(() => ring.moveTo(2, start)).toThrow(RangeError);
+      expect(() => ring.moveTo(4)).toThrow('expected a vertex from 0 to 3');
+    }
+  });
+
+  test('can move on after the connectivity has changed', () => {
+    using mesh = build(quadGrid());
+    const ring = mesh.circulate('vertexFaces', 0);
+    changeConnectivity(mesh);
+    expect(() => ring.current).toThrow('after the connectivity changed');
+    expect(ring.moveTo(0).current).toBe(0);
+  });
+
   test('begins at a start', () => {
     using mesh = build(quadGrid());
     const start = mesh.findHalfedge(5, 1);

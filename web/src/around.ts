@@ -1,17 +1,12 @@
 import { describe } from './arguments.js';
-import { type Direction, NONE } from './items.js';
+import { type Direction, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
-import {
-  ACROSS,
-  LOOP_CCW,
-  LOOP_CW,
-  OPPOSITE,
-  Orbit,
-  ROTATE_CCW,
-  ROTATE_CW,
-  step,
-} from './orbit.js';
+import * as orbit from './orbit.js';
 import { directionIndex } from './rings.js';
+
+// Constants of this module's own: see orbit.ts.
+const NONE: typeof none = none;
+const { ACROSS, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit, ROTATE_CCW, ROTATE_CW, step } = orbit;
 
 // Where the lap around an item begins, and all checks of what a caller passes. An orbit is told where
 // it *ends*, one step before its first halfedge: around a vertex that is the anchor for the default
@@ -25,11 +20,12 @@ export function aroundVertex<Item extends number>(
   direction: Direction,
   start: number | undefined,
   view: number,
-): Orbit<Item> {
+): orbit.Orbit<Item> {
   let last = typeof v === 'number' ? links.vertexHalfedge[v] : -2;
-  if (!(last >= NONE)) last = anchorOf(links, v);
   const ccw = direction === 'ccw';
-  if (!ccw || start !== undefined) last = lastAroundVertex(links, v, direction, start, view);
+  if (!(ccw && start === undefined && last >= NONE)) {
+    last = lastAroundVertex(links, v, direction, start, view);
+  }
   return new Orbit(links, last, ccw ? ROTATE_CCW : ROTATE_CW, view);
 }
 
@@ -40,11 +36,10 @@ export function aroundFace<Item extends number>(
   direction: Direction,
   start: number | undefined,
   view: number,
-): Orbit<Item> {
-  const first = typeof f === 'number' ? links.faceHalfedge[f] : -2;
+): orbit.Orbit<Item> {
+  let last = typeof f === 'number' ? links.prev[links.faceHalfedge[f]] : NONE;
   const ccw = direction === 'ccw';
-  let last = ccw ? links.prev[first] : first;
-  if (!(last >= 0) || !ccw || start !== undefined) {
+  if (!(ccw && start === undefined && last >= 0)) {
     last = lastAroundFace(links, f, direction, start);
   }
   return new Orbit(links, last, ccw ? LOOP_CCW : LOOP_CW, view);
@@ -56,7 +51,7 @@ export function aroundLoop<Item extends number>(
   h: number,
   direction: Direction,
   view: number,
-): Orbit<Item> {
+): orbit.Orbit<Item> {
   links.checkHalfedge(h);
   const [walk, back] = directionIndex(direction) === 1 ? [LOOP_CW, LOOP_CCW] : [LOOP_CCW, LOOP_CW];
   return new Orbit(links, stepBack(links, back, h), walk, view);
@@ -67,17 +62,9 @@ export function aroundEdge<Item extends number>(
   links: Links,
   e: number,
   view: number,
-): Orbit<Item> {
+): orbit.Orbit<Item> {
   if (!(typeof e === 'number' && (e | 0) === e && links.next[2 * e] >= 0)) links.checkEdge(e);
   return new Orbit(links, 2 * e + 1, ACROSS, view);
-}
-
-/** The anchor of `v`, with fresh views; throws a sentence unless `v` is a live vertex. */
-function anchorOf(links: Links, v: number): number {
-  links.checkVertex(v);
-  const anchor = links.vertexHalfedge[v];
-  if (anchor >= NONE) return anchor;
-  throw corrupt(`vertexHalfedge[${v}] is ${anchor}`);
 }
 
 function lastAroundVertex(
@@ -87,10 +74,11 @@ function lastAroundVertex(
   start: number | undefined,
   view: number,
 ): number {
+  links.checkVertex(v);
   const clockwise = directionIndex(direction) === 1;
   const back = clockwise ? ROTATE_CCW : ROTATE_CW;
   if (start !== undefined) return stepBack(links, back, outgoing(links, v, start, view));
-  const anchor = anchorOf(links, v);
+  const anchor = links.vertexHalfedge[v];
   return clockwise && anchor !== NONE ? stepBack(links, back, anchor) : anchor;
 }
 
@@ -105,7 +93,6 @@ function lastAroundFace(
   const back = clockwise ? LOOP_CCW : LOOP_CW;
   if (start !== undefined) return stepBack(links, back, inFace(links, f, start));
   const first = links.faceHalfedge[f];
-  if (!(first >= 0)) throw corrupt(`faceHalfedge[${f}] is ${first}`);
   return clockwise ? first : stepBack(links, back, first);
 }
 

@@ -1,7 +1,7 @@
 import { checkOptions, describe } from './arguments.js';
-import { aroundEdge, aroundFace, aroundLoop, aroundVertex } from './around.js';
+import * as around from './around.js';
 import { BulkRings } from './bulk.js';
-import { Circulator } from './circulator.js';
+import * as circulator from './circulator.js';
 import type {
   Direction,
   Edge,
@@ -13,11 +13,19 @@ import type {
   Vertex,
   VertexLike,
 } from './items.js';
-import type { Links } from './links.js';
 import { LiveItems } from './live.js';
-import { linksOf } from './navigation.js';
-import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, type Orbit, TO_VERTEX } from './orbit.js';
+import * as navigation from './navigation.js';
+import * as orbit from './orbit.js';
 import { directionIndex, type RingKind } from './rings.js';
+
+// Constants of this module's own: see orbit.ts.
+const { linksOf } = navigation;
+const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
+const { Circulator } = circulator;
+const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = orbit;
+type Orbit<Item extends number> = orbit.Orbit<Item>;
+type Circulator<Item extends number> = circulator.Circulator<Item>;
+type Around<Item extends number> = circulator.Around<Item>;
 
 /** The circulators that `circulate` knows: all around one item, by the names of their methods. */
 export type CirculatorKind = RingKind | 'halfedgeLoop';
@@ -149,39 +157,31 @@ export abstract class Circulation extends BulkRings {
     options: CirculateOptions = {},
   ): Circulator<Shown<Kind>> {
     const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
-    if (!Object.hasOwn(AROUND, kind)) throw noSuchKind(kind);
-    return new Circulator(AROUND[kind](linksOf(this), item, direction, start)) as Circulator<
-      Shown<Kind>
-    >;
+    const around = AROUND[kind] as Around<Shown<Kind>> | undefined;
+    if (around === undefined) throw noSuchKind(kind);
+    return new Circulator(linksOf(this), around, direction, item, start);
   }
 }
 
-type Around = (
-  links: Links,
-  item: number,
-  direction: Direction,
-  start: number | undefined,
-) => Orbit<number>;
-
 const vertexOrbit =
-  (view: number): Around =>
+  (view: number): Around<number> =>
   (links, v, direction, start) =>
     aroundVertex(links, v, direction, start, view);
 
 const faceOrbit =
-  (view: number): Around =>
+  (view: number): Around<number> =>
   (links, f, direction, start) =>
     aroundFace(links, f, direction, start, view);
 
 const edgeOrbit =
-  (view: number): Around =>
+  (view: number): Around<number> =>
   (links, e, direction, start) => {
     directionIndex(direction);
     refuseStart(start, 'an edge begins with its side 0');
     return aroundEdge(links, e, view);
   };
 
-const AROUND: Record<CirculatorKind, Around> = {
+const AROUND: Record<CirculatorKind, Around<number>> = {
   vertexVertices: vertexOrbit(TO_VERTEX),
   vertexOutgoingHalfedges: vertexOrbit(ITSELF),
   vertexIncomingHalfedges: vertexOrbit(OPPOSITE),
@@ -199,6 +199,8 @@ const AROUND: Record<CirculatorKind, Around> = {
     return aroundLoop(links, h, direction, ITSELF);
   },
 };
+
+Object.setPrototypeOf(AROUND, null); // `constructor` is no kind
 
 function refuseStart(start: unknown, reason: string): void {
   if (start === undefined) return;

@@ -1,36 +1,66 @@
-import { type Halfedge, NONE } from './items.js';
+import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
-import { type Orbit, reverse, shown, stale, step } from './orbit.js';
+import * as orbit from './orbit.js';
+
+// Constants of this module's own: see orbit.ts.
+const NONE: typeof none = none;
+const { reverse, shown, stale, step } = orbit;
+
+/** Makes the orbit of one kind around an item, after checking what it is given. */
+export type Around<Item extends number> = (
+  links: Links,
+  item: number,
+  direction: Direction,
+  start: number | undefined,
+) => orbit.Orbit<Item>;
 
 /**
  * Endless and bidirectional: it has no end, it stops when you say so. It stands on one halfedge at a
- * time. Every use throws after the connectivity has changed under it.
+ * time. Every use but `moveTo` throws after the connectivity has changed under it.
  */
 export class Circulator<Item extends number = number> {
-  readonly #links: Links;
-  readonly #version: number;
-  readonly #walk: number;
-  readonly #back: number;
-  readonly #view: number;
-  #halfedge: number;
-  #current: number;
+  // Not #private: a loop that makes a circulator for each vertex would take twice as long.
+  /** @internal */
+  declare readonly links: Links;
+  /** @internal */
+  declare readonly around: Around<Item>;
+  /** @internal */
+  declare readonly direction: Direction;
+  /** @internal */
+  declare readonly walk: number;
+  /** @internal */
+  declare readonly view: number;
+  /** @internal */
+  declare version: number;
+  /** @internal */
+  declare at: number;
+  /** @internal */
+  declare item: number;
 
-  /** @internal Stands where the lap of `orbit` begins. */
-  constructor({ links, version, last, walk, view }: Orbit<Item>) {
-    this.#links = links;
-    this.#version = version;
-    this.#walk = walk;
-    this.#back = reverse(walk);
-    this.#view = view;
-    this.#halfedge = last;
-    this.#current = NONE;
-    if (last !== NONE) this.#step(walk);
+  /** @internal */
+  constructor(
+    links: Links,
+    around: Around<Item>,
+    direction: Direction,
+    item: number,
+    start: number | undefined,
+  ) {
+    const { version, last, walk, view } = around(links, item, direction, start);
+    this.links = links;
+    this.around = around;
+    this.direction = direction;
+    this.walk = walk;
+    this.view = view;
+    this.version = version;
+    this.at = last;
+    this.item = NONE;
+    if (last >= 0) this.step(walk);
   }
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.#links.version !== this.#version) stale(this.#links);
-    return this.#current as Item;
+    if (this.links.version !== this.version) stale(this.links);
+    return this.item as Item;
   }
 
   /**
@@ -38,49 +68,66 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.#links.version !== this.#version) stale(this.#links);
-    return this.#halfedge as Halfedge;
+    if (this.links.version !== this.version) stale(this.links);
+    return this.at as Halfedge;
   }
 
   /** Steps on, and returns what it shows there. */
   next(): Item {
-    return this.#step(this.#walk);
+    return this.step(this.walk);
   }
 
   /** Steps back, and returns what it shows there. */
   prev(): Item {
-    return this.#step(this.#back);
+    return this.step(reverse(this.walk));
   }
 
-  #step(walk: number): Item {
-    const links = this.#links;
-    if (links.version !== this.#version) stale(links);
-    const h = step(links, walk, this.#halfedge);
+  /**
+   * Goes around another item of the same kind and in the same direction, as a new circulator would, but
+   * without making one.
+   */
+  moveTo(item: number, start?: HalfedgeLike): this {
+    const { version, last } = this.around(this.links, item, this.direction, start);
+    this.version = version;
+    this.at = last;
+    this.item = NONE;
+    if (last >= 0) this.step(this.walk);
+    return this;
+  }
+
+  /** @internal */
+  step(walk: number): Item {
+    const { links } = this;
+    if (links.version !== this.version) stale(links);
+    const h = step(links, walk, this.at);
     if (h >= 0) {
-      const item = shown(links, this.#view, h);
+      const item = shown(links, this.view, h);
       if (item >= 0) {
-        this.#halfedge = h;
-        this.#current = item;
+        this.at = h;
+        this.item = item;
         return item as Item;
       }
     }
-    return this.#search(walk);
+    return this.search(walk);
   }
 
-  /** Steps to the next halfedge that shows something, if there is one; mends detached views first. */
-  #search(walk: number): Item {
-    if (this.#halfedge === NONE) return NONE as Item;
-    const links = this.#links;
+  /**
+   * Steps to the next halfedge that shows something, if there is one; mends detached views first.
+   * @internal
+   */
+  search(walk: number): Item {
+    if (this.at === NONE) return NONE as Item;
+    const { links } = this;
     links.revive();
-    const begin = this.#halfedge;
+    const begin = this.at;
     let h = begin;
     for (let left = links.halfedgeSlots; left > 0; left--) {
       h = step(links, walk, h);
-      const item = shown(links, this.#view, h);
+      const item = shown(links, this.view, h);
       if (!(h >= 0 && item >= NONE)) break;
       if (item !== NONE || h === begin) {
-        this.#halfedge = item === NONE ? NONE : h;
-        this.#current = item;
+        this.at = item === NONE ? NONE : h;
+        this.item = item;
         return item as Item;
       }
     }

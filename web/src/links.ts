@@ -98,7 +98,9 @@ export class Links {
     this.vertexCount = words[at + 10];
     this.edgeCount = words[at + 11];
     this.faceCount = words[at + 12];
-    this.version = words[at + 13] + 2 ** 32 * words[at + 14];
+    // Not one expression: its result would be a float in V8, which costs circulators an allocation.
+    this.version = words[at + 13];
+    if (words[at + 14] !== 0) this.version += 2 ** 32 * words[at + 14];
     this.onRefresh?.();
   }
 

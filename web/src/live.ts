@@ -1,10 +1,10 @@
 import { type ItemKind, NONE } from './items.js';
 import type { Links } from './links.js';
-import { stale } from './orbit.js';
+import { type Result, stale } from './orbit.js';
 
 /** A walk through the slots underway; see `Lap` in orbit.ts for its form. */
 interface Pass {
-  next: () => IteratorResult<number, typeof NONE>;
+  next: () => Result;
   items: LiveItems<number>;
   links: Links;
   version: number;
@@ -37,7 +37,6 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
     const { links, version, kind } = this;
-    if (links.version !== version) stale(links);
     const shift = kind === 'edge' ? 1 : 0;
     return {
       next: nextLive,
@@ -57,11 +56,11 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
   }
 }
 
-function nextLive(this: Pass): IteratorResult<number, typeof NONE> {
+function nextLive(this: Pass): Result {
   const { end } = this;
   let item = this.at;
+  if (this.links.version !== this.version) stale(this.links);
   if (item < end) {
-    if (this.links.version !== this.version) stale(this.links);
     for (; item < end; item++) {
       let slot = this.slots[item << this.shift];
       if (slot === undefined) slot = readAgain(this, item);
@@ -70,7 +69,7 @@ function nextLive(this: Pass): IteratorResult<number, typeof NONE> {
     this.at = item + 1;
   }
   const done = item >= end;
-  return { value: done ? NONE : item, done } as IteratorResult<number, typeof NONE>;
+  return { value: done ? NONE : item, done } as Result;
 }
 
 /** Mends the view of a pass, which growth of the memory has detached. */

@@ -1,7 +1,13 @@
-import { describe, typedArrayName } from './arguments.js';
+import { describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
-import { NONE } from './items.js';
+import { NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
+
+/**
+ * A constant of this module's own. V8 checks at each use of an imported one that it is initialised,
+ * and the error that it would throw keeps the iterators of inlined loops in memory.
+ */
+const NONE: typeof none = none;
 
 // An orbit has a *walk* (how to step from halfedge to halfedge) and a *view* (what to show of each).
 // All circulators are combinations of five walks and six views. Both are small integers, so that one
@@ -69,23 +75,21 @@ export function shown(links: Links, view: number, h: number): number {
  */
 const SMALL = 0x3fffffff;
 
-/** One lap underway. Without methods but `next`, so that the JIT may keep it in registers. */
+/** What `next` of an iterator returns: NONE at the end, because V8 is slow with "or undefined". */
+export type Result = IteratorResult<number, typeof NONE>;
+
+/**
+ * One lap underway. A literal, not a class: V8 takes literals out of inlined loops, but not what a
+ * constructor has made. It holds what changes, and the views it reads.
+ */
 interface Lap {
-  next: () => IteratorResult<number, typeof NONE>;
+  next: () => Result;
   orbit: Orbit<number>;
-  links: Links;
-  version: number;
-  /** The links that the walk follows, and whether it takes the opposite before and after that. */
+  /** The links that the walk follows, and those that the view looks up, if it does. */
   follow: Int32Array;
-  before: number;
-  after: number;
-  /** The links that the view looks up, if any, and of which side. */
   table: Int32Array;
-  view: number;
-  side: number;
-  /** The halfedge shown last, NONE when the lap is over; where it ends; how many steps are left. */
+  /** The halfedge shown last, NONE when the lap is over; and how many steps there may be left. */
   at: number;
-  last: number;
   left: number;
 }
 
@@ -98,15 +102,15 @@ interface Lap {
  */
 export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
-  readonly links: Links;
+  declare readonly links: Links;
   /** @internal */
-  readonly version: number;
-  /** @internal Steps from here to the first halfedge, and ends here; NONE for no lap. */
-  readonly last: number;
+  declare readonly version: number;
+  /** @internal A lap steps from here to its first halfedge, and ends here; NONE for no lap. */
+  declare readonly last: number;
   /** @internal */
-  readonly walk: number;
+  declare readonly walk: number;
   /** @internal */
-  readonly view: number;
+  declare readonly view: number;
 
   /** @internal */
   constructor(links: Links, last: number, walk: number, view: number) {
@@ -118,116 +122,133 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   }
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
-    // A literal, not a class: V8 removes it from an inlined loop, which it doesn't do for objects
-    // made by a constructor (bench/README.md).
-    const { links, version, last, walk, view } = this;
-    if (links.version !== version) stale(links);
-    return {
-      next: view < SHOW_FACE ? nextItem : nextFace,
-      orbit: this,
-      links,
-      version,
-      follow: (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next,
-      before: walk >= FOLLOW_NOTHING ? -1 : (walk >> 1) & 1,
-      after: (walk >> 2) & 1,
-      table: view < SHOW_FACE ? links.toVertex : links.face,
-      view,
-      side: view & SHOW_OPPOSITE,
-      at: last,
-      last,
-      left: links.halfedgeSlots,
-    } as Lap as unknown as Iterator<Item, typeof NONE>;
+    return lapOf(this) as Iterator<Item, typeof NONE>;
   }
 
   /** The items of the lap in a fresh array. */
   toArray(): Item[] {
-    const lap = this[Symbol.iterator]() as unknown as Lap;
-    const items: number[] = [];
-    for (;;) {
-      const item = this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
-      if (item < 0) return items as Item[];
-      items.push(item);
-    }
+    return Array.from(this);
   }
 
   /**
-   * Writes the items of the lap to the beginning of `buffer`, and returns how many there are. The
-   * form to use where not a byte may be allocated.
+   * Writes the items of the lap to the beginning of `buffer`, and returns how many there are: the form
+   * that allocates nothing.
    *
    * @throws RangeError if they don't all fit, with the length that is needed
    */
   into(buffer: Int32Array | Uint32Array): number {
-    const lap = this[Symbol.iterator]() as unknown as Lap;
+    const { links, last, walk, view } = this;
+    if (links.version !== this.version) stale(links);
     const room = roomIn(buffer);
-    for (let count = 0; ; count++) {
-      const item = this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
-      if (item < 0) return count <= room ? count : tooSmall(room, count);
-      if (count < room) buffer[count] = item;
+    if (last < 0) return 0;
+    if (links.next.length === 0) links.revive();
+    const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
+    const table = view < SHOW_FACE ? links.toVertex : links.face;
+    let h = last;
+    let count = 0;
+    for (let left = links.halfedgeSlots; left > 0; left--) {
+      h = stepBy(follow, walk, h);
+      const side = h ^ (view & SHOW_OPPOSITE);
+      const item = view < SHOW_VERTEX ? side >> (view >> 1) : table[side];
+      if (item >= 0) {
+        if (count < room) buffer[count] = item;
+        count += 1;
+      } else if (item !== NONE || view < SHOW_FACE) break;
+      if (h === last) return count <= room ? count : tooSmall(room, count);
     }
+    return failed(this);
   }
 }
 
-function nextItem(this: Lap): IteratorResult<number, typeof NONE> {
+// These run inside of other people's loops. V8 inlines them, if the loop has little else, and keeps the
+// lap in registers as long as nothing could see it: so they are short, they have no loops, and they hand
+// the lap on only in cases that don't happen (V8 compiles no calls that never happened, but it does
+// compile a `throw`).
+
+function lapOf(orbit: Orbit<number>): Lap {
+  const { links } = orbit;
+  const faces = orbit.view >= SHOW_FACE;
+  return {
+    next: faces ? nextFace : nextItem,
+    orbit,
+    follow: (orbit.walk & FOLLOW_NEXT) === 0 ? links.prev : links.next,
+    table: faces ? links.face : links.toVertex,
+    at: orbit.last,
+    left: links.halfedgeSlots,
+  };
+}
+
+function nextItem(this: Lap): Result {
   const item = advance(this);
-  return { value: item, done: item < 0 } as IteratorResult<number, typeof NONE>;
+  return { value: item, done: item < 0 } as Result;
 }
 
-function nextFace(this: Lap): IteratorResult<number, typeof NONE> {
+function nextFace(this: Lap): Result {
   const item = advanceToFace(this);
-  return { value: item, done: item < 0 } as IteratorResult<number, typeof NONE>;
+  return { value: item, done: item < 0 } as Result;
 }
-
-// These run inside of other people's loops. They are written so that the JIT can inline them and then
-// drop the lap altogether: the lap is passed on only to functions that are as small, or to those that
-// fail, and what fails is a call, not a `throw`, because V8 compiles no calls that never happened.
 
 /** The next item, or NONE at the end. */
 function advance(lap: Lap): number {
-  const at = lap.at;
+  const { orbit, at, left } = lap;
+  const { view } = orbit;
+  if (orbit.links.version !== orbit.version) stale(orbit.links);
   if (at < 0) return NONE;
-  if (lap.links.version !== lap.version) stale(lap.links);
-  const h = stepOn(lap, at);
-  const { view } = lap;
-  const item = view < SHOW_VERTEX ? (h ^ lap.side) >> (view >> 1) : lap.table[h ^ lap.side];
-  if (!(item >= 0)) failed(lap.orbit);
-  lap.at = h === lap.last ? NONE : h;
+  const h = stepBy(lap.follow, orbit.walk, at);
+  if (h < 0 || left === 0) return advanceAgain(lap);
+  const side = h ^ (view & SHOW_OPPOSITE);
+  const item = view < SHOW_VERTEX ? side >> (view >> 1) : lap.table[side];
+  if (!(item >= 0)) failed(orbit);
+  lap.left = (left - 1) & SMALL;
+  lap.at = h === orbit.last ? NONE : h;
   return item;
 }
 
 /** As `advance`, stepping over sides without a face. */
 function advanceToFace(lap: Lap): number {
-  let h = lap.at;
-  if (h < 0) return NONE;
-  if (lap.links.version !== lap.version) stale(lap.links);
-  const { last } = lap;
-  let item: number;
-  do {
-    h = stepOn(lap, h);
-    item = lap.table[h ^ lap.side];
-    if (!(item >= NONE)) failed(lap.orbit);
-  } while (item < 0 && h !== last);
+  const { orbit, table, at, left } = lap;
+  const { last } = orbit;
+  if (orbit.links.version !== orbit.version) stale(orbit.links);
+  if (at < 0) return NONE;
+  let h = stepBy(lap.follow, orbit.walk, at);
+  if (h < 0 || left === 0) return advanceAgain(lap);
+  const opposite = orbit.view & SHOW_OPPOSITE;
+  let item = table[h ^ opposite];
+  if (item < 0 && h !== last) {
+    h = nextShown(orbit.links, orbit.walk, orbit.view, h, last);
+    item = table[h ^ opposite];
+  }
+  if (!(item >= NONE)) failed(orbit);
+  lap.left = (left - 1) & SMALL;
   lap.at = h === last ? NONE : h;
   return item;
 }
 
-function stepOn(lap: Lap, h: number): number {
-  const { left, before } = lap;
-  if (left === 0) failed(lap.orbit);
-  lap.left = (left - 1) & SMALL;
-  if (before < 0) return h ^ 1;
-  let n = lap.follow[h ^ before];
-  if (!(n >= 0)) n = followAgain(lap, h);
-  return (n ^ lap.after) & SMALL;
+/** As `step`; NONE where it finds no link: the views are detached, or the links corrupt. */
+function stepBy(follow: Int32Array, walk: number, h: number): number {
+  if (walk >= FOLLOW_NOTHING) return h ^ 1;
+  const n = follow[h ^ ((walk >> 1) & 1)];
+  return n >= 0 ? (n ^ (walk >> 2)) & SMALL : NONE;
 }
 
-/** Mends the views of a lap, which growth of the memory has detached. */
-function followAgain(lap: Lap, h: number): number {
-  const { orbit, links } = lap;
-  links.revive();
-  lap.follow = (orbit.walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
-  lap.table = orbit.view < SHOW_FACE ? links.toVertex : links.face;
-  const n = lap.follow[h ^ lap.before];
-  return n >= 0 ? n : failed(orbit);
+/** The next halfedge after `h` that shows something, `last` at the latest; NONE where links are corrupt. */
+function nextShown(links: Links, walk: number, view: number, h: number, last: number): number {
+  for (let left = links.halfedgeSlots; left > 0; left--) {
+    h = step(links, walk, h);
+    if (h === last || !(h >= 0) || shown(links, view, h) !== NONE) return h;
+  }
+  return NONE;
+}
+
+/** Tries the same step again with fresh views, if growth of the memory had detached them. */
+function advanceAgain(lap: Lap): number {
+  const { orbit } = lap;
+  if (lap.follow.length !== 0) failed(orbit);
+  orbit.links.revive();
+  const { follow, table } = lapOf(orbit);
+  lap.follow = follow;
+  lap.table = table;
+  return orbit.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
 }
 
 export function stale(links: Links): never {
@@ -242,10 +263,10 @@ export function failed(orbit: Orbit<number>): never {
   throw corrupt(`The orbit of halfedge ${orbit.last} does not close`);
 }
 
-function roomIn(buffer: unknown): number {
-  if (buffer instanceof Int32Array || buffer instanceof Uint32Array) return buffer.length;
-  const name = typedArrayName(buffer); // of another realm
-  if (name === 'Int32Array' || name === 'Uint32Array') return (buffer as Int32Array).length;
+function roomIn(buffer: Int32Array | Uint32Array): number {
+  // Unlike `instanceof` this knows the arrays of other realms, and V8 makes one comparison of it.
+  const name = buffer?.[Symbol.toStringTag];
+  if (name === 'Int32Array' || name === 'Uint32Array') return buffer.length;
   throw new TypeError(`buffer is ${describe(buffer)}; expected an Int32Array or a Uint32Array.`);
 }
 
