@@ -210,6 +210,12 @@ TEST(Obj, TellsWhichVertexIsOutOfRange) {
   EXPECT_EQ(
       obj_error(square_and("\n\nf 1/1 0/1 3/1\n")),
       "index-out-of-range: line 7: corner 1 of face 0 is \"0/1\", expected a vertex from 1 to 4");
+  EXPECT_EQ(obj_error("v 0 0 0\nv 1 0 0\nf 1 2 0\nv 1 1 0\n"),
+            "index-out-of-range: line 3: corner 2 of face 0 is \"0\", expected a vertex from 1 to "
+            "3");
+  EXPECT_EQ(obj_error(square_and("f 1 2 3 4\nf 1 2 3\nf 9 1 2 3\n")),
+            "index-out-of-range: line 7: corner 0 of face 2 is \"9\", expected a vertex from 1 to "
+            "4");
   EXPECT_EQ(obj_error("v 0 0 0\nf -1 -2 -1\nv 0 0 0\n"),
             "index-out-of-range: line 2: corner 1 of face 0 is \"-2\", expected -1 to -1, counted "
             "back from the last vertex so far");

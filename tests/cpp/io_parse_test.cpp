@@ -23,7 +23,7 @@ std::string error_of(const std::string& text, std::optional<Format> claimed = st
 TEST(Parse, FindsTheFormatByTheContent) {
   for (const std::string text : {kObj, "# blender\n\nmtllib a.mtl\n", "o thing\ng part\nvn 0 0 1\n",
                                  "f 1 2 3\nv 0 0 0\nv 0 0 0\nv 0 0 0", "\xEF\xBB\xBFv 0 0 0",
-                                 "v nan nan nan", "usemtl red"}) {
+                                 "v nan nan nan", "name\n \tv 0 0 0", "usemtl red"}) {
     const auto file = parse(bytes_of(text));
     ASSERT_TRUE(file) << text << file.error().message;
     EXPECT_EQ(file.value().format, Format::kObj) << text;
@@ -70,7 +70,8 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
             "file");
   EXPECT_EQ(error_of("\nhello world\n"),
             "unknown-format: line 2: expected the start of an OBJ or OFF file, found \"hello\"");
-  for (const std::string line : {"0 0 0", "1", "1 2 3 4", "1 2 -3", "1 2 x", "1.5 2 3"}) {
+  for (const std::string line :
+       {"0 0 0", "1", "1 2 3 4", "1 2 -3", "1 2 x", "1.5 2 3", "point 1 2 3", "f x"}) {
     EXPECT_EQ(error_of(line + "\n"),
               "unknown-format: line 1: expected the start of an OBJ or OFF file, found \"" +
                   line.substr(0, line.find(' ')) + "\"");
