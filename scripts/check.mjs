@@ -5,7 +5,7 @@ import { availableParallelism } from 'node:os';
 import { extname, relative } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
-import { configurePreset } from './build.mjs';
+import { build, configurePreset } from './build.mjs';
 import { cppFiles } from './lib/files.mjs';
 import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
 import { counts, Steps } from './lib/steps.mjs';
@@ -16,7 +16,7 @@ const biome = 'node_modules/@biomejs/biome/bin/biome';
 const colors = process.stdout.isTTY ? 'force' : 'off';
 const tsc = 'node_modules/typescript/bin/tsc';
 
-/** Adds the checks to a run of steps. */
+/** Adds the checks to a run of steps. The types of the tests are those of the built package. */
 export async function check(steps) {
   await steps.run('Format of C++ (clang-format)', () =>
     run('clang-format', ['--dry-run', '-Werror', ...cppFiles(...cppFolders)]),
@@ -70,6 +70,7 @@ if (argv[1] === fileURLToPath(import.meta.url)) {
   await asProgram(async () => {
     await setup(['build', 'tests']);
     if (argv[2] === '--fix') return format();
+    await build();
     const steps = new Steps();
     await check(steps);
     if (!steps.close()) process.exitCode = 1;

@@ -10,6 +10,11 @@ import { counts, Steps } from './lib/steps.mjs';
 import { setup } from './setup.mjs';
 
 const parts = {
+  async build(steps) {
+    await steps.run('Build of the WebAssembly module', buildWasm);
+    await steps.run('Build of the package', buildWeb);
+  },
+
   check,
 
   async cpp(steps) {
@@ -18,11 +23,6 @@ const parts = {
     await steps.run('Build with g++, ASan + UBSan', () => buildPreset('asan'));
     await steps.run('C++ tests under ASan + UBSan', () => runCtest('asan'));
     await steps.run('Build with clang++', () => buildPreset('clang'));
-  },
-
-  async build(steps) {
-    await steps.run('Build of the WebAssembly module', buildWasm);
-    await steps.run('Build of the package', buildWeb);
   },
 
   async web(steps) {
