@@ -82,12 +82,11 @@ std::string range_of_vertices(std::size_t count) {
 [[nodiscard]] bool check_face(FaceTable& table, Index f, std::size_t vertex_count,
                               Array<Index>& sorted, ProblemSink& problems) {
   const std::span<const Index> corners = table.corners_of(f);
-  const auto refuse = [&](const char* code, std::vector<Index> vertices, const auto& describe) {
+  const auto refuse = [&](const char* code, const std::vector<Index>& vertices,
+                          const auto& describe) {
     table.faces[f].ignored = true;
     problems.add([&] {
-      return Error{code,
-                   "Face " + to_string(f) + describe(),
-                   {.vertices = std::move(vertices), .faces = {f}}};
+      return Error{code, "Face " + to_string(f) + describe(), {.vertices = vertices, .faces = {f}}};
     });
   };
   if (corners.size() < 3) {
