@@ -15,7 +15,7 @@ afterAll(async () => {
 });
 
 const names = (letter: string, items: Iterable<number>) => [...items].map((i) => letter + i);
-const hop = () => explorer.page.textContent('.hop');
+const hop = async () => (await explorer.page.textContent('.hop'))?.replaceAll('\u00a0', ' ');
 
 describe('The circulator player', () => {
   test('steps around the one-ring in the order of mesh.vertexVertices, both ways', async () => {

@@ -220,7 +220,7 @@ describe('the circulator player', () => {
       `next(opposite(h${between(5, 4)})) = h${between(5, 9)} → vertex 9`,
     ]);
     expect(told(mesh, query('vertexVertices', 5, 'ccw')).slice(0, 2)).toEqual([
-      `from vertexHalfedge h${anchor}: opposite(prev(h${anchor})) = h${between(5, 9)} → vertex 9`,
+      `anchor h${anchor}: opposite(prev(h${anchor})) = h${between(5, 9)} → vertex 9`,
       `opposite(prev(h${between(5, 9)})) = h${between(5, 4)} → vertex 4`,
     ]);
     expect(told(mesh, query('faceEdges', 4, 'ccw'))[0]).toBe(
@@ -236,13 +236,11 @@ describe('the circulator player', () => {
     const mesh = grid();
     const [outside, inside, last] = [0, 5, 2].map((w) => mesh.findHalfedge(1, w));
     expect(told(mesh, query('vertexFaces', 1, 'cw'))).toEqual([
-      `from vertexHalfedge h${outside}: next(opposite(h${outside})) = h${inside} → face 0`,
+      `anchor h${outside}: next(opposite(h${outside})) = h${inside} → face 0`,
       `next(opposite(h${inside})) = h${last} → face 1`,
     ]);
     const started = told(mesh, query('vertexFaces', 1, 'ccw', outside));
-    expect(started[0]).toBe(
-      `from the chosen h${outside}: opposite(prev(h${outside})) = h${last} → face 1`,
-    );
+    expect(started[0]).toBe(`chosen h${outside}: opposite(prev(h${outside})) = h${last} → face 1`);
     expect(told(mesh, query('vertexFaces', 1, 'ccw', inside))[1]).toBe(
       `opposite(prev(h${inside})) = h${outside}, no face there: skipped; opposite(prev(h${outside})) = h${last} → face 1`,
     );

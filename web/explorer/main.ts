@@ -1,8 +1,15 @@
 import '@fontsource-variable/inter/wght.css';
 import '@fontsource-variable/jetbrains-mono/wght.css';
 import './styles/tokens.css';
+import './styles/controls.css';
 import './styles/layout.css';
-import './styles/components.css';
+import './styles/top-bar.css';
+import './styles/inspector.css';
+import './styles/circulator.css';
+import './styles/mesh.css';
+import './styles/sheet.css';
+import './styles/overlays.css';
+import './styles/narrow.css';
 import { init } from 'halfedge';
 import { Explorer } from './app/explorer.js';
 import { View } from './scene/view.js';

@@ -66,7 +66,9 @@ export function startWords(mesh: HalfedgeMesh, query: Query, first: number): str
   const accessor = circulator.around === 'vertex' ? 'vertexHalfedge' : 'faceHalfedge';
   const stored = start ?? mesh[accessor](index as never);
   if (stored === first) return `${accessor}(${index}) = h${first}${end}`;
-  return `from ${start === undefined ? accessor : 'the chosen'} h${stored}: ${walkWords(mesh, query, stored, first)}`;
+  const named =
+    start !== undefined ? 'chosen' : circulator.around === 'vertex' ? 'anchor' : accessor;
+  return `${named} h${stored}: ${walkWords(mesh, query, stored, first)}`;
 }
 
 /** What a step did: `opposite(prev(h12)) = h31 → vertex 7`. */

@@ -5,7 +5,7 @@ import type { Stage } from './stage.js';
 /** A small text at a point of the scene. */
 export interface Label {
   readonly text: string;
-  /** A class that says what it marks; see components.css. */
+  /** A class that says what it marks; see overlays.css. */
   readonly look: 'self' | 'hover' | 'ordinal' | 'current' | 'link';
   /** Which role of the palette a link's label has. */
   readonly role?: string;
@@ -60,6 +60,10 @@ export class Labels {
       element.classList.toggle('away', !shown);
       if (!shown) return;
       taken.push({ x, y, width });
+      // The disc or line that this label stands above must not be covered either.
+      if (label.look === 'self' && !label.side && label.lift > 0) {
+        taken.push({ x, y: y + label.lift, width: 14 });
+      }
       element.classList.toggle('behind', i < 80 && hides(label.point));
       element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });

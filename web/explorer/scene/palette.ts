@@ -7,6 +7,7 @@ export interface Palette {
   readonly back: Color;
   readonly wire: Color;
   readonly arrow: Color;
+  readonly arrowFar: Color;
   readonly self: Color;
   readonly next: Color;
   readonly opposite: Color;
@@ -26,6 +27,7 @@ export function readPalette(): Palette {
     back: color('--gl-back'),
     wire: color('--gl-wire'),
     arrow: color('--gl-arrow'),
+    arrowFar: color('--gl-arrow-far'),
     self: color('--self'),
     next: color('--next'),
     opposite: color('--opposite'),

@@ -68,10 +68,11 @@ export class View {
     this.#palette = palette;
     this.#surfaceView.setColors(palette.surface.toArray(), palette.back.toArray());
     this.#wire.setColors(palette.wire, palette.boundary);
-    this.#arrows.setColors(palette.wire, palette.arrow, palette.boundary);
+    this.#arrows.setColors(palette.arrowFar, palette.arrow, palette.boundary);
     this.#highlights.setColors(palette.surface, palette.background);
-    const ambient = palette.dark ? 2.4 : 2.2;
-    this.stage.setLight(new Color(1, 1, 1), new Color(0.62, 0.66, 0.74), ambient, 1.15);
+    // Dark surfaces need more contrast to show their shape.
+    const [ambient, key] = palette.dark ? [2, 2.1] : [2.2, 1.15];
+    this.stage.setLight(new Color(1, 1, 1), new Color(0.62, 0.66, 0.74), ambient, key);
     this.#mark();
   }
 

@@ -141,7 +141,7 @@ function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
     setAttribute(scrub, 'aria-valuetext', `${position} of ${player.count}`);
     place.textContent = `${position} of ${player.count}`;
     hop.classList.toggle('idle', position === 0);
-    hop.textContent = position === 0 ? idleWords(play) : player.words;
+    hop.textContent = position === 0 ? idleWords(play) : unbroken(player.words);
     fill(visited, ...visits(explorer, play));
     visited.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
   });
@@ -156,6 +156,11 @@ function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
     hop,
     visited,
   ];
+}
+
+/** Keeps `→ vertex 7` on one line. */
+function unbroken(words: string): string {
+  return words.replaceAll(/(→|vertex|edge|face) (?=\S)/g, '$1\u00a0');
 }
 
 function idleWords({ player }: Play): string {
