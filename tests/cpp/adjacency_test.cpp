@@ -138,6 +138,57 @@ TEST(Adjacency, ListsWhatTheCirculatorsVisitInTheirOrder) {
   }
 }
 
+// 6561 vertices of valence 2 to 8 and more, some of them isolated, one of valence 40, holes.
+Mesh large_irregular_mesh() {
+  std::mt19937 random(5);
+  Shape grid = test::grid_of("", 80, 80, [](Index, Index) { return true; });
+  std::vector<std::vector<Index>> faces;
+  for (const std::vector<Index>& quad : grid.faces) {
+    const std::size_t i = random() % 2;
+    if (random() % 20 == 0) continue;
+    if (random() % 10 == 0) {
+      faces.push_back(quad);
+    } else {
+      faces.push_back({quad[i], quad[i + 1], quad[i + 2]});
+      faces.push_back({quad[i], quad[i + 2], quad[(i + 3) % 4]});
+    }
+  }
+  for (Index i = 0; i < 39; ++i) faces.push_back({6561, 6562 + i, 6563 + i});
+  return reference_build({"", 6605, std::move(faces)});
+}
+
+TEST(Adjacency, ListsTheRingsOfALargeMeshOfVaryingValences) {
+  const Mesh mesh = large_irregular_mesh();
+  for (const Kind& kind : kinds()) {
+    expect_as_circulators(mesh, kind, Direction::kCcw);
+    expect_as_circulators(mesh, kind, Direction::kCw);
+  }
+}
+
+TEST(Adjacency, NamesTheBrokenRingOfALargeMeshOfVaryingValences) {
+  Mesh mesh = large_irregular_mesh();
+  Vertex v(3000);
+  while (mesh.valence(v) != 6 || mesh.is_boundary(v)) v = Vertex(v.index() + 1);
+  const Halfedge anchor = mesh.vertex_halfedge(v);
+  const Halfedge second = mesh.rotate_cw(anchor);
+  const auto expect_broken = [&](Ring ring) {
+    Adjacency result;
+    const Result<void> done = adjacency(mesh, ring, Direction::kCw, result);
+    ASSERT_FALSE(done.ok());
+    EXPECT_EQ(done.error().message, "the ring around vertex " + std::to_string(v.index()) +
+                                        " does not close: validate names the broken links");
+  };
+  // Out of range in three ways; then round and round, past the anchor.
+  for (const Index wrong : {mesh.halfedge_slots(), kNone, kDeleted, second.index()}) {
+    const Halfedge from = wrong == second.index() ? mesh.opposite(second) : mesh.opposite(anchor);
+    const Index right = mesh.next(from).index();
+    mesh.mutable_links().next[from.index()] = wrong;
+    expect_broken(Ring::kVertexVertices);
+    expect_broken(Ring::kVertexFaces);
+    mesh.mutable_links().next[from.index()] = right;
+  }
+}
+
 TEST(Adjacency, HasEmptyRowsForDeletedSlots) {
   const Mesh mesh = mesh_with_deleted_slots();
   for (const Kind& kind : kinds()) {

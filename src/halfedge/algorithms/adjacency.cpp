@@ -1,7 +1,9 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/corrupt.h>
+#include <halfedge/algorithms/rings.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -20,83 +22,35 @@ Error out_of_memory() {
   return {"out-of-memory", "memory is exhausted: no room for the adjacency lists"};
 }
 
-// The links as the walks and views of the circulators read them, by raw pointers. A halfedge is
-// checked against `halfedge_slots` once, when it is stepped to; the arrays are equally long.
-class RawLinks {
- public:
-  explicit RawLinks(const Connectivity& mesh)
-      : halfedge_slots_(mesh.halfedge_slots()),
-        next_(mesh.links().next.data()),
-        prev_(mesh.links().prev.data()),
-        to_vertex_(mesh.links().to_vertex.data()),
-        face_(mesh.links().face.data()) {}
-
-  [[nodiscard]] bool contain(Halfedge h) const { return h.index() < halfedge_slots_; }
-
-  [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(next_[h.index()]); }
-  [[nodiscard]] Halfedge prev(Halfedge h) const { return Halfedge(prev_[h.index()]); }
-  [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(to_vertex_[h.index()]); }
-  [[nodiscard]] Face face(Halfedge h) const { return Face(face_[h.index()]); }
-  [[nodiscard]] static Halfedge opposite(Halfedge h) { return Connectivity::opposite(h); }
-  [[nodiscard]] static Edge edge(Halfedge h) { return Connectivity::edge(h); }
-  [[nodiscard]] Halfedge rotate_cw(Halfedge h) const { return next(opposite(h)); }
-  [[nodiscard]] Halfedge rotate_ccw(Halfedge h) const { return opposite(prev(h)); }
-
- private:
-  Index halfedge_slots_;
-  const Index* next_;
-  const Index* prev_;
-  const Index* to_vertex_;
-  const Index* face_;
-};
-
-// A ring is a centre, a walk and a view; the circulators are made of the same ones.
-template <class CentreType, class WalkType, class ViewType>
-struct RingOf {
-  using Centre = CentreType;
-  using Walk = WalkType;
-  using View = ViewType;
-  // The exact reverse of a lap that begins at the anchor begins one step on from it.
-  static constexpr bool kBeginsOneStepOn =
-      std::is_same_v<Walk, walk::RotateCcw> || std::is_same_v<Walk, walk::LoopCw>;
-};
-
-Halfedge stored_halfedge(const Connectivity& mesh, Vertex v) { return mesh.vertex_halfedge(v); }
-Halfedge stored_halfedge(const Connectivity& mesh, Face f) { return mesh.face_halfedge(f); }
-Halfedge stored_halfedge(const Connectivity& mesh, Edge e) { return mesh.edge_halfedge(e); }
-
-bool has_ring(const Connectivity& mesh, Vertex v) {
-  return !mesh.is_deleted(v) && !mesh.is_isolated(v);
-}
-bool has_ring(const Connectivity& mesh, Face f) { return !mesh.is_deleted(f); }
-bool has_ring(const Connectivity& mesh, Edge e) { return !mesh.is_deleted(e); }
-
-// Shows `put` each item of the ring, in order. Takes at most `steps` steps and counts them down;
-// false if they don't suffice or lead out of the arrays, which only happens if the mesh is corrupt.
-template <class Ring, class Put>
-bool walk_ring(const RawLinks& links, Halfedge first, Index& steps, Put&& put) {
-  if (!links.contain(first)) return false;
-  if constexpr (Ring::kBeginsOneStepOn) {
-    first = Ring::Walk::on(links, first);
-    if (!links.contain(first)) return false;
+// Whether valences differ so much that a processor can't guess where the laps around vertices end.
+// Looks at a few vertices, and at none of a small mesh, where it doesn't matter.
+bool valences_vary(const Connectivity& mesh, const RawLinks& links) {
+  using Outgoing = RingOf<Vertex, walk::RotateCw, view::Self>;
+  constexpr Index kSamples = 64;
+  constexpr Index kMostSteps = 15;
+  if (mesh.vertex_slots() < 64 * kSamples) return false;
+  std::array<Index, kMostSteps + 1> count{};  // by valence
+  for (Index i = 0; i < kSamples; ++i) {
+    const Vertex v(i * (mesh.vertex_slots() / kSamples));
+    Index steps = kMostSteps;
+    if (has_ring(mesh, v)) {
+      (void)walk_ring<Outgoing>(links, first_of<Outgoing>(mesh, links, v), steps, [](Index) {});
+    }
+    ++count[kMostSteps - steps];
   }
-  Halfedge h = first;
-  do {
-    if (steps-- == 0) return false;
-    put(Ring::View::of(links, h).index());
-    h = Ring::Walk::on(links, h);
-    if (!links.contain(h)) return false;
-  } while (h != first);
-  return true;
+  return *std::max_element(count.begin(), count.end()) < kSamples / 8 * 7;
 }
 
 // Writes the whole mesh's rings to arrays with room for them; the orbits of a valid mesh don't
 // overlap, so all of them together have no more items than there are halfedges. Returns the first
 // item whose ring is broken, or kNone.
-template <class Ring>
+template <class Ring, bool kTryShort = false>
 Index write_all(const Connectivity& mesh, Adjacency& out) {
   using Centre = typename Ring::Centre;
   const RawLinks links(mesh);
+  if constexpr (std::is_same_v<Centre, Vertex> && !kTryShort) {
+    if (valences_vary(mesh, links)) return write_all<Ring, true>(mesh, out);
+  }
   const Index slots = mesh.slots(Centre{});
   Index steps = mesh.halfedge_slots();
   Index* const items = out.items.data();
@@ -105,11 +59,19 @@ Index write_all(const Connectivity& mesh, Adjacency& out) {
   for (Index i = 0; i < slots; ++i) {
     offsets[i] = size;
     if (!has_ring(mesh, Centre(i))) continue;
-    const bool closes =
-        walk_ring<Ring>(links, stored_halfedge(mesh, Centre(i)), steps, [&](Index item) {
-          items[size] = item;  // a missing face is overwritten by the next item
-          size += !Ring::View::kCanBeEmpty || item != kNone ? 1 : 0;
-        });
+    const Halfedge first = first_of<Ring>(mesh, links, Centre(i));
+    if constexpr (kTryShort) {
+      const Index length = write_short_ring<Ring>(links, first, items + size);
+      if (length <= std::min(steps, kShortRing)) {
+        steps -= length;
+        size += length;
+        continue;
+      }
+    }
+    const bool closes = walk_ring<Ring>(links, first, steps, [&](Index item) {
+      items[size] = item;  // a missing face is overwritten by the next item
+      size += !Ring::View::kCanBeEmpty || item != kNone ? 1 : 0;
+    });
     if (!closes) return i;
   }
   offsets[slots] = size;
@@ -124,12 +86,13 @@ Index write_one(const Connectivity& mesh, Index centre, Index* out, Index room) 
   if (!has_ring(mesh, Centre(centre))) return 0;
   Index steps = mesh.halfedge_slots();
   Index size = 0;
-  const bool closes = walk_ring<Ring>(RawLinks(mesh), stored_halfedge(mesh, Centre(centre)), steps,
-                                      [&](Index item) {
-                                        if (Ring::View::kCanBeEmpty && item == kNone) return;
-                                        if (size < room) out[size] = item;
-                                        ++size;
-                                      });
+  const RawLinks links(mesh);
+  const Halfedge first = first_of<Ring>(mesh, links, Centre(centre));
+  const bool closes = walk_ring<Ring>(links, first, steps, [&](Index item) {
+    if (Ring::View::kCanBeEmpty && item == kNone) return;
+    if (size < room) out[size] = item;
+    ++size;
+  });
   return closes ? size : kNone;
 }
 
@@ -241,9 +204,9 @@ Result<void> finish(Result<void> result, Adjacency& out) {
 Result<void> adjacency(const Connectivity& mesh, Ring ring, Direction direction, Adjacency& out) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return finish(sizes, out);
   const RingFunctions functions = functions_of(ring, direction);
-  // One item more: a missing face is written before it is skipped.
+  // More than the items: a missing face is written before it is skipped, a short ring in full.
   if (!out.offsets.recreate(std::size_t{functions.slots(mesh)} + 1) ||
-      !out.items.recreate(std::size_t{mesh.halfedge_slots()} + 1)) {
+      !out.items.recreate(std::size_t{mesh.halfedge_slots()} + kShortRing)) {
     return finish(out_of_memory(), out);
   }
   const Index broken = functions.write_all(mesh, out);
