@@ -11,7 +11,7 @@ const { ACROSS, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit, ROTATE_CCW, ROTATE_CW, step 
 // Where the lap around an item begins, and all checks of what a caller passes. An orbit is told where
 // it *ends*, one step before its first halfedge: around a vertex that is the anchor for the default
 // direction, so that nothing needs to be looked up. The common case of each function is small enough
-// for the JIT to inline; the rest is in functions of its own.
+// for the JIT to inline; the rest is `lastOf`.
 
 /** The halfedges that leave `v`. */
 export function aroundVertex<Item extends number>(
@@ -23,8 +23,12 @@ export function aroundVertex<Item extends number>(
 ): orbit.Orbit<Item> {
   let last = typeof v === 'number' ? links.vertexHalfedge[v] : -2;
   const ccw = direction === 'ccw';
-  if (!(ccw && start === undefined && last >= NONE)) {
-    last = lastAroundVertex(links, v, direction, start, view);
+  if (!ccw && last >= 0) {
+    const before = links.prev[last];
+    last = direction === 'cw' && before >= 0 ? before ^ 1 : -2;
+  }
+  if (start !== undefined || !(last >= NONE)) {
+    last = rest.lastOf(links, 'vertex', v, direction, start, view === OPPOSITE);
   }
   return new Orbit(links, last, ccw ? ROTATE_CCW : ROTATE_CW, view);
 }
@@ -37,10 +41,11 @@ export function aroundFace<Item extends number>(
   start: number | undefined,
   view: number,
 ): orbit.Orbit<Item> {
-  let last = typeof f === 'number' ? links.prev[links.faceHalfedge[f]] : NONE;
+  let last = typeof f === 'number' ? links.faceHalfedge[f] : NONE;
   const ccw = direction === 'ccw';
-  if (!(ccw && start === undefined && last >= 0)) {
-    last = lastAroundFace(links, f, direction, start);
+  if (ccw) last = links.prev[last];
+  if (start !== undefined || !(last >= 0 && (ccw || direction === 'cw'))) {
+    last = rest.lastOf(links, 'face', f, direction, start, false);
   }
   return new Orbit(links, last, ccw ? LOOP_CCW : LOOP_CW, view);
 }
@@ -53,8 +58,10 @@ export function aroundLoop<Item extends number>(
   view: number,
 ): orbit.Orbit<Item> {
   links.checkHalfedge(h);
-  const [walk, back] = directionIndex(direction) === 1 ? [LOOP_CW, LOOP_CCW] : [LOOP_CCW, LOOP_CW];
-  return new Orbit(links, stepBack(links, back, h), walk, view);
+  const clockwise = directionIndex(direction) === 1;
+  const last = step(links, clockwise ? LOOP_CCW : LOOP_CW, h);
+  if (!(last >= 0)) throw corrupt(`The loop of halfedge ${h} does not close`);
+  return new Orbit(links, last, clockwise ? LOOP_CW : LOOP_CCW, view);
 }
 
 /** The two halfedges of `e`, side 0 first. */
@@ -67,64 +74,57 @@ export function aroundEdge<Item extends number>(
   return new Orbit(links, 2 * e + 1, ACROSS, view);
 }
 
-function lastAroundVertex(
+/**
+ * Where the lap around a vertex or a face ends, in all cases: the views are detached, there is a start,
+ * an argument is wrong. Circulators that show incoming halfedges take one of those as their start, too.
+ *
+ * One function on purpose: V8 inlines none that is so long, and so the loops of programs that use it
+ * have room left for what they need inlined.
+ */
+function lastOf(
   links: Links,
-  v: number,
+  centre: 'vertex' | 'face',
+  item: number,
   direction: unknown,
   start: number | undefined,
-  view: number,
+  incoming: boolean,
 ): number {
-  links.checkVertex(v);
   const clockwise = directionIndex(direction) === 1;
-  const back = clockwise ? ROTATE_CCW : ROTATE_CW;
-  if (start !== undefined) return stepBack(links, back, outgoing(links, v, start, view));
-  const anchor = links.vertexHalfedge[v];
-  return clockwise && anchor !== NONE ? stepBack(links, back, anchor) : anchor;
+  if (centre === 'vertex') links.checkVertex(item);
+  else links.checkFace(item);
+
+  const anchor = centre === 'vertex' ? links.vertexHalfedge[item] : links.faceHalfedge[item];
+  let first = anchor;
+  if (start !== undefined) {
+    links.checkHalfedge(start, 'start');
+    const [from, to, face] = [links.toVertex[start ^ 1], links.toVertex[start], links.face[start]];
+    first = incoming && to === item ? start ^ 1 : start;
+    if (incoming && to !== item && from !== item) {
+      throw new RangeError(
+        `start is halfedge ${describe(start)}, which goes from vertex ${from} to ${to}; expected one that arrives at vertex ${item}.`,
+      );
+    }
+    if (centre === 'vertex' && !incoming && from !== item) {
+      throw new RangeError(
+        `start is halfedge ${describe(start)}, which leaves vertex ${from}; expected one that leaves vertex ${item}.`,
+      );
+    }
+    if (centre === 'face' && face !== item) {
+      throw new RangeError(
+        `start is halfedge ${describe(start)}, which lies in ${face === NONE ? 'no face' : `face ${face}`}; expected one that lies in face ${item}.`,
+      );
+    }
+  } else if (first === NONE && centre === 'vertex') {
+    return NONE;
+  } else if (clockwise === (centre === 'face')) {
+    return first; // these directions end at the anchor
+  }
+  let back = clockwise ? ROTATE_CCW : ROTATE_CW;
+  if (centre === 'face') back = clockwise ? LOOP_CCW : LOOP_CW;
+  const last = step(links, back, first);
+  if (last >= 0) return last;
+  throw corrupt(`The halfedges of ${centre} ${item} form no closed orbit`);
 }
 
-function lastAroundFace(
-  links: Links,
-  f: number,
-  direction: unknown,
-  start: number | undefined,
-): number {
-  links.checkFace(f);
-  const clockwise = directionIndex(direction) === 1;
-  const back = clockwise ? LOOP_CCW : LOOP_CW;
-  if (start !== undefined) return stepBack(links, back, inFace(links, f, start));
-  const first = links.faceHalfedge[f];
-  return clockwise ? first : stepBack(links, back, first);
-}
-
-/** `start` as a halfedge that leaves `v`. Circulators that show incoming ones take those as well. */
-function outgoing(links: Links, v: number, start: number, view: number): number {
-  links.checkHalfedge(start, 'start');
-  const { toVertex } = links;
-  if (view === OPPOSITE && toVertex[start] === v) return start ^ 1;
-  if (toVertex[start ^ 1] === v) return start;
-  const from = toVertex[start ^ 1];
-  const [is, expected] =
-    view === OPPOSITE
-      ? [`goes from vertex ${from} to ${toVertex[start]}`, 'arrives at']
-      : [`leaves vertex ${from}`, 'leaves'];
-  throw new RangeError(
-    `start is halfedge ${describe(start)}, which ${is}; expected one that ${expected} vertex ${v}.`,
-  );
-}
-
-/** `start`, if it is a halfedge of `f`. */
-function inFace(links: Links, f: number, start: number): number {
-  links.checkHalfedge(start, 'start');
-  const face = links.face[start];
-  if (face === f) return start;
-  const where = face === NONE ? 'no face' : `face ${face}`;
-  throw new RangeError(
-    `start is halfedge ${describe(start)}, which lies in ${where}; expected one that lies in face ${f}.`,
-  );
-}
-
-function stepBack(links: Links, back: number, h: number): number {
-  const before = step(links, back, h);
-  if (before >= 0) return before;
-  throw corrupt(`Halfedge ${h} has no sound neighbours`);
-}
+/** A method, because V8 compiles no property access that has never happened: see orbit.ts. */
+const rest = { lastOf };

@@ -4,7 +4,7 @@ import * as orbit from './orbit.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
-const { reverse, shown, stale, step } = orbit;
+const { reverse, shown, staleError, step } = orbit;
 
 /** Makes the orbit of one kind around an item, after checking what it is given. */
 export type Around<Item extends number> = (
@@ -59,7 +59,7 @@ export class Circulator<Item extends number = number> {
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.links.version !== this.version) stale(this.links);
+    if (this.links.version !== this.version) this.refuse();
     return this.item as Item;
   }
 
@@ -68,7 +68,7 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.links.version !== this.version) stale(this.links);
+    if (this.links.version !== this.version) this.refuse();
     return this.at as Halfedge;
   }
 
@@ -98,7 +98,7 @@ export class Circulator<Item extends number = number> {
   /** @internal */
   step(walk: number): Item {
     const { links } = this;
-    if (links.version !== this.version) stale(links);
+    if (links.version !== this.version) this.refuse();
     const h = step(links, walk, this.at);
     if (h >= 0) {
       const item = shown(links, this.view, h);
@@ -132,5 +132,10 @@ export class Circulator<Item extends number = number> {
       }
     }
     throw corrupt(`The orbit of halfedge ${begin} does not close`);
+  }
+
+  /** @internal */
+  refuse(): never {
+    throw staleError(this.links);
   }
 }

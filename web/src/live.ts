@@ -1,18 +1,17 @@
-import { type ItemKind, NONE } from './items.js';
+import { type ItemKind, NONE as none } from './items.js';
 import type { Links } from './links.js';
-import { type Result, stale } from './orbit.js';
+import * as orbit from './orbit.js';
 
-/** A walk through the slots underway; see `Lap` in orbit.ts for its form. */
+// Constants of this module's own: see orbit.ts.
+const NONE: typeof none = none;
+const { staleError } = orbit;
+
+/** A walk through the slots underway, in the form of the laps in orbit.ts. */
 interface Pass {
-  next: () => Result;
+  next: () => orbit.Result;
   items: LiveItems<number>;
-  links: Links;
-  version: number;
-  /** Slots of deleted items hold less than -1 here, at `item << shift`. */
   slots: Int32Array;
-  shift: number;
   at: number;
-  end: number;
 }
 
 /**
@@ -21,11 +20,15 @@ interface Pass {
  */
 export class LiveItems<Item extends number> implements Iterable<Item> {
   /** @internal */
-  readonly links: Links;
+  declare readonly links: Links;
   /** @internal */
-  readonly version: number;
+  declare readonly version: number;
   /** @internal */
-  readonly kind: ItemKind;
+  declare readonly kind: ItemKind;
+  /** @internal An item has 1 << shift slots, of which the first tells whether it was deleted. */
+  declare readonly shift: number;
+  /** @internal Live and deleted items. */
+  declare readonly count: number;
 
   /** @internal */
   constructor(links: Links, kind: ItemKind) {
@@ -33,59 +36,50 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
     this.links = links;
     this.version = links.version;
     this.kind = kind;
+    this.shift = kind === 'edge' ? 1 : 0;
+    this.count = slotsOf(links, kind).length >> this.shift;
   }
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
-    const { links, version, kind } = this;
-    const shift = kind === 'edge' ? 1 : 0;
-    return {
-      next: nextLive,
-      items: this,
-      links,
-      version,
-      slots: slotsOf(links, kind),
-      shift,
-      at: 0,
-      end: slotCount(links, kind) >> shift,
-    } as Pass as unknown as Iterator<Item, typeof NONE>;
+    const slots = slotsOf(this.links, this.kind);
+    const pass: Pass = { next: nextLive, items: this, slots, at: 0 };
+    return pass as Iterator<Item, typeof NONE>;
   }
 
   /** The items in a fresh array. */
   toArray(): Item[] {
     return Array.from(this);
   }
-}
 
-function nextLive(this: Pass): Result {
-  const { end } = this;
-  let item = this.at;
-  if (this.links.version !== this.version) stale(this.links);
-  if (item < end) {
-    for (; item < end; item++) {
-      let slot = this.slots[item << this.shift];
-      if (slot === undefined) slot = readAgain(this, item);
-      if (slot >= NONE) break;
-    }
-    this.at = item + 1;
+  /**
+   * The first live item from `item` on, or NONE.
+   * @internal
+   */
+  liveFrom(item: number): number {
+    this.links.revive();
+    const slots = slotsOf(this.links, this.kind);
+    for (let i = item; i < this.count; i++) if (slots[i << this.shift] >= NONE) return i;
+    return NONE;
   }
-  const done = item >= end;
-  return { value: done ? NONE : item, done } as Result;
+
+  /** @internal */
+  refuse(): never {
+    throw staleError(this.links);
+  }
 }
 
-/** Mends the view of a pass, which growth of the memory has detached. */
-function readAgain(pass: Pass, item: number): number {
-  const { links, items } = pass;
-  links.revive();
-  pass.slots = slotsOf(links, items.kind);
-  return pass.slots[item << pass.shift];
+function nextLive(this: Pass): orbit.Result {
+  const { items, at } = this;
+  if (items.links.version !== items.version) items.refuse();
+  let item: number = NONE;
+  if (at < items.count) {
+    item = this.slots[at << items.shift] >= NONE ? at : items.liveFrom(at);
+    this.at = item < 0 ? items.count : item + 1;
+  }
+  return { value: item, done: item < 0 } as orbit.Result;
 }
 
 function slotsOf(links: Links, kind: ItemKind): Int32Array {
   if (kind === 'vertex') return links.vertexHalfedge;
   return kind === 'face' ? links.faceHalfedge : links.next;
-}
-
-function slotCount(links: Links, kind: ItemKind): number {
-  if (kind === 'vertex') return links.vertexSlots;
-  return kind === 'face' ? links.faceSlots : links.halfedgeSlots;
 }

@@ -138,7 +138,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    */
   into(buffer: Int32Array | Uint32Array): number {
     const { links, last, walk, view } = this;
-    if (links.version !== this.version) stale(links);
+    if (links.version !== this.version) this.refuse();
     const room = roomIn(buffer);
     if (last < 0) return 0;
     if (links.next.length === 0) links.revive();
@@ -156,14 +156,37 @@ export class Orbit<Item extends number> implements Iterable<Item> {
       } else if (item !== NONE || view < SHOW_FACE) break;
       if (h === last) return count <= room ? count : tooSmall(room, count);
     }
-    return failed(this);
+    return this.fail();
+  }
+
+  /**
+   * The same step of `lap` again with fresh views, if growth of the memory had detached them.
+   * @internal
+   */
+  advanceAgain(lap: Lap): number {
+    if (lap.follow.length !== 0) this.fail();
+    this.links.revive();
+    const { follow, table } = lapOf(this);
+    lap.follow = follow;
+    lap.table = table;
+    return this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
+  }
+
+  /** @internal */
+  refuse(): never {
+    throw staleError(this.links);
+  }
+
+  /** @internal */
+  fail(): never {
+    throw corrupt(`The orbit of halfedge ${this.last} does not close`);
   }
 }
 
 // These run inside of other people's loops. V8 inlines them, if the loop has little else, and keeps the
-// lap in registers as long as nothing could see it: so they are short, they have no loops, and they hand
-// the lap on only in cases that don't happen (V8 compiles no calls that never happened, but it does
-// compile a `throw`).
+// lap in registers as long as nothing could see it, and nothing in the loop can throw. So they are short
+// and have no loops, and whatever hands the lap on or throws is a method: V8 compiles no property access
+// that has never happened.
 
 function lapOf(orbit: Orbit<number>): Lap {
   const { links } = orbit;
@@ -192,13 +215,13 @@ function nextFace(this: Lap): Result {
 function advance(lap: Lap): number {
   const { orbit, at, left } = lap;
   const { view } = orbit;
-  if (orbit.links.version !== orbit.version) stale(orbit.links);
+  if (orbit.links.version !== orbit.version) orbit.refuse();
   if (at < 0) return NONE;
   const h = stepBy(lap.follow, orbit.walk, at);
-  if (h < 0 || left === 0) return advanceAgain(lap);
+  if (h < 0 || left === 0) return orbit.advanceAgain(lap);
   const side = h ^ (view & SHOW_OPPOSITE);
   const item = view < SHOW_VERTEX ? side >> (view >> 1) : lap.table[side];
-  if (!(item >= 0)) failed(orbit);
+  if (!(item >= 0)) orbit.fail();
   lap.left = (left - 1) & SMALL;
   lap.at = h === orbit.last ? NONE : h;
   return item;
@@ -208,17 +231,17 @@ function advance(lap: Lap): number {
 function advanceToFace(lap: Lap): number {
   const { orbit, table, at, left } = lap;
   const { last } = orbit;
-  if (orbit.links.version !== orbit.version) stale(orbit.links);
+  if (orbit.links.version !== orbit.version) orbit.refuse();
   if (at < 0) return NONE;
   let h = stepBy(lap.follow, orbit.walk, at);
-  if (h < 0 || left === 0) return advanceAgain(lap);
+  if (h < 0 || left === 0) return orbit.advanceAgain(lap);
   const opposite = orbit.view & SHOW_OPPOSITE;
   let item = table[h ^ opposite];
   if (item < 0 && h !== last) {
-    h = nextShown(orbit.links, orbit.walk, orbit.view, h, last);
+    h = nextWithFace(lap.follow, orbit.walk, table, opposite, h, last);
     item = table[h ^ opposite];
   }
-  if (!(item >= NONE)) failed(orbit);
+  if (!(item >= NONE)) orbit.fail();
   lap.left = (left - 1) & SMALL;
   lap.at = h === last ? NONE : h;
   return item;
@@ -231,36 +254,33 @@ function stepBy(follow: Int32Array, walk: number, h: number): number {
   return n >= 0 ? (n ^ (walk >> 2)) & SMALL : NONE;
 }
 
-/** The next halfedge after `h` that shows something, `last` at the latest; NONE where links are corrupt. */
-function nextShown(links: Links, walk: number, view: number, h: number, last: number): number {
-  for (let left = links.halfedgeSlots; left > 0; left--) {
-    h = step(links, walk, h);
-    if (h === last || !(h >= 0) || shown(links, view, h) !== NONE) return h;
+/**
+ * The next halfedge after `h` that shows a face, `last` at the latest; NONE where links are corrupt. So
+ * many parameters, because the lap must not be seen.
+ */
+function nextWithFace(
+  follow: Int32Array,
+  walk: number,
+  face: Int32Array,
+  opposite: number,
+  h: number,
+  last: number,
+): number {
+  let at = h;
+  for (let left = follow.length; left > 0 && at >= 0; left--) {
+    at = stepBy(follow, walk, at);
+    if (at === last || face[at ^ opposite] !== NONE) return at;
   }
   return NONE;
 }
 
-/** Tries the same step again with fresh views, if growth of the memory had detached them. */
-function advanceAgain(lap: Lap): number {
-  const { orbit } = lap;
-  if (lap.follow.length !== 0) failed(orbit);
-  orbit.links.revive();
-  const { follow, table } = lapOf(orbit);
-  lap.follow = follow;
-  lap.table = table;
-  return orbit.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
-}
-
-export function stale(links: Links): never {
+/** The error for use after a change of connectivity. */
+export function staleError(links: Links): HalfedgeError {
   links.checkAlive();
-  throw new HalfedgeError(
+  return new HalfedgeError(
     'stale-circulator',
     'This circulator was used after the connectivity changed under it; expected a new one.',
   );
-}
-
-export function failed(orbit: Orbit<number>): never {
-  throw corrupt(`The orbit of halfedge ${orbit.last} does not close`);
 }
 
 function roomIn(buffer: Int32Array | Uint32Array): number {
