@@ -234,6 +234,18 @@ TEST(Topology, RefusesACorruptMeshWithASentence) {
                 " breaks the invariants of a mesh: validate names what is wrong");
   EXPECT_FALSE(connected_components(mesh).ok());
   EXPECT_FALSE(genus(mesh).ok());
+
+  // By way of a halfedge that has a face; then round and round in a part of the loop.
+  mesh = reference_build(quad_grid(2, 2));
+  const Halfedge inside = mesh.opposite(boundary);
+  mesh.mutable_links().next[inside.index()] = mesh.next(boundary).index();
+  mesh.mutable_links().next[boundary.index()] = inside.index();
+  EXPECT_FALSE(boundary_loops(mesh).ok());
+  Mesh circle = reference_build(quad_grid(2, 2));
+  const Halfedge first = boundary_loops(circle).value()[0];
+  const Halfedge last = circle.prev(first);
+  circle.mutable_links().next[last.index()] = circle.next(first).index();
+  EXPECT_FALSE(boundary_loops(circle).ok());
 }
 
 }  // namespace

@@ -322,6 +322,12 @@ TEST(Validate, InteriorAnchor) {
                                      " leaves it");
 }
 
+TEST(Validate, InteriorAnchorIsReportedOnceForAllFansOfAVertex) {
+  Mesh mesh = reference_build(pinched(3));
+  mesh.set_vertex_halfedge(Vertex(0), halfedge_between(mesh, 0, 1));
+  expect_found(mesh, 3, {"interior-anchor vertex 0"});
+}
+
 TEST(Validate, EdgeWithoutFace) {
   Mesh mesh = from_loops(2, {{0, 1}}, {});
   expect_found(mesh, 3, {"edge-without-face edge 0"});
