@@ -21,9 +21,9 @@ constexpr Index kLarge = 200'000;
 constexpr double kFarFromQuadratic = 50;
 
 // In seconds of the processor, so that whatever else the machine does is not measured.
-double fastest_of_three(const Shape& shape, bool builds) {
+double fastest_of_two(const Shape& shape, bool builds) {
   double fastest = 1e30;
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 2; ++round) {
     Mesh mesh;
     BuildReport report;
     const std::clock_t start = std::clock();
@@ -35,8 +35,8 @@ double fastest_of_three(const Shape& shape, bool builds) {
 
 template <class MakeShape>
 void expect_no_quadratic_step(const MakeShape& make, bool builds, Index large_size = kLarge) {
-  const double small = fastest_of_three(make(large_size / 10), builds);
-  const double large = fastest_of_three(make(large_size), builds);
+  const double small = fastest_of_two(make(large_size / 10), builds);
+  const double large = fastest_of_two(make(large_size), builds);
   EXPECT_LT(large, kFarFromQuadratic * small) << small << " s, " << large << " s";
 }
 
@@ -64,16 +64,18 @@ Shape faces_on_one_edge(Index count) {
 }
 
 TEST(BuildScale, AFanAroundOneVertexIsLinear) {
-  expect_no_quadratic_step([](Index n) { return disk(n); }, true);
-  expect_no_quadratic_step([](Index n) { return in_random_order(disk(n)); }, true);
+  expect_no_quadratic_step(disk, true);
+  expect_no_quadratic_step([](Index n) { return in_random_order(disk(n)); }, true, 100'000);
 }
 
 TEST(BuildScale, ABipyramidIsLinear) {
-  expect_no_quadratic_step(bipyramid, true);
-  expect_no_quadratic_step([](Index n) { return in_random_order(bipyramid(n)); }, true);
+  expect_no_quadratic_step(bipyramid, true, 100'000);
+  expect_no_quadratic_step([](Index n) { return in_random_order(bipyramid(n)); }, true, 50'000);
 }
 
-TEST(BuildScale, FansAtAPinchedVertexAreAlmostLinear) { expect_no_quadratic_step(pinched, true); }
+TEST(BuildScale, FansAtAPinchedVertexAreAlmostLinear) {
+  expect_no_quadratic_step(pinched, true, 100'000);
+}
 
 TEST(BuildScale, LargeFacesAreLinear) {
   const auto two_large_faces = [](Index n) {

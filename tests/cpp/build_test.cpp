@@ -212,6 +212,50 @@ TEST(Build, MakesTheMeshThatTheContractDescribesFromRandomPolygons) {
   }
 }
 
+// Fans around a hub whose number is the smallest, the largest or any, each of them open or closed,
+// of sizes around the one from which edges are found by hashing.
+TEST(Build, MakesTheMeshThatTheContractDescribesAroundVerticesOfHighValence) {
+  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    const Index valence = Index(12 + random() % 40);
+    const Shape whole = disk(valence);
+    std::vector<std::vector<Index>> faces;
+    for (const std::vector<Index>& face : whole.faces) {
+      if (seed % 3 == 0 || random() % 8 != 0) faces.push_back(face);
+    }
+    if (seed % 2 == 0) {  // a second hub, below
+      const std::vector<std::vector<Index>> above = faces;
+      for (std::vector<Index> face : above) {
+        std::swap(face[1], face[2]);
+        face[0] = valence + 1;
+        faces.push_back(std::move(face));
+      }
+    }
+    std::vector<Index> number(valence + 2);
+    std::iota(number.begin(), number.end(), 0U);
+    if (seed % 4 >= 2) std::shuffle(number.begin(), number.end(), random);
+    if (seed % 4 == 1) std::swap(number.front(), number.back());
+    for (std::vector<Index>& face : faces) {
+      for (Index& v : face) v = number[v];
+    }
+    std::shuffle(faces.begin(), faces.end(), random);
+    const Shape shape{"hubs, seed " + std::to_string(seed), valence + 2, std::move(faces)};
+    const Mesh mesh = built(shape);
+    expect_valid(mesh, shape.name);
+    expect_same(mesh, reference_build(shape), shape.name);
+  }
+}
+
+TEST(Build, MakesRoomForMeshesThatAreAllBoundary) {
+  std::vector<std::vector<Index>> faces;
+  for (Index i = 0; i < 5000; ++i) faces.push_back({3 * i + 2, 3 * i, 3 * i + 1});
+  const Shape shape{"loose triangles", 15'000, std::move(faces)};
+  const Mesh mesh = built(shape);
+  EXPECT_EQ(mesh.halfedge_count(), 30'000U);
+  expect_valid(mesh, shape.name);
+  expect_same(mesh, reference_build(shape), shape.name);
+}
+
 // Compares everything that may not depend on the order of faces: not the anchors of interior
 // vertices, which are those of the last face.
 TEST(Build, DoesNotDependOnTheOrderOfFaces) {

@@ -1,8 +1,7 @@
 #include <halfedge/build/build.h>
-#include <halfedge/build/corners.h>
+#include <halfedge/build/connect.h>
 #include <halfedge/build/diagnose.h>
 #include <halfedge/build/sentence.h>
-#include <halfedge/build/sweep.h>
 
 #include <cassert>
 #include <cstdint>
@@ -29,37 +28,29 @@ bool sizes_fit(const Polygons& polygons) {
   return large_enough && sum == polygons.corners.size();
 }
 
-bool are_finite(std::span<const float> numbers) {
-  std::uint32_t bad = 0;
-  for (const float number : numbers) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &number, sizeof bits);
-    bad |= std::uint32_t{(bits & 0x7F80'0000U) == 0x7F80'0000U};
-  }
-  return bad == 0;
-}
-
+// The sign of the difference tells, without a branch: both are below 2^31 if all is well.
 bool are_below(std::span<const Index> indices, std::size_t count) {
-  Index largest = 0;
-  for (const Index index : indices) largest = index > largest ? index : largest;
-  return indices.empty() || largest < count;
+  const Index last = Index(count) - 1;
+  Index signs = 0;
+  for (const Index index : indices) signs |= index | (last - index);
+  return indices.empty() || (count > 0 && signs >> 31U == 0);
 }
 
-bool all_triangles(std::span<const Index> sizes) {
-  Index different = 0;
-  for (const Index size : sizes) different |= size ^ 3U;
-  return different == 0;
+bool can_be_connected(const Polygons& polygons) {
+  return sizes_fit(polygons) && are_below(polygons.corners, polygons.vertex_count());
 }
 
-SweepResult connect(Links& links, const Polygons& polygons) {
-  if (!sizes_fit(polygons) || !are_finite(polygons.positions) ||
-      !are_below(polygons.corners, polygons.vertex_count())) {
-    return SweepResult::kNotManifold;
+ConnectResult copy_positions(std::span<const float> from, Array<float>& to) {
+  if (!to.recreate(from.size())) return ConnectResult::kOutOfMemory;
+  float* const copy = to.data();
+  std::uint32_t not_finite = 0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &from[i], sizeof bits);
+    not_finite |= std::uint32_t{(bits & 0x7F80'0000U) == 0x7F80'0000U};
+    copy[i] = from[i];
   }
-  if (all_triangles(polygons.sizes)) return Sweep(links, polygons, TriangleCorners{}).run();
-  PolygonCorners corners;
-  if (!corners.assign(polygons.sizes, polygons.corners.size())) return SweepResult::kOutOfMemory;
-  return Sweep(links, polygons, corners).run();
+  return not_finite != 0 ? ConnectResult::kNotManifold : ConnectResult::kDone;
 }
 
 }  // namespace
@@ -67,27 +58,28 @@ SweepResult connect(Links& links, const Polygons& polygons) {
 bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& report) {
   report = {};
   mesh.clear();
-  SweepResult result = connect(mesh.mutable_links(), polygons);
-  if (result == SweepResult::kDone && !mesh.mutable_positions().assign(polygons.positions)) {
-    result = SweepResult::kOutOfMemory;
+  ConnectResult result = ConnectResult::kNotManifold;
+  if (can_be_connected(polygons)) result = connect(polygons, mesh.mutable_links());
+  if (result == ConnectResult::kDone) {
+    result = copy_positions(polygons.positions, mesh.mutable_positions());
   }
-  if (result != SweepResult::kDone) mesh.clear();
+  if (result != ConnectResult::kDone) mesh.clear();
   const auto fail = [&](const char* code, std::string message) {
     report.problems.push_back({code, std::move(message)});
     report.problem_count = 1;
   };
   switch (result) {
-    case SweepResult::kDone:
+    case ConnectResult::kDone:
       return true;
-    case SweepResult::kNotManifold:
+    case ConnectResult::kNotManifold:
       diagnose(polygons, report);
       assert(report.problem_count > 0);
       break;
-    case SweepResult::kTooLarge:
+    case ConnectResult::kTooLarge:
       fail("too-large", "A mesh of these faces needs more than the " + std::to_string(kMaxSlots) +
                             " halfedges that a mesh can have.");
       break;
-    case SweepResult::kOutOfMemory:
+    case ConnectResult::kOutOfMemory:
       fail("out-of-memory", "There is not enough memory for a mesh of " +
                                 sentence::count_of(polygons.vertex_count(), "vertex") + " and " +
                                 sentence::count_of(polygons.face_count(), "face") + ".");

@@ -9,7 +9,9 @@
 
 namespace halfedge {
 
-/// What a strict build found wrong, in the order of the input. Witnesses hold input indices.
+/// What a strict build found wrong: first the sizes of the arrays (if these are wrong, nothing
+/// else), then positions by vertex, faces by themselves and repeated faces by face, edges by their
+/// smaller vertex, vertices. Witnesses hold input indices.
 struct BuildReport {
   /// At most kMaxListed of them, one sentence each.
   std::vector<Error> problems;
@@ -26,12 +28,14 @@ struct BuildReport {
 /// Independent of the order of faces, and never crashes, whatever the input. Anchors: of a boundary
 /// vertex its boundary halfedge; of an interior one its halfedge in the incident face with the
 /// highest index. face_halfedge of a face v0..vn-1 is the halfedge v(n-1) -> v0. Edges are numbered
-/// grouped by vertex, for locality. A pinched vertex is accepted when boundary halfedges join its
-/// fans; they are then ordered by the index of the vertex their boundary halfedge points to, and
-/// the first is the anchor.
+/// grouped by their smaller vertex, for locality, but for some boundary edges, which come last. A
+/// pinched vertex is accepted when boundary halfedges join its fans; they are then ordered by the
+/// index of the vertex their boundary halfedge points to, and the first is the anchor.
 ///
-/// Memory of `mesh` is reused if it suffices; peak beyond the mesh is at most 8 bytes a vertex.
-/// cost: O(vertices + corners)
+/// pre: `polygons` doesn't view the arrays of `mesh`
+/// Memory of `mesh` is reused if it suffices, and exactly what is needed where it doesn't; peak
+/// beyond the mesh is at most 8 bytes a vertex, and 8 or so for each boundary edge.
+/// cost: O(vertices + corners); O(n log n) for the fans of a pinched vertex, and for a refusal
 ///
 /// Codes: index-out-of-range, non-finite-position, bad-size (of an array), degree-below-three,
 /// repeated-vertex, duplicate-face, edge-with-many-faces, opposite-orientation, pinched-vertex,

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <halfedge/build/polygons.h>
+#include <halfedge/connectivity/connectivity.h>
+
+#include <cstdint>
+
+namespace halfedge {
+
+enum class ConnectResult : std::uint8_t { kDone, kNotManifold, kTooLarge, kOutOfMemory };
+
+/// Fills all links of a mesh from its faces: what `build_from_polygons` promises but for the
+/// positions. Finds out that the polygons aren't manifold, not why. The links are undefined after
+/// any result but kDone.
+///
+/// pre: each face has at least three corners, all of them below the number of vertices; there are
+/// at most kMaxSlots corners and vertices
+/// cost: O(vertices + corners), expected; 4 bytes a vertex of scratch memory, and 8 or so for each
+/// boundary edge
+[[nodiscard]] ConnectResult connect(const Polygons& polygons, Links& links);
+
+}  // namespace halfedge

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <halfedge/connectivity/handle.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace halfedge {
+
+/// A hash table of edges by their two vertices, over memory that is lent to it. A slot holds the
+/// even halfedge of an edge, which leads from the smaller vertex to the larger, or kNone.
+///
+/// pre: four slots or more, of which at most half are used; then a look-up is expected to be O(1)
+class EdgeTable {
+ public:
+  explicit EdgeTable(std::span<Index> empty_slots) : slots_(empty_slots) {}
+
+  /// The slot that holds the edge, else the empty one where it belongs.
+  [[nodiscard]] Index& slot(Index low, Index high, const Index* to_vertex) const {
+    // Four neighbours in number are neighbours in the table: they are often needed together.
+    const std::uint32_t hash = (low * 0x85EB'CA6BU ^ (high / 4)) * 0x9E37'79B1U;
+    std::size_t i = std::size_t(std::uint64_t{hash} * (slots_.size() / 4) >> 32U) * 4 + high % 4;
+    for (;;) {
+      const Index h = slots_[i];
+      if (h == kNone || (to_vertex[h] == high && to_vertex[h + 1] == low)) return slots_[i];
+      i = i + 1 == slots_.size() ? 0 : i + 1;
+    }
+  }
+
+ private:
+  std::span<Index> slots_;
+};
+
+}  // namespace halfedge

@@ -1,0 +1,99 @@
+#include <halfedge/build/fans.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace halfedge {
+
+namespace {
+
+// Joins into one cycle the fans that begin at these outgoing boundary halfedges of a vertex, each
+// of which is a cycle so far.
+void join_cycles(std::span<const Index> firsts, Links& links) {
+  Index last = links.prev[firsts.front()];
+  for (const Index first : firsts.subspan(1)) {
+    links.next[last] = first;
+    last = std::exchange(links.prev[first], last);
+  }
+  links.next[last] = firsts.front();
+  links.prev[firsts.front()] = last;
+}
+
+}  // namespace
+
+bool join_open_fans(Links& links) {
+  const auto is_boundary = [&](Index h) { return links.face[h] == kNone; };
+  const auto from = [&](Index h) { return links.to_vertex[h ^ 1U]; };
+  Array<Index> at_pinched_vertices;
+
+  for (Index h = 0; h < links.next.size(); ++h) {
+    if (!is_boundary(h)) continue;
+    Index last = h ^ 1U;
+    while (!is_boundary(last)) last = links.next[last] ^ 1U;
+    links.next[last] = h;
+    links.prev[h] = last;
+
+    Index& anchor = links.vertex_halfedge[from(h)];
+    if (!is_boundary(anchor)) {
+      anchor = h;
+    } else if (!at_pinched_vertices.push_back(anchor) || !at_pinched_vertices.push_back(h)) {
+      return false;
+    }
+  }
+
+  Index* const begin = at_pinched_vertices.begin();
+  std::sort(begin, at_pinched_vertices.end(), [&](Index a, Index b) {
+    return std::pair(from(a), links.to_vertex[a]) < std::pair(from(b), links.to_vertex[b]);
+  });
+  Index* const end = std::unique(begin, at_pinched_vertices.end());
+  for (Index* first = begin; first != end;) {
+    Index* last = first;
+    while (last != end && from(*last) == from(*first)) ++last;
+    join_cycles({first, last}, links);
+    links.vertex_halfedge[from(*first)] = *first;
+    first = last;
+  }
+  return true;
+}
+
+// Walks around several vertices in step. One walk is a chain of loads, each waiting for the one
+// before it, with an end that can't be predicted; several at once wait together.
+bool each_vertex_has_one_cycle(const Links& links) {
+  constexpr std::size_t kLanes = 8;
+  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
+  if (links.next.empty()) return true;
+  const Index* const next = links.next.data();
+  const std::size_t vertices = links.vertex_halfedge.size();
+  std::size_t reached = 0;
+  for (std::size_t v = 0; v < vertices; v += kLanes) {
+    std::array<Index, kLanes> anchor;
+    std::array<Index, kLanes> at;
+    std::array<Index, kLanes> walking;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      anchor[i] = v + i < vertices ? links.vertex_halfedge[v + i] : kNone;
+      walking[i] = anchor[i] != kNone ? 1 : 0;
+      at[i] = walking[i] != 0 ? anchor[i] : 0;
+    }
+    Index any = 1;
+    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
+      any = 0;
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        reached += walking[i];
+        at[i] = next[at[i] ^ 1U];
+        walking[i] &= Index{at[i] != anchor[i]};
+        any |= walking[i];
+      }
+    }
+    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
+      for (; walking[i] != 0; ++reached) {
+        at[i] = next[at[i] ^ 1U];
+        walking[i] = Index{at[i] != anchor[i]};
+      }
+    }
+  }
+  return reached == links.next.size();
+}
+
+}  // namespace halfedge
