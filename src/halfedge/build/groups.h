@@ -58,23 +58,24 @@ template <bool kTriangles>
   Index* const count = groups.begin.data();
   Index* const last = last_face.data();
   Index repeats = 0;
-  for_each_face<kTriangles>(polygons, [=, &repeats](Index f, const Index* corners, auto size) {
-    if constexpr (kTriangles) {
-      const Index a = corners[0];
-      const Index b = corners[1];
-      const Index c = corners[2];
-      repeats |= Index{a == b} | Index{b == c} | Index{c == a};
-    }
-    for (Index i = 0; i < size; ++i) {
-      const Index from = corners[i];
-      const Index to = corners[i + 1 == size ? 0 : i + 1];
-      count[from] += from < to ? 2U : 0U;
-      if constexpr (!kTriangles) {
-        repeats |= Index{last[from] == f};
-        last[from] = f;
-      }
-    }
-  });
+  for_each_face<kTriangles>(
+      polygons, [=, &repeats]([[maybe_unused]] Index f, const Index* corners, auto size) {
+        if constexpr (kTriangles) {
+          const Index a = corners[0];
+          const Index b = corners[1];
+          const Index c = corners[2];
+          repeats |= Index{a == b} | Index{b == c} | Index{c == a};
+        }
+        for (Index i = 0; i < size; ++i) {
+          const Index from = corners[i];
+          const Index to = corners[i + 1 == size ? 0 : i + 1];
+          count[from] += from < to ? 2U : 0U;
+          if constexpr (!kTriangles) {
+            repeats |= Index{last[from] == f};
+            last[from] = f;
+          }
+        }
+      });
   repeated = repeats != 0;
 
   Index sum = 0;
