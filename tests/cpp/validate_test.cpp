@@ -124,6 +124,8 @@ TEST(Validate, ArraySize) {
   expect_found(positions, 0, {"array-size mesh -"});
   EXPECT_EQ(first_message(positions),
             "positions has 11 floats, expected 12: three for each vertex slot");
+  positions.set_face_halfedge(Face(2), Halfedge{});
+  expect_found(positions, 0, {"array-size mesh -", "empty-link face 2"});
 }
 
 TEST(Validate, FreeListWithAnotherCount) {

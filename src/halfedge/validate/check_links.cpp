@@ -1,0 +1,72 @@
+#include <halfedge/validate/checker.h>
+
+#include <algorithm>
+
+namespace halfedge {
+
+void LinkChecker::check_inverse_links() {
+  // prev(next(h)) == h for all h makes next injective, and so a permutation with the inverse
+  // prev.
+  for (const Halfedge h : mesh_.halfedges()) {
+    const Halfedge n = mesh_.next(h);
+    if (mesh_.prev(n) == h) continue;
+    report(Rule::kNextPrevMismatch, h, [&] {
+      return "the next of " + text(h) + " is " + text(n) + ", whose prev is " + text(mesh_.prev(n));
+    });
+  }
+  check_missing_anchors();
+  for (const Vertex v : mesh_.vertices()) {
+    const Halfedge anchor = mesh_.vertex_halfedge(v);
+    if (!anchor.valid() || mesh_.from_vertex(anchor) == v) continue;
+    report(Rule::kAnchorElsewhere, v, [&] {
+      return "the anchor of " + text(v) + " is " + text(anchor) + ", which leaves " +
+             text(mesh_.from_vertex(anchor));
+    });
+  }
+  for (const Face f : mesh_.faces()) {
+    const Halfedge first = mesh_.face_halfedge(f);
+    if (mesh_.face(first) == f) continue;
+    report(Rule::kFaceHalfedgeElsewhere, f, [&] {
+      return "the halfedge of " + text(f) + " is " + text(first) + ", which lies in " +
+             text(mesh_.face(first));
+    });
+  }
+}
+
+void LinkChecker::check_missing_anchors() {
+  const auto lacks_anchor = [&](Vertex v) { return !mesh_.vertex_halfedge(v).valid(); };
+  const bool none_lacks =
+      std::none_of(mesh_.links().vertex_halfedge.begin(), mesh_.links().vertex_halfedge.end(),
+                   [](Index anchor) { return anchor == kNone; });
+  if (none_lacks) return;
+  Array<Index> leaving;  // by vertex, one halfedge that leaves it
+  if (!has_memory(leaving.resize(mesh_.vertex_slots(), kNone), "missing anchors")) return;
+  for (const Halfedge h : mesh_.halfedges()) leaving[mesh_.from_vertex(h).index()] = h.index();
+  for (const Vertex v : mesh_.vertices()) {
+    if (!lacks_anchor(v) || leaving[v.index()] == kNone) continue;
+    report(Rule::kMissingAnchor, v, [&] {
+      return text(v) + " has no anchor, although " + text(Halfedge(leaving[v.index()])) +
+             " leaves it";
+    });
+  }
+}
+
+void LinkChecker::check_loops_agree() {
+  for (const Halfedge h : mesh_.halfedges()) {
+    const Halfedge n = mesh_.next(h);
+    if (mesh_.from_vertex(n) != mesh_.to_vertex(h)) {
+      report(Rule::kToFromMismatch, h, [&] {
+        return text(h) + " leads to " + text(mesh_.to_vertex(h)) + ", but its next, " + text(n) +
+               ", leaves " + text(mesh_.from_vertex(n));
+      });
+    }
+    if (mesh_.face(n) != mesh_.face(h)) {
+      report(Rule::kFaceMismatch, h, [&] {
+        return text(h) + " lies in " + text(mesh_.face(h)) + ", but its next, " + text(n) +
+               ", lies in " + text(mesh_.face(n));
+      });
+    }
+  }
+}
+
+}  // namespace halfedge

@@ -1,0 +1,76 @@
+#include <halfedge/validate/checker.h>
+
+#include <algorithm>
+#include <string>
+
+namespace halfedge {
+
+void PolygonChecker::check_polygons() {
+  check_degrees();
+  Array<Index> mark;  // by vertex, the last face or vertex in whose ring it was seen
+  if (has_memory(mark.resize(mesh_.vertex_slots(), kNone), "repeated vertices and edges")) {
+    check_repeated_vertices(mark);
+    std::fill(mark.begin(), mark.end(), kNone);
+    check_duplicate_halfedges(mark);
+  }
+  for (const Edge e : mesh_.edges()) {
+    const Face f = mesh_.face(mesh_.edge_halfedge(e, 0));
+    if (!f.valid() || f != mesh_.face(mesh_.edge_halfedge(e, 1))) continue;
+    report(Rule::kSameFaceTwice, e,
+           [&] { return text(e) + " has " + text(f) + " on both sides, expected two faces"; });
+  }
+  check_vertices();
+}
+
+void PolygonChecker::check_degrees() {
+  for (const Face f : mesh_.faces()) {
+    const Halfedge first = mesh_.face_halfedge(f);
+    const Halfedge second = mesh_.next(first);
+    if (first != second && mesh_.next(second) != first) continue;
+    report(Rule::kDegreeBelowThree, f, [&] {
+      return text(f) + " has " + number(mesh_.degree(f)) +
+             (first == second ? " corner" : " corners") + ", expected three or more";
+    });
+  }
+}
+
+void PolygonChecker::check_repeated_vertices(Array<Index>& mark) {
+  for (const Face f : mesh_.faces()) {
+    for (const Vertex v : mesh_.face_vertices_ccw(f)) {
+      if (mark[v.index()] == f.index()) {
+        report(Rule::kRepeatedVertex, f,
+               [&] { return text(f) + " has " + text(v) + " at more than one corner"; });
+      }
+      mark[v.index()] = f.index();
+    }
+  }
+}
+
+// Reported at the second of the two, once for each edge: from its smaller vertex.
+void PolygonChecker::check_duplicate_halfedges(Array<Index>& mark) {
+  for (const Vertex v : mesh_.vertices()) {
+    for (const Halfedge h : mesh_.outgoing_cw(v)) {
+      const Vertex to = mesh_.to_vertex(h);
+      if (mark[to.index()] == v.index() && v <= to) {
+        report(Rule::kDuplicateHalfedge, h, [&] {
+          return text(h) + " leads from " + text(v) + " to " + text(to) +
+                 ", as another halfedge does already";
+        });
+      }
+      mark[to.index()] = v.index();
+    }
+  }
+}
+
+void PolygonChecker::check_vertices() {
+  for (const Vertex v : mesh_.vertices()) {
+    if (mesh_.is_isolated(v)) {
+      report(Rule::kIsolatedVertex, v, [&] { return text(v) + " is isolated: it has no edges"; });
+    } else if (mesh_.is_boundary(v) && !mesh_.is_manifold(v)) {
+      report(Rule::kPinchedVertex, v,
+             [&] { return text(v) + " is pinched: its faces form more than one fan"; });
+    }
+  }
+}
+
+}  // namespace halfedge
