@@ -335,9 +335,10 @@ TEST(Array, ReportsARequestThatNoMemoryCanMeetAndKeepsItsContents) {
   EXPECT_FALSE(array.reserve(too_many));
   EXPECT_FALSE(array.resize(too_many));
   EXPECT_FALSE(array.resize(too_many, 1));
-  EXPECT_FALSE(array.recreate(too_many));
   EXPECT_EQ(array.size(), 3U);
   EXPECT_EQ(array[2], 7U);
+  EXPECT_FALSE(array.recreate(too_many));
+  EXPECT_TRUE(array.empty());
 }
 
 TEST(Array, GrowsAndShrinks) {

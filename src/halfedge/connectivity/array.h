@@ -16,8 +16,9 @@ namespace halfedge {
 ///
 /// Elements are trivially copyable. `resize` leaves new elements uninitialised (the bulk builder
 /// writes each of them exactly once); growth by `push_back` is amortised, `resize` is exact.
-/// Every function that allocates returns false when memory is exhausted and then has changed
-/// nothing. Growing invalidates pointers and spans into the array; shrinking doesn't.
+/// Every function that allocates returns false when memory is exhausted; it has then changed
+/// nothing, but for `recreate` and `assign`, which leave the array empty. Growing and
+/// `shrink_to_fit` invalidate pointers and spans into the array; `resize` to less doesn't.
 template <class T>
 class Array {
   static_assert(std::is_trivially_copyable_v<T>, "Array moves its elements with memcpy");
@@ -93,8 +94,8 @@ class Array {
   /// Drops the contents first, so that growing copies nothing; then as `resize(count)`.
   [[nodiscard]] bool recreate(std::size_t count) {
     if (count > capacity_) {
-      if (count > PTRDIFF_MAX / sizeof(T)) return false;
       reset();
+      if (count > PTRDIFF_MAX / sizeof(T)) return false;
       void* fresh = std::malloc(count * sizeof(T));
       if (fresh == nullptr) return false;
       data_ = static_cast<T*>(fresh);
