@@ -48,7 +48,9 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
 
   /** The items in a fresh array. */
   toArray(): Item[] {
-    return Array.from(this);
+    const items: Item[] = [];
+    for (const item of this) items.push(item); // several times as fast as Array.from
+    return items;
   }
 
   /**

@@ -127,7 +127,9 @@ export class Orbit<Item extends number> implements Iterable<Item> {
 
   /** The items of the lap in a fresh array. */
   toArray(): Item[] {
-    return Array.from(this);
+    const items: Item[] = [];
+    for (const item of this) items.push(item); // several times as fast as Array.from
+    return items;
   }
 
   /**
