@@ -14,8 +14,8 @@ const TYPES = {
 };
 
 /**
- * `--no-concurrent-recompilation`: on a busy machine with few processors Chromium's compiler threads
- * can starve for minutes, and then everything is measured in its lower tiers.
+ * `--no-concurrent-recompilation`: on a busy machine with few processors the compiler threads of V8 can
+ * starve for minutes, and then code that never left its lower tiers would be measured.
  */
 const FLAGS = ['--no-sandbox', '--js-flags=--no-concurrent-recompilation,--expose-gc'];
 

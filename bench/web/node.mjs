@@ -1,5 +1,6 @@
 // The benchmark in Node.
 
+import { setFlagsFromString } from 'node:v8';
 import { HalfedgeMesh, init } from 'halfedge';
 import manifoldModule from 'manifold-3d';
 import * as three from 'three';
@@ -8,6 +9,7 @@ import * as threeMeshHalfedge from '../../node_modules/three-mesh-halfedge/build
 import { runSuite } from './suite.mjs';
 
 export async function inNode(options) {
+  setFlagsFromString('--no-concurrent-recompilation'); // see chromium.mjs
   await init();
   const manifold = await manifoldModule();
   manifold.setup();

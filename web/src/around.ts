@@ -43,7 +43,7 @@ export function aroundFace<Item extends number>(
 ): orbit.Orbit<Item> {
   let last = typeof f === 'number' ? links.faceHalfedge[f] : NONE;
   const ccw = direction === 'ccw';
-  if (ccw) last = links.prev[last];
+  if (ccw && last >= 0) last = links.prev[last];
   if (start !== undefined || !(last >= 0 && (ccw || direction === 'cw'))) {
     last = rest.lastOf(links, 'face', f, direction, start, false);
   }
