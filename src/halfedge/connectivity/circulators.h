@@ -201,11 +201,14 @@ class Orbit {
     using pointer = void;
 
     Iterator() = default;
-    Iterator(const Mesh& mesh, Halfedge first)
-        : mesh_(&mesh), at_(first), first_(first), stamp_(mesh) {
-      if constexpr (View::kCanBeEmpty) {
-        if (at_.valid() && !View::of(*mesh_, at_).valid()) ++*this;
-      }
+    explicit Iterator(const Orbit& orbit)
+        : mesh_(orbit.mesh_),
+          at_(orbit.first_),
+          first_(orbit.first_),
+          at_end_(orbit.is_empty_),
+          may_skip_(orbit.may_skip_),
+          stamp_(*orbit.mesh_) {
+      if (!at_end_ && shows_nothing()) ++*this;
     }
 
     [[nodiscard]] Halfedge halfedge() const { return at_; }
@@ -219,9 +222,10 @@ class Orbit {
         at_ = Walk::on(*mesh_, at_);
         if (at_ == first_) {
           at_ = Halfedge{};
+          at_end_ = true;
           return *this;
         }
-      } while (View::kCanBeEmpty && !View::of(*mesh_, at_).valid());
+      } while (shows_nothing());
       return *this;
     }
     Iterator operator++(int) {
@@ -231,21 +235,41 @@ class Orbit {
     }
 
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_; }
-    friend bool operator==(const Iterator& a, std::default_sentinel_t) { return !a.at_.valid(); }
+    friend bool operator==(const Iterator& a, std::default_sentinel_t) { return a.at_end_; }
 
    private:
+    [[nodiscard]] bool shows_nothing() const {
+      return View::kCanBeEmpty && may_skip_ && !View::of(*mesh_, at_).valid();
+    }
+
+    // at_end_ repeats what at_ tells, but compilers see through it: a step has one branch.
     const Mesh* mesh_ = nullptr;
     Halfedge at_;
     Halfedge first_;
+    bool at_end_ = true;
+    bool may_skip_ = false;
     [[no_unique_address]] VersionStamp<Checked> stamp_;
   };
 
   /// The lap that begins at `first`; empty if `first` is.
-  Orbit(const Mesh& mesh, Halfedge first) : mesh_(&mesh), first_(first), stamp_(mesh) {}
+  Orbit(const Mesh& mesh, Halfedge first) : Orbit(mesh, first, {.is_empty = !first.valid()}) {}
+
+  /// What is known of a lap beforehand, and then needn't be tested.
+  struct Known {
+    bool is_empty = false;
+    /// Whether halfedges on the way may show nothing, and must be skipped.
+    bool may_skip = true;
+  };
+  Orbit(const Mesh& mesh, Halfedge first, Known known)
+      : mesh_(&mesh),
+        first_(first),
+        is_empty_(known.is_empty),
+        may_skip_(known.may_skip),
+        stamp_(mesh) {}
 
   [[nodiscard]] Iterator begin() const {
     stamp_.check(*mesh_);
-    return Iterator(*mesh_, first_);
+    return Iterator(*this);
   }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
   [[nodiscard]] bool empty() const { return begin() == end(); }
@@ -259,6 +283,8 @@ class Orbit {
  private:
   const Mesh* mesh_;
   Halfedge first_;
+  bool is_empty_;
+  bool may_skip_;
   [[no_unique_address]] VersionStamp<Checked> stamp_;
 };
 
@@ -276,7 +302,7 @@ class LiveRange {
     using pointer = void;
 
     Iterator() = default;
-    Iterator(const Mesh& mesh, Index at) : mesh_(&mesh), at_(at) { skip_deleted(); }
+    Iterator(const Mesh& mesh, Index at) : mesh_(&mesh), at_(at), at_end_(false) { skip_deleted(); }
 
     [[nodiscard]] Item operator*() const { return Item(at_); }
     Iterator& operator++() {
@@ -291,18 +317,19 @@ class LiveRange {
     }
 
     friend bool operator==(const Iterator& a, const Iterator& b) { return a.at_ == b.at_; }
-    friend bool operator==(const Iterator& a, std::default_sentinel_t) {
-      return a.at_ >= a.mesh_->slots(Item{});
-    }
+    friend bool operator==(const Iterator& a, std::default_sentinel_t) { return a.at_end_; }
 
    private:
     void skip_deleted() {
-      const Index slots = mesh_->slots(Item{});
-      while (at_ < slots && mesh_->is_deleted(Item(at_))) ++at_;
+      for (const Index slots = mesh_->slots(Item{}); at_ < slots; ++at_) {
+        if (!mesh_->is_deleted(Item(at_))) return;
+      }
+      at_end_ = true;
     }
 
     const Mesh* mesh_ = nullptr;
     Index at_ = 0;
+    bool at_end_ = true;
   };
 
   explicit LiveRange(const Mesh& mesh) : mesh_(&mesh) {}
@@ -320,8 +347,9 @@ class LiveRange {
 ///   - around a face, ccw begins at face_halfedge(f); cw is its exact reverse and ends there;
 ///   - with an explicit start halfedge both directions begin at it.
 /// At a boundary vertex the anchor is a boundary halfedge, so both orders list the one-ring as an
-/// open path from one boundary neighbour to the other. Sides without a face are skipped. Each step
-/// is O(1); nothing is allocated.
+/// open path from one boundary neighbour to the other. Sides without a face are skipped; where the
+/// anchor of a vertex has a face there are none (invariant 5), and they aren't looked for. Each
+/// step is O(1); nothing is allocated.
 template <class Mesh>
 class Circulators {
   using RotateCw = walk::RotateCw;
@@ -399,24 +427,25 @@ class Circulators {
   template <class Walk, class View>
   [[nodiscard]] auto around(Vertex v) const {
     const Halfedge anchor = self().vertex_halfedge(v);
-    if constexpr (std::is_same_v<Walk, RotateCw>) return Lap<Walk, View>(self(), anchor);
-    return Lap<Walk, View>(self(), anchor.valid() ? self().rotate_ccw(anchor) : anchor);
+    if (!anchor.valid()) return Lap<Walk, View>(self(), anchor, {.is_empty = true});
+    const Halfedge first = std::is_same_v<Walk, RotateCw> ? anchor : self().rotate_ccw(anchor);
+    return Lap<Walk, View>(self(), first, {.may_skip = self().is_boundary(anchor)});
   }
   template <class Walk, class View>
   [[nodiscard]] auto around(Face f) const {
     const Halfedge first = self().face_halfedge(f);
-    if constexpr (std::is_same_v<Walk, LoopCcw>) return Lap<Walk, View>(self(), first);
-    return Lap<Walk, View>(self(), self().prev(first));
+    if constexpr (std::is_same_v<Walk, LoopCcw>) return Lap<Walk, View>(self(), first, {});
+    return Lap<Walk, View>(self(), self().prev(first), {});
   }
   template <class Walk, class View>
-  [[nodiscard]] auto from([[maybe_unused]] Vertex v, Halfedge start) const {
+  [[nodiscard]] auto from(Vertex v, Halfedge start) const {
     assert(self().from_vertex(start) == v && "the start halfedge must leave the vertex");
-    return Lap<Walk, View>(self(), start);
+    return Lap<Walk, View>(self(), start, {.may_skip = self().is_boundary(v)});
   }
   template <class Walk, class View>
   [[nodiscard]] auto from([[maybe_unused]] Face f, Halfedge start) const {
     assert(self().face(start) == f && "the start halfedge must lie in the face");
-    return Lap<Walk, View>(self(), start);
+    return Lap<Walk, View>(self(), start, {});
   }
   template <class View>
   [[nodiscard]] auto across(Edge e) const {
