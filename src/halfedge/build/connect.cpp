@@ -213,14 +213,16 @@ class FaceConnector {
 
   // An edge for which the group of `low` has no room.
   Index find_unforeseen(Index low, Index high) {
-    if (failure_ != ConnectResult::kDone || !make_room()) return 0;
-    Index& slot = EdgeTable(unforeseen_.span()).slot(low, high, to_);
-    if (slot == kNone) {
-      slot = used_;
-      used_ += 2;
-      make_edge(slot, low, high);
+    if (!unforeseen_.empty()) {
+      const Index known = EdgeTable(unforeseen_.span()).slot(low, high, to_);
+      if (known != kNone) return known;
     }
-    return slot;
+    if (failure_ != ConnectResult::kDone || !make_room()) return 0;
+    const Index h = used_;
+    used_ += 2;
+    EdgeTable(unforeseen_.span()).slot(low, high, to_) = h;
+    make_edge(h, low, high);
+    return h;
   }
 
   // Room for one more of these. False, with a reason in failure_, where there is none.
