@@ -19,9 +19,15 @@ struct Point {
 };
 
 /// A connectivity whose vertices have positions: three floats for each vertex slot, xyz
-/// interleaved.
-class Mesh : public Connectivity {
+/// interleaved. `Mesh` stores all links; others leave some out (see Storage).
+template <Storage kStored>
+class BasicMesh : public BasicConnectivity<kStored> {
+  using Base = BasicConnectivity<kStored>;
+
  public:
+  using Base::free_vertices;
+  using Base::vertex_slots;
+
   [[nodiscard]] Point position(Vertex v) const {
     const float* p = &positions_[3 * std::size_t{v.index()}];
     return {p[0], p[1], p[2]};
@@ -41,28 +47,27 @@ class Mesh : public Connectivity {
   [[nodiscard]] Vertex add_vertex(Point p) {
     const std::size_t slots = vertex_slots() + (free_vertices().count == 0 ? 1 : 0);
     if (3 * slots > positions_.capacity() && !positions_.reserve(4 * slots + 48)) return {};
-    const Vertex v = Connectivity::new_vertex();
+    const Vertex v = Base::new_vertex();
     if (!v.valid()) return {};
     (void)positions_.resize(3 * slots);  // reserved above
     set_position(v, p);
     return v;
   }
 
-  /// As Connectivity's, at the origin.
+  /// As the connectivity's, at the origin.
   [[nodiscard]] Vertex new_vertex() { return add_vertex({}); }
 
   [[nodiscard]] bool reserve(Index vertices, Index edges, Index faces) {
-    return positions_.reserve(3 * std::size_t{vertices}) &&
-           Connectivity::reserve(vertices, edges, faces);
+    return positions_.reserve(3 * std::size_t{vertices}) && Base::reserve(vertices, edges, faces);
   }
   void clear() {
     positions_.clear();
-    Connectivity::clear();
+    Base::clear();
   }
   /// Becomes a copy of `other`. False when memory is exhausted; then it is empty.
-  [[nodiscard]] bool assign(const Mesh& other) {
+  [[nodiscard]] bool assign(const BasicMesh& other) {
     if (this == &other) return true;
-    if (positions_.assign(other.positions_.span()) && Connectivity::assign(other)) return true;
+    if (positions_.assign(other.positions_.span()) && Base::assign(other)) return true;
     clear();
     return false;
   }
@@ -70,5 +75,7 @@ class Mesh : public Connectivity {
  private:
   Array<float> positions_;
 };
+
+using Mesh = BasicMesh<kEverything>;
 
 }  // namespace halfedge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/connectivity/storage.h>
 
 #include <cassert>
 #include <cstddef>
@@ -429,7 +430,7 @@ class Circulators {
     const Halfedge anchor = self().vertex_halfedge(v);
     if (!anchor.valid()) return Lap<Walk, View>(self(), anchor, {.is_empty = true});
     const Halfedge first = std::is_same_v<Walk, RotateCw> ? anchor : self().rotate_ccw(anchor);
-    return Lap<Walk, View>(self(), first, {.may_skip = self().is_boundary(anchor)});
+    return Lap<Walk, View>(self(), first, {.may_skip = may_skip<View>(anchor)});
   }
   template <class Walk, class View>
   [[nodiscard]] auto around(Face f) const {
@@ -438,14 +439,26 @@ class Circulators {
     return Lap<Walk, View>(self(), self().prev(first), {});
   }
   template <class Walk, class View>
-  [[nodiscard]] auto from(Vertex v, Halfedge start) const {
+  [[nodiscard]] auto from([[maybe_unused]] Vertex v, Halfedge start) const {
     assert(self().from_vertex(start) == v && "the start halfedge must leave the vertex");
-    return Lap<Walk, View>(self(), start, {.may_skip = self().is_boundary(v)});
+    if constexpr (StoresAnchors<Mesh>) {
+      return Lap<Walk, View>(self(), start,
+                             {.may_skip = may_skip<View>(self().vertex_halfedge(v))});
+    }
+    return Lap<Walk, View>(self(), start, {});
   }
   template <class Walk, class View>
   [[nodiscard]] auto from([[maybe_unused]] Face f, Halfedge start) const {
-    assert(self().face(start) == f && "the start halfedge must lie in the face");
+    if constexpr (StoresFaces<Mesh>) {
+      assert(self().face(start) == f && "the start halfedge must lie in the face");
+    }
     return Lap<Walk, View>(self(), start, {});
+  }
+  // Only views that can be empty need to know; so a mesh without faces has all others.
+  template <class View>
+  [[nodiscard]] bool may_skip([[maybe_unused]] Halfedge anchor) const {
+    if constexpr (View::kCanBeEmpty) return self().is_boundary(anchor);
+    return false;
   }
   template <class View>
   [[nodiscard]] auto across(Edge e) const {

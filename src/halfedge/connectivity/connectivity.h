@@ -1,8 +1,9 @@
 #pragma once
 
-#include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/connectivity/links.h>
+#include <halfedge/connectivity/storage.h>
 
 #include <algorithm>
 #include <cassert>
@@ -12,41 +13,18 @@
 
 namespace halfedge {
 
-/// The whole representation: six flat arrays of 32-bit indices. Halfedges come in pairs, so that
-/// opposite(h) = h ^ 1 and edge(h) = h >> 1 cost no memory.
-///
-///   by halfedge   next, prev, to_vertex, face     kNone: no face (a boundary halfedge)
-///   by vertex     vertex_halfedge, the *anchor*   kNone: an isolated vertex
-///   by face       face_halfedge                   never empty
-///
-/// A closed triangle mesh has two faces and six halfedges to a vertex: 4 + 2·4 + 6·16 = 108 bytes,
-/// 120 with float positions.
-///
-/// Deleted slots hold values with the sign bit set other than kNone, and form a free list that is
-/// threaded through `vertex_halfedge`, `face_halfedge` and `next` (of an edge's side 0).
-struct Links {
-  Array<Index> next;
-  Array<Index> prev;
-  Array<Index> to_vertex;
-  Array<Index> face;
-  Array<Index> vertex_halfedge;
-  Array<Index> face_halfedge;
-};
+/// What the compiler says of a call that needs a link that isn't stored.
+#define HALFEDGE_NEEDS_FACES \
+  "this call needs the face of a halfedge, which this mesh type does not store (Storage::face)"
+#define HALFEDGE_NEEDS_FACE_HALFEDGES                                            \
+  "this call needs the halfedge of a face, which this mesh type does not store " \
+  "(Storage::face_halfedge); the form of a circulator with a start halfedge does without"
+#define HALFEDGE_NEEDS_ANCHORS                                                     \
+  "this call needs the halfedge of a vertex, which this mesh type does not store " \
+  "(Storage::vertex_halfedge); the form of a circulator with a start halfedge does without"
 
-/// What the links of a deleted slot hold; a free-list link is kDeleted - 1 - (next free slot).
-inline constexpr Index kDeleted = 0xFFFF'FFFE;
-
-/// Whether a link belongs to a deleted slot.
-[[nodiscard]] constexpr bool is_deleted_link(Index link) {
-  return link > 0x7FFF'FFFF && link != kNone;
-}
-
-/// The free slot after one whose link is `link`, or kNone at the end of the chain.
-[[nodiscard]] constexpr Index next_free_slot(Index link) {
-  return link == kDeleted ? kNone : kDeleted - 1 - link;
-}
-
-/// Vertices, halfedges, edges and faces, and how they are joined; no geometry. Invariants (the
+/// Vertices, halfedges, edges and faces, and how they are joined; no geometry: usable alone, as for
+/// a planar map. `Connectivity` stores all links; others leave some out. Invariants (the
 /// codes of `validate` name them):
 ///   1. opposite is an involution without fixed points; next and prev are inverse permutations.
 ///   2. from(next(h)) == to(h).
@@ -58,12 +36,15 @@ inline constexpr Index kDeleted = 0xFFFF'FFFE;
 ///
 /// Navigation is O(1) and unchecked in release builds: passing a deleted or foreign handle is a
 /// caller's bug, caught by `assert` in debug builds.
-class Connectivity : public Circulators<Connectivity> {
+template <Storage kStored>
+class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
  public:
-  Connectivity() = default;
+  static constexpr Storage kStorage = kStored;
+
+  BasicConnectivity() = default;
   /// Moving leaves `other` empty. It counts as a change of both.
-  Connectivity(Connectivity&& other) noexcept { *this = std::move(other); }
-  Connectivity& operator=(Connectivity&& other) noexcept;
+  BasicConnectivity(BasicConnectivity&& other) noexcept { *this = std::move(other); }
+  BasicConnectivity& operator=(BasicConnectivity&& other) noexcept;
 
   // ---- counts -------------------------------------------------------------------------------
 
@@ -74,10 +55,16 @@ class Connectivity : public Circulators<Connectivity> {
   [[nodiscard]] Index face_count() const { return face_slots() - free_faces_.count; }
 
   /// Live and deleted items: the range of indices.
-  [[nodiscard]] Index vertex_slots() const { return Index(links_.vertex_halfedge.size()); }
+  [[nodiscard]] Index vertex_slots() const {
+    if constexpr (!kStorage.vertex_halfedge) return bare_vertices_;
+    return Index(links_.vertex_halfedge.size());
+  }
   [[nodiscard]] Index halfedge_slots() const { return Index(links_.next.size()); }
   [[nodiscard]] Index edge_slots() const { return halfedge_slots() / 2; }
-  [[nodiscard]] Index face_slots() const { return Index(links_.face_halfedge.size()); }
+  [[nodiscard]] Index face_slots() const {
+    if constexpr (!kStorage.face_halfedge) return bare_faces_;
+    return Index(links_.face_halfedge.size());
+  }
 
   /// The same, chosen by the type of the handle; for code that is generic over the kind of item.
   [[nodiscard]] Index slots(Vertex) const { return vertex_slots(); }
@@ -85,14 +72,17 @@ class Connectivity : public Circulators<Connectivity> {
   [[nodiscard]] Index slots(Edge) const { return edge_slots(); }
   [[nodiscard]] Index slots(Face) const { return face_slots(); }
 
-  [[nodiscard]] bool is_deleted(Vertex v) const {
+  /// Vertices and faces can be deleted where they store a halfedge.
+  [[nodiscard]] bool is_deleted([[maybe_unused]] Vertex v) const {
+    if constexpr (!kStorage.vertex_halfedge) return false;
     return is_deleted_link(links_.vertex_halfedge[v.index()]);
   }
   [[nodiscard]] bool is_deleted(Halfedge h) const {
     return is_deleted_link(links_.next[h.index()]);
   }
   [[nodiscard]] bool is_deleted(Edge e) const { return is_deleted(edge_halfedge(e)); }
-  [[nodiscard]] bool is_deleted(Face f) const {
+  [[nodiscard]] bool is_deleted([[maybe_unused]] Face f) const {
+    if constexpr (!kStorage.face_halfedge) return false;
     return is_deleted_link(links_.face_halfedge[f.index()]);
   }
 
@@ -109,22 +99,31 @@ class Connectivity : public Circulators<Connectivity> {
 
   /// (1) One halfedge that leaves `v`, its anchor; empty for an isolated vertex.
   [[nodiscard]] Halfedge vertex_halfedge(Vertex v) const {
+    static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
     return Halfedge(links_.vertex_halfedge[v.index()]);
   }
   /// (2) One halfedge of `f`.
   [[nodiscard]] Halfedge face_halfedge(Face f) const {
+    static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
     return Halfedge(links_.face_halfedge[f.index()]);
   }
   /// (3)
   [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(links_.to_vertex[h.index()]); }
   /// (4) The face on the left of `h`; empty for a boundary halfedge.
-  [[nodiscard]] Face face(Halfedge h) const { return Face(links_.face[h.index()]); }
+  [[nodiscard]] Face face(Halfedge h) const {
+    static_assert(kStorage.face, HALFEDGE_NEEDS_FACES);
+    return Face(links_.face[h.index()]);
+  }
   /// (5) The halfedge after `h` in its face loop or boundary loop.
   [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(links_.next[h.index()]); }
   /// (6)
   [[nodiscard]] static constexpr Halfedge opposite(Halfedge h) { return Halfedge(h.index() ^ 1U); }
-  /// (7) The halfedge before `h` in its face loop or boundary loop.
-  [[nodiscard]] Halfedge prev(Halfedge h) const { return Halfedge(links_.prev[h.index()]); }
+  /// (7) The halfedge before `h` in its face loop or boundary loop. Where it isn't stored it is
+  /// found by walking `next`, O(min(degree of the loop, valence of from_vertex(h))).
+  [[nodiscard]] Halfedge prev(Halfedge h) const {
+    if constexpr (!kStorage.prev) return find_prev(h);
+    return Halfedge(links_.prev[h.index()]);
+  }
 
   [[nodiscard]] Vertex from_vertex(Halfedge h) const { return to_vertex(opposite(h)); }
   [[nodiscard]] static constexpr Edge edge(Halfedge h) { return Edge(h.index() >> 1U); }
@@ -155,7 +154,7 @@ class Connectivity : public Circulators<Connectivity> {
   }
   /// Whether one of its edges is a boundary edge. O(degree).
   [[nodiscard]] bool is_boundary(Face f) const {
-    for (const Halfedge h : face_halfedges_ccw(f)) {
+    for (const Halfedge h : this->face_halfedges_ccw(f)) {
       if (is_boundary(opposite(h))) return true;
     }
     return false;
@@ -164,26 +163,26 @@ class Connectivity : public Circulators<Connectivity> {
   /// Whether the faces at `v` form at most one fan: not pinched. O(valence).
   [[nodiscard]] bool is_manifold(Vertex v) const {
     Index gaps = 0;
-    for (const Halfedge h : outgoing_cw(v)) gaps += is_boundary(h) ? 1 : 0;
+    for (const Halfedge h : this->outgoing_cw(v)) gaps += is_boundary(h) ? 1 : 0;
     return gaps <= 1;
   }
 
   /// The number of edges at `v`. O(valence).
   [[nodiscard]] Index valence(Vertex v) const {
     Index count = 0;
-    for ([[maybe_unused]] const Halfedge h : outgoing_cw(v)) ++count;
+    for ([[maybe_unused]] const Halfedge h : this->outgoing_cw(v)) ++count;
     return count;
   }
   /// The number of corners of `f`. O(degree).
   [[nodiscard]] Index degree(Face f) const {
     Index count = 0;
-    for ([[maybe_unused]] const Halfedge h : face_halfedges_ccw(f)) ++count;
+    for ([[maybe_unused]] const Halfedge h : this->face_halfedges_ccw(f)) ++count;
     return count;
   }
 
   /// The halfedge from `a` to `b`, or empty. O(valence of a).
   [[nodiscard]] Halfedge find_halfedge(Vertex a, Vertex b) const {
-    for (const Halfedge h : outgoing_cw(a)) {
+    for (const Halfedge h : this->outgoing_cw(a)) {
       if (to_vertex(h) == b) return h;
     }
     return {};
@@ -203,7 +202,7 @@ class Connectivity : public Circulators<Connectivity> {
   void clear();
 
   /// Becomes a copy of `other`, slot by slot. False when memory is exhausted; then it is empty.
-  [[nodiscard]] bool assign(const Connectivity& other);
+  [[nodiscard]] bool assign(const BasicConnectivity& other);
 
   // ---- low-level changes ----------------------------------------------------------------------
   // These keep no invariant by themselves; `validate` tells whether the result holds them. New
@@ -218,12 +217,13 @@ class Connectivity : public Circulators<Connectivity> {
   [[nodiscard]] Halfedge new_edge(Vertex from, Vertex to);
 
   /// A face with the loop of `h` as its boundary; the halfedges of the loop still need `set_face`.
+  /// Where faces store no halfedge `h` isn't looked at.
   [[nodiscard]] Face new_face(Halfedge h);
 
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
     links_.next[h.index()] = n.index();
-    links_.prev[n.index()] = h.index();
+    if constexpr (kStorage.prev) links_.prev[n.index()] = h.index();
     ++version_;
   }
   void set_to_vertex(Halfedge h, Vertex v) {
@@ -232,15 +232,18 @@ class Connectivity : public Circulators<Connectivity> {
   }
   /// An empty `f` makes `h` a boundary halfedge.
   void set_face(Halfedge h, Face f) {
+    static_assert(kStorage.face, HALFEDGE_NEEDS_FACES);
     links_.face[h.index()] = f.index();
     ++version_;
   }
   /// Sets the anchor; an empty `h` makes `v` isolated.
   void set_vertex_halfedge(Vertex v, Halfedge h) {
+    static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
     links_.vertex_halfedge[v.index()] = h.index();
     ++version_;
   }
   void set_face_halfedge(Face f, Halfedge h) {
+    static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
     links_.face_halfedge[f.index()] = h.index();
     ++version_;
   }
@@ -250,7 +253,7 @@ class Connectivity : public Circulators<Connectivity> {
   void adjust_anchor(Vertex v);
 
   /// Give a slot back. Nothing else is changed: links of other items that lead to it must be
-  /// mended by the caller.
+  /// mended by the caller. A vertex and a face need their link, which marks the slot as free.
   void release(Vertex v);
   void release(Edge e);
   void release(Face f);
@@ -263,21 +266,44 @@ class Connectivity : public Circulators<Connectivity> {
     return links_;
   }
 
-  /// A chain of deleted slots: the last one deleted, and how many there are.
-  struct FreeList {
-    Index head = kNone;
-    Index count = 0;
-  };
   [[nodiscard]] const FreeList& free_vertices() const { return free_vertices_; }
   [[nodiscard]] const FreeList& free_edges() const { return free_edges_; }
   [[nodiscard]] const FreeList& free_faces() const { return free_faces_; }
 
  private:
+  template <Storage kOther>
+  friend class BasicConnectivity;
+  friend class LinkConversion;
+
+  // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.
+  [[nodiscard]] Halfedge find_prev(Halfedge h) const {
+    Halfedge in_loop = h;
+    Halfedge around_vertex = h;
+    for (;;) {
+      const Halfedge after = next(in_loop);
+      if (after == h) return in_loop;
+      in_loop = after;
+      const Halfedge rotated = rotate_cw(around_vertex);
+      if (rotated == h) return opposite(around_vertex);
+      around_vertex = rotated;
+    }
+  }
+
   Links links_;
   FreeList free_vertices_;
   FreeList free_edges_;
   FreeList free_faces_;
+  Index bare_vertices_ = 0;  // how many there are, where no array tells
+  Index bare_faces_ = 0;
   std::uint64_t version_ = 0;
 };
 
+using Connectivity = BasicConnectivity<kEverything>;
+
 }  // namespace halfedge
+
+#include <halfedge/connectivity/connectivity_impl.h>
+
+#undef HALFEDGE_NEEDS_FACES
+#undef HALFEDGE_NEEDS_FACE_HALFEDGES
+#undef HALFEDGE_NEEDS_ANCHORS

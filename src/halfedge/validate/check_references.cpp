@@ -65,7 +65,7 @@ void ReferenceChecker::check_references() {
 
 // A chain with as many entries as there are deleted slots, all of them deleted, and with an end
 // visits none twice, so it holds them all.
-void ReferenceChecker::check_free_list(ItemKind kind, const Connectivity::FreeList& list,
+void ReferenceChecker::check_free_list(ItemKind kind, const FreeList& list,
                                        const Array<Index>& links, std::size_t stride) {
   const std::size_t slots = links.size() / stride;
   Index deleted = 0;

@@ -52,7 +52,7 @@ class ReferenceChecker : Checker {
  private:
   void check_halfedge_array(const char* name, std::size_t size, std::size_t expected);
   void check_addressable(const char* name, std::size_t size);
-  void check_free_list(ItemKind kind, const Connectivity::FreeList& list, const Array<Index>& links,
+  void check_free_list(ItemKind kind, const FreeList& list, const Array<Index>& links,
                        std::size_t stride);
   void check_edge_references(Edge e);
   [[nodiscard]] bool is_in_range(Halfedge h) const;

@@ -27,7 +27,7 @@ class Invariants {
            mesh_.positions().size() == 3 * links_.vertex_halfedge.size();
   }
 
-  [[nodiscard]] static bool fits(const Connectivity::FreeList& list,
+  [[nodiscard]] static bool fits(const FreeList& list,
                                  const std::vector<Index>& links) {
     std::set<Index> deleted;
     for (Index slot = 0; slot < links.size(); ++slot) {
