@@ -5,6 +5,8 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/build/build.h>
+#include <halfedge/connectivity/compact.h>
+#include <halfedge/connectivity/convert.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <halfedge/build/polygons.h>
+#include <halfedge/connectivity/convert.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace halfedge {
@@ -41,5 +43,15 @@ struct BuildReport {
 /// repeated-vertex, duplicate-face, edge-with-many-faces, opposite-orientation, pinched-vertex,
 /// too-large, out-of-memory.
 [[nodiscard]] bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& report);
+
+/// The same for a mesh type that leaves links out: all are made, and those too many freed.
+template <Storage kStored>
+[[nodiscard]] bool build_from_polygons(BasicMesh<kStored>& mesh, const Polygons& polygons,
+                                       BuildReport& report) {
+  Mesh whole;
+  mesh.clear();
+  if (!build_from_polygons(whole, polygons, report)) return false;
+  return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
+}
 
 }  // namespace halfedge

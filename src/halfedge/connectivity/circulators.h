@@ -209,7 +209,7 @@ class Orbit {
           at_end_(orbit.is_empty_),
           may_skip_(orbit.may_skip_),
           stamp_(*orbit.mesh_) {
-      if (!at_end_ && shows_nothing()) ++*this;
+      if (may_skip() && !at_end_ && shows_nothing()) ++*this;
     }
 
     [[nodiscard]] Halfedge halfedge() const { return at_; }
@@ -219,14 +219,14 @@ class Orbit {
     }
     Iterator& operator++() {
       stamp_.check(*mesh_);
-      do {
-        at_ = Walk::on(*mesh_, at_);
-        if (at_ == first_) {
-          at_ = Halfedge{};
-          at_end_ = true;
-          return *this;
-        }
-      } while (shows_nothing());
+      at_ = Walk::on(*mesh_, at_);
+      if (may_skip()) [[unlikely]] {
+        while (at_ != first_ && shows_nothing()) at_ = Walk::on(*mesh_, at_);
+      }
+      if (at_ == first_) {
+        at_ = Halfedge{};
+        at_end_ = true;
+      }
       return *this;
     }
     Iterator operator++(int) {
@@ -239,11 +239,11 @@ class Orbit {
     friend bool operator==(const Iterator& a, std::default_sentinel_t) { return a.at_end_; }
 
    private:
-    [[nodiscard]] bool shows_nothing() const {
-      return View::kCanBeEmpty && may_skip_ && !View::of(*mesh_, at_).valid();
-    }
+    [[nodiscard]] bool may_skip() const { return View::kCanBeEmpty && may_skip_; }
+    [[nodiscard]] bool shows_nothing() const { return !View::of(*mesh_, at_).valid(); }
 
-    // at_end_ repeats what at_ tells, but compilers see through it: a step has one branch.
+    // Both flags save time. at_end_ repeats what at_ tells, but compilers see through it, and what
+    // skips is out of the way: a step jumps once, and its jumps are what predicts the end of a lap.
     const Mesh* mesh_ = nullptr;
     Halfedge at_;
     Halfedge first_;

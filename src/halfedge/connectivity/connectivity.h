@@ -274,6 +274,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   template <Storage kOther>
   friend class BasicConnectivity;
   friend class LinkConversion;
+  friend class Compaction;
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.
   [[nodiscard]] Halfedge find_prev(Halfedge h) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/connectivity/convert.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/mesh.h>
 
@@ -8,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halfedge {
@@ -46,6 +48,12 @@ inline constexpr int kMaxValidationLevel = 4;
 /// So many problems of one code are listed; one more then says how many are left out, so that a
 /// mesh of a million broken faces makes no gigabyte of sentences.
 inline constexpr std::size_t kMaxProblemsPerCode = 1000;
+
+/// What `validate` says when there is no memory to check anything.
+[[nodiscard]] std::vector<Problem> not_validated();
+
+template <class Reduced, class Whole>
+[[nodiscard]] std::vector<Problem> validate_copy(const Reduced& mesh, int level);
 
 /// Checks the invariants of a mesh, all those of `level` and below. An empty list means valid.
 ///
@@ -94,7 +102,28 @@ inline constexpr std::size_t kMaxProblemsPerCode = 1000;
                                             int level = kMaxValidationLevel);
 [[nodiscard]] std::vector<Problem> validate(const Mesh& mesh, int level = kMaxValidationLevel);
 
+/// The same of a mesh type that leaves links out: they are derived in a copy (see `convert`), and
+/// the copy is checked. Where no link knows of faces, each loop counts as a face.
+template <Storage kStored>
+[[nodiscard]] std::vector<Problem> validate(const BasicConnectivity<kStored>& mesh,
+                                            int level = kMaxValidationLevel) {
+  return validate_copy<BasicConnectivity<kStored>, Connectivity>(mesh, level);
+}
+template <Storage kStored>
+[[nodiscard]] std::vector<Problem> validate(const BasicMesh<kStored>& mesh,
+                                            int level = kMaxValidationLevel) {
+  return validate_copy<BasicMesh<kStored>, Mesh>(mesh, level);
+}
+
 /// Whether one of them is an error, not only a warning or information.
 [[nodiscard]] bool has_errors(std::span<const Problem> problems);
+
+template <class Reduced, class Whole>
+std::vector<Problem> validate_copy(const Reduced& mesh, int level) {
+  Reduced copy;
+  Whole whole;
+  if (!copy.assign(mesh) || !convert(std::move(copy), whole)) return not_validated();
+  return validate(whole, level);
+}
 
 }  // namespace halfedge

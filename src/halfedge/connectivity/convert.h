@@ -1,0 +1,86 @@
+#pragma once
+
+#include <halfedge/connectivity/connectivity.h>
+#include <halfedge/mesh.h>
+#include <halfedge/result.h>
+
+#include <utility>
+
+namespace halfedge {
+
+/// What `convert` is made of: the parts that don't depend on the types.
+class LinkConversion {
+ public:
+  /// Makes the arrays that `want` has and `have` hasn't, in `derived`. `faces` is how many there
+  /// are; where no link knew any, each loop becomes a face, and they are counted.
+  [[nodiscard]] static Result<void> derive(const Links& links, Storage have, Storage want,
+                                           Index vertices, Index& faces, Links& derived);
+
+  template <Storage kFrom, Storage kTo>
+  [[nodiscard]] static Result<void> run(BasicConnectivity<kFrom>& from,
+                                        BasicConnectivity<kTo>& to) {
+    if (!kTo.vertex_halfedge && from.free_vertices_.count > 0) return has_deleted("vertices");
+    if (!kTo.face_halfedge && from.free_faces_.count > 0) return has_deleted("faces");
+    const Index vertices = from.vertex_slots();
+    Index faces = from.face_slots();
+    Links derived;
+    if (Result<void> done = derive(from.links_, kFrom, kTo, vertices, faces, derived); !done) {
+      return done.error();
+    }
+    const auto take = [](bool wanted, bool stored, Array<Index>& link, Array<Index>& made) {
+      return wanted ? std::move(stored ? link : made) : Array<Index>{};
+    };
+    Links& links = from.links_;
+    to.links_.next = std::move(links.next);
+    to.links_.to_vertex = std::move(links.to_vertex);
+    to.links_.prev = take(kTo.prev, kFrom.prev, links.prev, derived.prev);
+    to.links_.face = take(kTo.face, kFrom.face, links.face, derived.face);
+    to.links_.vertex_halfedge = take(kTo.vertex_halfedge, kFrom.vertex_halfedge,
+                                     links.vertex_halfedge, derived.vertex_halfedge);
+    to.links_.face_halfedge =
+        take(kTo.face_halfedge, kFrom.face_halfedge, links.face_halfedge, derived.face_halfedge);
+    to.free_vertices_ = from.free_vertices_;
+    to.free_edges_ = from.free_edges_;
+    to.free_faces_ = from.free_faces_;
+    to.bare_vertices_ = kTo.vertex_halfedge ? 0 : vertices;
+    to.bare_faces_ = kTo.face_halfedge || !kTo.face ? 0 : faces;
+    ++to.version_;
+    links = Links{};
+    from.clear();
+    return {};
+  }
+
+ private:
+  [[nodiscard]] static Error has_deleted(const char* items);
+};
+
+/// Moves a mesh into a type that stores other links. Those that `to` doesn't store are freed, those
+/// that only `to` stores are derived; the others are handed over, not copied. Vertices, edges and
+/// faces keep their indices, deleted ones included; `from` is empty afterwards. After an error
+/// both are as before.
+///
+/// What is derived: prev from next. Anchors as the builder chooses them, as far as faces are known
+/// (a boundary halfedge, the one to the smallest vertex; else that in the face of highest index;
+/// else that of lowest index). The halfedge of a face: its one of lowest index. Faces: the loops
+/// that a face names; where there is no link of faces at all, each loop becomes one, in the order
+/// of their halfedges, so that the surface is closed.
+///
+/// Links that break the invariants are not followed out of their arrays, so `validate` may be asked
+/// about the result.
+/// cost: O(slots), only for what is derived
+/// errors: out-of-memory; deleted-item, where `to` can't mark deleted vertices or faces: compact it
+template <Storage kFrom, Storage kTo>
+[[nodiscard]] Result<void> convert(BasicConnectivity<kFrom>&& from, BasicConnectivity<kTo>& to) {
+  return LinkConversion::run(from, to);
+}
+
+/// The same with positions.
+template <Storage kFrom, Storage kTo>
+[[nodiscard]] Result<void> convert(BasicMesh<kFrom>&& from, BasicMesh<kTo>& to) {
+  Array<float> positions = std::move(from.mutable_positions());
+  Result<void> done = LinkConversion::run(from, to);
+  (done ? to.mutable_positions() : from.mutable_positions()) = std::move(positions);
+  return done;
+}
+
+}  // namespace halfedge
