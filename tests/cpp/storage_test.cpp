@@ -8,6 +8,7 @@
 #include "support/canonical.h"
 #include "support/random_polygons.h"
 #include "support/shapes.h"
+#include "support/storages.h"
 
 namespace halfedge::test {
 namespace {
@@ -157,23 +158,9 @@ void expect_same_as_whole(const Shape& shape) {
   for (const Face f : whole.faces()) expect_same_face_rings(mesh, whole, f);
 }
 
-template <Storage kStored>
-struct StorageOf {
-  static constexpr Storage kStorage = kStored;
-};
-
 /// All sixteen ways to leave links out.
 template <class Kind>
 class StorageOptions : public testing::Test {};
-using AllStorages = testing::Types<
-    StorageOf<Storage{true, true, true, true}>, StorageOf<Storage{true, true, true, false}>,
-    StorageOf<Storage{true, true, false, true}>, StorageOf<Storage{true, true, false, false}>,
-    StorageOf<Storage{true, false, true, true}>, StorageOf<Storage{true, false, true, false}>,
-    StorageOf<Storage{true, false, false, true}>, StorageOf<Storage{true, false, false, false}>,
-    StorageOf<Storage{false, true, true, true}>, StorageOf<Storage{false, true, true, false}>,
-    StorageOf<Storage{false, true, false, true}>, StorageOf<Storage{false, true, false, false}>,
-    StorageOf<Storage{false, false, true, true}>, StorageOf<Storage{false, false, true, false}>,
-    StorageOf<Storage{false, false, false, true}>, StorageOf<Storage{false, false, false, false}>>;
 TYPED_TEST_SUITE(StorageOptions, AllStorages);
 
 TYPED_TEST(StorageOptions, GiveTheSameFromEveryCirculator) {
