@@ -32,8 +32,7 @@ constexpr std::size_t kAhead = 48;
 // The group of a vertex is also the place to look for its edges: `to_vertex` of their even
 // halfedges, up to the first that is still empty. There are three to a group on average. Hash
 // tables help with what a group doesn't show:
-//   - the edges of large groups, around vertices of high valence. That table lies in `prev`, which
-//     is written at the end in this case;
+//   - the edges of large groups, around vertices of high valence;
 //   - edges for which a group has no room: as many as there are boundary edges whose only side runs
 //     down. They can't be foreseen, so they are numbered after all groups, and their table grows.
 template <bool kTriangles, bool kLargeGroups>
@@ -51,7 +50,6 @@ class FaceConnector {
     if (certain_halfedges() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!reserve()) return ConnectResult::kOutOfMemory;
     std::fill(to_, to_ + groups_end_, kNone);
-    if constexpr (kLargeGroups) std::fill(prev_, prev_ + in_large_, kNone);
 
     Index* const anchors = links_.vertex_halfedge.data();
     Index* const firsts = links_.face_halfedge.data();
@@ -73,11 +71,6 @@ class FaceConnector {
     });
     if (failure_ != ConnectResult::kDone) return failure_;
     if (clashes != 0) return ConnectResult::kNotManifold;
-    if constexpr (kLargeGroups) {
-      for (Index h = 0; h < used_; ++h) {
-        if (face_[h] != kNone) prev_[next_[h]] = h;
-      }
-    }
     trim();
     return ConnectResult::kDone;
   }
@@ -105,7 +98,16 @@ class FaceConnector {
       if (!array->recreate(std::max(count, array->capacity()))) return false;
     }
     use_arrays();
-    return links_.face_halfedge.recreate(polygons_.face_count());
+    return links_.face_halfedge.recreate(polygons_.face_count()) &&
+           (!kLargeGroups || large_.resize(large_slots(), kNone));
+  }
+
+  // Twice the edges of large groups, if that fits in the memory that positions take later: as a
+  // rule four slots to a vertex, which leaves a quarter of them empty at the least.
+  [[nodiscard]] std::size_t large_slots() const {
+    const std::size_t edges = in_large_ / 2;
+    const std::size_t fitting = 4 * polygons_.vertex_count();
+    return std::max(edges + edges / 3, std::min(2 * edges, fitting));
   }
 
   // Makes room for more of the edges that couldn't be foreseen.
@@ -144,20 +146,32 @@ class FaceConnector {
     const Index clash = Index{face_[h] != kNone};
     face_[h] = f;
     next_[before] = h;
-    if constexpr (!kLargeGroups) prev_[h] = before;
+    prev_[h] = before;
     return clash;
   }
 
   // Where vertices are in no order, nearly all the time is spent waiting for the lines of a group.
+  // Two sides of a triangle have their edges in the group of its smallest vertex.
   template <class Size>
   [[gnu::always_inline]] void prefetch_groups(const Index* corners, Size size) const {
     const std::size_t before = std::size_t(corners - polygons_.corners.data());
     if (polygons_.corners.size() - before < kAhead + size) return;
     const Index* const ahead = corners + kAhead;
-    for (Index i = 0; i < size; ++i) {
-      const Index begin = groups_[std::min(ahead[i], ahead[i + 1 == size ? 0 : i + 1])];
-      for (const Index* array : {to_, face_, next_, prev_}) prefetch(array + begin);
+    if constexpr (kTriangles) {
+      const Index low = std::min(ahead[0], ahead[1]);
+      const Index high = std::max(ahead[0], ahead[1]);
+      prefetch_group(std::min(low, ahead[2]));
+      prefetch_group(std::max(low, std::min(high, ahead[2])));
+    } else {
+      for (Index i = 0; i < size; ++i) {
+        prefetch_group(std::min(ahead[i], ahead[i + 1 == size ? 0 : i + 1]));
+      }
     }
+  }
+
+  [[gnu::always_inline]] void prefetch_group(Index low) const {
+    const Index begin = groups_[low];
+    for (const Index* array : {to_, face_, next_, prev_}) prefetch(array + begin);
   }
 
   // ---- the edges
@@ -191,7 +205,7 @@ class FaceConnector {
   [[gnu::noinline]] Index find_elsewhere(Index low, Index high) {
     if constexpr (kLargeGroups) {
       if (groups_[low + 1] - groups_[low] > Groups::kSearched) {
-        Index& slot = EdgeTable({prev_, in_large_}).slot(low, high, to_);
+        Index& slot = EdgeTable(large_.span()).slot(low, high, to_);
         if (slot == kNone) slot = take_from_group(low, high);
         if (slot != kNone) return slot;
       }
@@ -258,7 +272,8 @@ class FaceConnector {
   Index* face_ = nullptr;
   std::size_t capacity_ = 0;
   bool is_fresh_ = false;
-  Array<Index> unforeseen_;  // the slots of their table
+  Array<Index> large_;  // the slots of the two tables
+  Array<Index> unforeseen_;
   ConnectResult failure_ = ConnectResult::kDone;
 };
 
