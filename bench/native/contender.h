@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -34,3 +35,6 @@ std::unique_ptr<Contender> make_halfedge();
 std::unique_ptr<Contender> make_flat();
 std::unique_ptr<Contender> make_openmesh();
 std::unique_ptr<Contender> make_cgal();
+
+/// Which OpenMesh it is: Debian's library, with assertions, or one compiled here, without.
+const char* openmesh_name();

@@ -59,3 +59,11 @@ class OpenMeshes final : public Contender {
 }  // namespace
 
 std::unique_ptr<Contender> make_openmesh() { return std::make_unique<OpenMeshes>(); }
+
+const char* openmesh_name() {
+#if defined(HALFEDGE_OPENMESH_COMPILED)
+  return "OpenMesh, compiled here";
+#else
+  return "OpenMesh, Debian's";
+#endif
+}

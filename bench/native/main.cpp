@@ -1,14 +1,17 @@
-#include <benchmark/benchmark.h>
+#include <halfedge/build/build.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "builders.h"
 #include "contender.h"
+#include "measure.h"
 #include "memory.h"
 #include "meshes.h"
 
@@ -18,101 +21,137 @@ struct Entry {
   const char* name;
   std::unique_ptr<Contender> (*make)();
 };
-constexpr std::array kEntries = {
+const std::array kEntries = {
     Entry{"halfedge", make_halfedge},
     Entry{"flat baseline", make_flat},
-    Entry{"OpenMesh", make_openmesh},
+    Entry{openmesh_name(), make_openmesh},
     Entry{"CGAL Surface_mesh", make_cgal},
 };
-constexpr std::array kWorkloads = {"build", "circulator", "one-ring sum"};
 
-/// Median milliseconds of CPU time, by "workload/contender".
-using Medians = std::map<std::string, double>;
-
-/// Collects the medians instead of printing each run.
-class Collector final : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context&) override { return true; }
-  void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs) {
-      if (run.aggregate_name != "median") continue;
-      medians[run.run_name.function_name] = run.GetAdjustedCPUTime();
-    }
-  }
-
-  Medians medians;
-};
-
-void must_agree(const char* what, std::uint64_t ours, std::uint64_t theirs, const char* name) {
+void must_agree(const std::string& what, std::uint64_t ours, std::uint64_t theirs,
+                const std::string& name) {
   if (ours == theirs) return;
-  std::fprintf(stderr, "%s: %s gives %llu, halfedge %llu\n", what, name,
+  std::fprintf(stderr, "%s: %s gives %llu, halfedge %llu\n", what.c_str(), name.c_str(),
                static_cast<unsigned long long>(theirs), static_cast<unsigned long long>(ours));
   std::exit(1);
 }
 
-/// All workloads of all contenders on one mesh, in interleaved rounds.
-Medians measure(const TriangleMesh& input) {
+// ---- tables
+
+void print_header(const std::vector<std::string>& columns) {
+  for (const std::string& column : columns) std::printf("| %s ", column.c_str());
+  std::printf("|\n");
+  for (std::size_t i = 0; i < columns.size(); ++i) std::printf("|---");
+  std::printf("|\n");
+}
+
+/// Ours in milliseconds, the others as multiples of it. With --benchmark_filter some are missing,
+/// "-": without ours the others are in milliseconds too, and without any there is no row.
+void print_row(const std::string& label, const std::vector<std::string>& names,
+               const std::map<std::string, double>& medians) {
+  if (medians.empty()) return;
+  const auto ours = medians.find(names.front());
+  std::printf("| %s |", label.c_str());
+  for (const std::string& name : names) {
+    const auto median = medians.find(name);
+    if (median == medians.end()) {
+      std::printf(" - |");
+    } else if (median == ours || ours == medians.end()) {
+      std::printf(" %.2f |", median->second);
+    } else {
+      std::printf(" %.2f× |", median->second / ours->second);
+    }
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+// ---- libraries
+
+void compare_libraries(const std::string& label, const TriangleMesh& input) {
+  constexpr std::array kWorkloads = {"build", "circulator", "one-ring sum"};
   std::vector<std::unique_ptr<Contender>> contenders;
+  std::vector<Job> jobs;
+  const auto name_of = [](const char* workload, const Entry& entry) {
+    return std::string(workload) + "/" + entry.name;
+  };
   for (const Entry& entry : kEntries) {
     contenders.push_back(entry.make());
     Contender& contender = *contenders.back();
     contender.build(input);
     must_agree("circulator", 0, static_cast<std::uint64_t>(contender.circulate()), entry.name);
     must_agree("one-ring sum", contenders[0]->one_ring_sum(), contender.one_ring_sum(), entry.name);
-
-    const auto add = [&](const char* workload, auto run) {
-      const std::string name = std::string(workload) + "/" + entry.name;
-      benchmark::RegisterBenchmark(name.c_str(), [run](benchmark::State& state) {
-        for (auto _ : state) run();
-      })->Unit(benchmark::kMillisecond);
-    };
-    add(kWorkloads[0], [&contender, &input] { contender.build(input); });
-    add(kWorkloads[1], [&contender] { benchmark::DoNotOptimize(contender.circulate()); });
-    add(kWorkloads[2], [&contender] { benchmark::DoNotOptimize(contender.one_ring_sum()); });
+    jobs.push_back(
+        {name_of(kWorkloads[0], entry), [&contender, &input] { contender.build(input); }});
+    jobs.push_back({name_of(kWorkloads[1], entry),
+                    [&contender] { benchmark::DoNotOptimize(contender.circulate()); }});
+    jobs.push_back({name_of(kWorkloads[2], entry),
+                    [&contender] { benchmark::DoNotOptimize(contender.one_ring_sum()); }});
   }
-  Collector collector;
-  benchmark::RunSpecifiedBenchmarks(&collector);
-  benchmark::ClearRegisteredBenchmarks();
-  return collector.medians;
-}
-
-/// The table to keep: our milliseconds, and how many times slower each other is.
-void print_header() {
-  std::printf("| faces, order | workload | halfedge, ms |");
-  for (std::size_t i = 1; i < kEntries.size(); ++i) std::printf(" %s |", kEntries[i].name);
-  std::printf("\n|---|---|---|");
-  for (std::size_t i = 1; i < kEntries.size(); ++i) std::printf("---|");
-  std::printf("\n");
-}
-
-void print_times(const std::string& label, const TriangleMesh& mesh) {
-  const Medians medians = measure(mesh);
+  const std::map<std::string, double> medians = measure(jobs);
   for (const char* workload : kWorkloads) {
-    const auto median = [&](const Entry& entry) {
-      return medians.at(std::string(workload) + "/" + entry.name);
-    };
-    const double ours = median(kEntries[0]);
-    std::printf("| %s | %s | %.2f |", label.c_str(), workload, ours);
-    for (std::size_t i = 1; i < kEntries.size(); ++i) {
-      std::printf(" %.2f× |", median(kEntries[i]) / ours);
+    std::vector<std::string> names;
+    std::map<std::string, double> of_workload;
+    for (const Entry& entry : kEntries) {
+      const std::string name = name_of(workload, entry);
+      names.push_back(name);
+      if (const auto median = medians.find(name); median != medians.end()) {
+        of_workload.insert(*median);
+      }
     }
-    std::printf("\n");
-    std::fflush(stdout);
+    print_row(label + " | " + workload, names, of_workload);
   }
 }
 
-void print_memory(const std::string& label, const TriangleMesh& mesh) {
-  const double vertices = static_cast<double>(mesh.vertex_count());
+void compare_memory(const std::string& label, const TriangleMesh& input) {
   std::vector<HeapUse> uses;
-  for (const Entry& entry : kEntries) uses.push_back(measure_heap(entry.make, mesh));
+  for (const Entry& entry : kEntries) uses.push_back(measure_heap(entry.make, input));
   for (const bool peak : {false, true}) {
-    std::printf("| %s | %s |", label.c_str(),
-                peak ? "peak bytes a vertex in build" : "bytes a vertex");
+    std::printf("| %s | %s |", label.c_str(), peak ? "most while building" : "when built");
     for (const HeapUse& use : uses) {
-      std::printf(" %.0f |", static_cast<double>(peak ? use.peak : use.in_use) / vertices);
+      const std::size_t bytes = peak ? std::max(use.peak, use.in_use) : use.in_use;
+      std::printf(" %.1f |", double(bytes) / double(input.vertex_count()));
     }
     std::printf("\n");
   }
+}
+
+// ---- builders
+
+std::uint64_t checksum(const halfedge::Mesh& mesh) {
+  const auto copy = [](const halfedge::Array<halfedge::Index>& array) {
+    return std::vector<std::uint32_t>(array.begin(), array.end());
+  };
+  const halfedge::Links& links = mesh.links();
+  return BareLinks{copy(links.next),
+                   copy(links.prev),
+                   copy(links.to_vertex),
+                   copy(links.face),
+                   copy(links.vertex_halfedge),
+                   copy(links.face_halfedge)}
+      .checksum();
+}
+
+void compare_builders(const std::string& label, const TriangleMesh& input, bool has_high_valence) {
+  halfedge::Mesh mesh;
+  halfedge::BuildReport report;
+  const auto build = [&] {
+    if (!build_from_polygons(mesh, {input.positions, {}, input.corners}, report)) std::exit(1);
+  };
+  build();
+  const std::uint64_t expected = checksum(mesh);
+
+  std::vector<std::string> names{"halfedge"};
+  std::vector<Job> jobs{{names.front(), build}};
+  const std::vector<std::unique_ptr<Builder>> builders = other_builders();
+  for (const std::unique_ptr<Builder>& builder : builders) {
+    names.push_back(builder->name());
+    if (has_high_valence && builder->is_quadratic()) continue;
+    builder->build(input);
+    must_agree(label, expected, builder->links().checksum(), builder->name());
+    jobs.push_back({builder->name(), [&builder, &input] { builder->build(input); }});
+  }
+  print_row(label, names, measure(jobs));
 }
 
 std::string cpu_name() {
@@ -122,6 +161,8 @@ std::string cpu_name() {
   }
   return "unknown processor";
 }
+
+std::string thousands(std::size_t count) { return std::to_string(count / 1000) + " k"; }
 
 }  // namespace
 
@@ -136,16 +177,44 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&count, arguments.data());
   if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
 
+  const NamedMesh base = base_mesh();
+  std::vector<TriangleMesh> meshes{base.mesh};
+  while (meshes.size() < 3) meshes.push_back(subdivided(meshes.back()));
   std::printf(
-      "%s, g++ %s. Medians of 9 interleaved rounds, CPU time; × = times slower than ours.\n\n",
-      cpu_name().c_str(), __VERSION__);
-  print_header();
-  for (const int levels : {6, 7, 8}) {
-    const TriangleMesh natural = bumpy_sphere(levels);
-    const std::string faces = std::to_string(natural.face_count() / 1000) + " k, ";
-    if (levels == 8) print_memory(faces + "natural", natural);
-    print_times(faces + "natural", natural);
-    print_times(faces + "shuffled", shuffled(natural, 1));
+      "%s, g++ %s; %s. Medians of 9 interleaved rounds of CPU time, memory recycled;\n× = times "
+      "slower than ours.\n\n",
+      cpu_name().c_str(), __VERSION__, base.name.c_str());
+
+  std::vector<std::string> libraries;
+  for (const Entry& entry : kEntries) libraries.push_back(entry.name);
+  std::vector<std::string> columns{"faces, order", "workload", "halfedge, ms"};
+  columns.insert(columns.end(), libraries.begin() + 1, libraries.end());
+  print_header(columns);
+  for (const TriangleMesh& mesh : meshes) {
+    const std::string faces = thousands(mesh.face_count());
+    compare_libraries(faces + ", natural", mesh);
+    compare_libraries(faces + ", shuffled", shuffled(mesh, 1));
   }
+
+  columns = {"faces", "bytes a vertex, float positions"};
+  columns.insert(columns.end(), libraries.begin(), libraries.end());
+  std::printf("\n");
+  print_header(columns);
+  compare_memory(thousands(meshes.back().face_count()), meshes.back());
+
+  columns = {"faces, order", "halfedge, ms"};
+  for (const std::unique_ptr<Builder>& builder : other_builders()) {
+    columns.push_back(builder->name());
+  }
+  std::printf("\n");
+  print_header(columns);
+  for (const TriangleMesh& mesh : meshes) {
+    const std::string faces = thousands(mesh.face_count());
+    compare_builders(faces + ", natural", mesh, false);
+    compare_builders(faces + ", shuffled", shuffled(mesh, 1), false);
+  }
+  const TriangleMesh hubs = bipyramid(200'000);
+  compare_builders("400 k around two vertices, natural", hubs, true);
+  compare_builders("400 k around two vertices, shuffled", shuffled(hubs, 1), true);
   return 0;
 }

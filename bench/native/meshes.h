@@ -1,18 +1,53 @@
 #pragma once
 
+#include <halfedge/io/parse.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <numeric>
 #include <random>
+#include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "contender.h"
 
-/// An icosahedron whose faces were cut in four `levels` times, with bumps: 20 * 4^levels faces, in
-/// the order in which subdivision makes them.
-inline TriangleMesh bumpy_sphere(int levels) {
+/// Each face cut in four at the middles of its edges; the order of faces and vertices is kept.
+inline TriangleMesh subdivided(const TriangleMesh& mesh) {
+  TriangleMesh finer;
+  finer.positions = mesh.positions;
+  finer.corners.reserve(4 * mesh.corners.size());
+  std::unordered_map<std::uint64_t, std::uint32_t> middle_of;
+  middle_of.reserve(2 * mesh.corners.size());
+  const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    const auto next = static_cast<std::uint32_t>(finer.vertex_count());
+    const auto [entry, is_new] = middle_of.try_emplace(std::uint64_t{low} << 32 | high, next);
+    if (is_new) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        finer.positions.push_back((mesh.positions[3 * a + i] + mesh.positions[3 * b + i]) / 2);
+      }
+    }
+    return entry->second;
+  };
+  for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
+    const std::uint32_t v[3] = {mesh.corners[c], mesh.corners[c + 1], mesh.corners[c + 2]};
+    const std::uint32_t m[3] = {middle(v[0], v[1]), middle(v[1], v[2]), middle(v[2], v[0])};
+    for (const std::uint32_t corner :
+         {v[0], m[0], m[2], v[1], m[1], m[0], v[2], m[2], m[1], m[0], m[1], m[2]}) {
+      finer.corners.push_back(corner);
+    }
+  }
+  return finer;
+}
+
+/// An icosahedron whose faces were cut in four `levels` times, on a sphere: 20 * 4^levels faces.
+inline TriangleMesh sphere(int levels) {
   const float t = (1 + std::sqrt(5.0F)) / 2;
   TriangleMesh mesh;
   mesh.positions = {-1, t,  0,  1, t, 0,  -1, -t, 0,  1, -t, 0, 0,  -1, t,  0,  1, t,
@@ -20,39 +55,48 @@ inline TriangleMesh bumpy_sphere(int levels) {
   mesh.corners = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
                   4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
                   6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
-  for (int level = 0; level < levels; ++level) {
-    std::unordered_map<std::uint64_t, std::uint32_t> middle_of;
-    middle_of.reserve(2 * mesh.corners.size());
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [low, high] = std::minmax(a, b);
-      const auto next = static_cast<std::uint32_t>(mesh.vertex_count());
-      const auto [entry, is_new] = middle_of.try_emplace(std::uint64_t{low} << 32 | high, next);
-      if (is_new) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          mesh.positions.push_back((mesh.positions[3 * a + i] + mesh.positions[3 * b + i]) / 2);
-        }
-      }
-      return entry->second;
-    };
-    std::vector<std::uint32_t> finer;
-    finer.reserve(4 * mesh.corners.size());
-    for (std::size_t c = 0; c < mesh.corners.size(); c += 3) {
-      const std::uint32_t v[3] = {mesh.corners[c], mesh.corners[c + 1], mesh.corners[c + 2]};
-      const std::uint32_t m[3] = {middle(v[0], v[1]), middle(v[1], v[2]), middle(v[2], v[0])};
-      for (const std::uint32_t corner :
-           {v[0], m[0], m[2], v[1], m[1], m[0], v[2], m[2], m[1], m[0], m[1], m[2]}) {
-        finer.push_back(corner);
-      }
-    }
-    mesh.corners = std::move(finer);
-  }
+  for (int level = 0; level < levels; ++level) mesh = subdivided(mesh);
   for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
     float* p = &mesh.positions[3 * v];
     const float length = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-    const float radius = 1 + 0.05F * std::sin(9 * p[0] / length) * std::cos(7 * p[1] / length);
-    for (std::size_t i = 0; i < 3; ++i) p[i] *= radius / length;
+    for (std::size_t i = 0; i < 3; ++i) p[i] /= length;
   }
   return mesh;
+}
+
+/// Two vertices of that valence, the first and the last one.
+inline TriangleMesh bipyramid(std::uint32_t valence) {
+  TriangleMesh mesh;
+  mesh.positions.resize(3 * (std::size_t{valence} + 2));
+  for (std::uint32_t i = 0; i < valence; ++i) {
+    const std::uint32_t a = 1 + i;
+    const std::uint32_t b = 1 + (i + 1) % valence;
+    mesh.corners.insert(mesh.corners.end(), {0, a, b, valence + 1, b, a});
+  }
+  return mesh;
+}
+
+struct NamedMesh {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+/// A scanned mesh of 70 k faces of all valences, from the folder of test meshes; where that is
+/// absent, a sphere of 82 k, all of valence 6, which is kinder to branch prediction.
+inline NamedMesh base_mesh() {
+  const char* folder = std::getenv("HALFEDGE_DATA");
+  const std::string path =
+      std::string(folder != nullptr ? folder : HALFEDGE_DATA_DIR) + "/good/bunny_pmp.off";
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<char> text((std::istreambuf_iterator<char>(file)),
+                               std::istreambuf_iterator<char>());
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+  halfedge::Result<halfedge::ParsedFile> parsed = halfedge::parse({bytes, text.size()});
+  if (!parsed) return {"a subdivided sphere (no " + path + ")", sphere(6)};
+  const halfedge::PolygonSoup& soup = parsed.value().soup;
+  return {
+      "a scanned bunny, subdivided",
+      {{soup.positions.begin(), soup.positions.end()}, {soup.corners.begin(), soup.corners.end()}}};
 }
 
 /// The same mesh with vertices and faces in random order: what a file can hold at its worst.

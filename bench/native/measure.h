@@ -1,0 +1,41 @@
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+/// Something to be timed.
+struct Job {
+  std::string name;
+  std::function<void()> run;
+};
+
+/// Median milliseconds of CPU time by name. All jobs take turns, in random order, so that whatever
+/// else the machine does meets all of them.
+inline std::map<std::string, double> measure(const std::vector<Job>& jobs) {
+  class Collector final : public benchmark::BenchmarkReporter {
+   public:
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+      for (const Run& run : runs) {
+        if (run.aggregate_name != "median") continue;
+        medians[run.run_name.function_name] = run.GetAdjustedCPUTime();
+      }
+    }
+
+    std::map<std::string, double> medians;
+  };
+
+  for (const Job& job : jobs) {
+    benchmark::RegisterBenchmark(job.name.c_str(), [run = job.run](benchmark::State& state) {
+      for (auto _ : state) run();
+    })->Unit(benchmark::kMillisecond);
+  }
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::ClearRegisteredBenchmarks();
+  return collector.medians;
+}
