@@ -248,6 +248,56 @@ TYPED_TEST(StorageOptions, TakeTheMemoryThatTheyPromise) {
   EXPECT_EQ(bytes, 64 * 64 * expected);
 }
 
+// ---- without prev: what users of a large mesh choose ----------------------------------------
+
+std::vector<Index> indices(const Array<Index>& array) { return {array.begin(), array.end()}; }
+
+TEST(StorageOptions, WithoutPrevGiveTheSameListsInOneCall) {
+  for (const Shape& shape : many_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Mesh whole = built<Mesh>(shape);
+    const auto mesh = built<BasicMesh<kWithoutPrev>>(shape);
+    for (int i = 0; i <= int(Ring::kEdgeFaces); ++i) {
+      const Ring ring = Ring(i);
+      for (const Direction direction : {Direction::kCcw, Direction::kCw}) {
+        Adjacency expected;
+        Adjacency found;
+        ASSERT_TRUE(adjacency(whole, ring, direction, expected));
+        ASSERT_TRUE(adjacency(mesh, ring, direction, found));
+        EXPECT_EQ(indices(found.offsets), indices(expected.offsets)) << i;
+        EXPECT_EQ(indices(found.items), indices(expected.items)) << i;
+        if (shape.faces.empty()) continue;
+        const std::vector<Index> centres{0, 0};
+        ASSERT_TRUE(adjacency(whole, ring, direction, centres, expected));
+        ASSERT_TRUE(adjacency(mesh, ring, direction, centres, found));
+        EXPECT_EQ(indices(found.items), indices(expected.items)) << i;
+        for (std::size_t room = 0; room < 9; ++room) {
+          std::vector<Index> ours(room, 77);
+          std::vector<Index> theirs(room, 77);
+          EXPECT_EQ(write_ring(mesh, ring, direction, 0, ours).value(),
+                    write_ring(whole, ring, direction, 0, theirs).value());
+          EXPECT_EQ(ours, theirs) << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(StorageOptions, WithoutPrevHaveTheSameTopology) {
+  for (const Shape& shape : many_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Mesh whole = built<Mesh>(shape);
+    const auto mesh = built<BasicMesh<kWithoutPrev>>(shape);
+    EXPECT_EQ(euler_characteristic(mesh), euler_characteristic(whole));
+    EXPECT_EQ(genus(mesh).value(), genus(whole).value());
+    EXPECT_EQ(is_closed(mesh), is_closed(whole));
+    EXPECT_EQ(is_quad_mesh(mesh), is_quad_mesh(whole));
+    EXPECT_EQ(boundary_loops(mesh).value().size(), boundary_loops(whole).value().size());
+    EXPECT_EQ(indices(connected_components(mesh).value().of_face),
+              indices(connected_components(whole).value().of_face));
+  }
+}
+
 TEST(StorageOptions, NeedACompactMeshWhereTheyCannotMarkDeletedItems) {
   Mesh mesh = built<Mesh>(with_isolated_vertices());
   mesh.release(Vertex(0));

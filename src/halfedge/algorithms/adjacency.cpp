@@ -1,5 +1,4 @@
 #include <halfedge/algorithms/adjacency.h>
-#include <halfedge/algorithms/corrupt.h>
 #include <halfedge/algorithms/rings.h>
 
 #include <algorithm>
@@ -24,17 +23,17 @@ Error out_of_memory() {
 
 // Whether valences differ so much that a processor can't guess where the laps around vertices end.
 // Looks at a few vertices, and at none of a small mesh, where it doesn't matter.
-bool valences_vary(const Connectivity& mesh, const RawLinks& links) {
+bool valences_vary(const RawLinks& links) {
   using Outgoing = RingOf<Vertex, walk::RotateCw, view::Self>;
   constexpr Index kSamples = 64;
   constexpr Index kMostSteps = 15;
-  if (mesh.vertex_slots() < 64 * kSamples) return false;
+  if (links.slots(Vertex{}) < 64 * kSamples) return false;
   std::array<Index, kMostSteps + 1> count{};  // by valence
   for (Index i = 0; i < kSamples; ++i) {
-    const Vertex v(i * (mesh.vertex_slots() / kSamples));
+    const Vertex v(i * (links.slots(Vertex{}) / kSamples));
     Index steps = kMostSteps;
-    if (has_ring(mesh, v)) {
-      (void)walk_ring<Outgoing>(links, first_of<Outgoing>(mesh, links, v), steps, [](Index) {});
+    if (has_ring(links, v)) {
+      (void)walk_ring<Outgoing>(links, first_of<Outgoing>(links, v), steps, [](Index) {});
     }
     ++count[kMostSteps - steps];
   }
@@ -45,21 +44,20 @@ bool valences_vary(const Connectivity& mesh, const RawLinks& links) {
 // overlap, so all of them together have no more items than there are halfedges. Returns the first
 // item whose ring is broken, or kNone.
 template <class Ring, bool kTryShort = false>
-Index write_all(const Connectivity& mesh, Adjacency& out) {
+Index write_all(const RawLinks& links, Adjacency& out) {
   using Centre = typename Ring::Centre;
-  const RawLinks links(mesh);
   if constexpr (std::is_same_v<Centre, Vertex> && !kTryShort) {
-    if (valences_vary(mesh, links)) return write_all<Ring, true>(mesh, out);
+    if (valences_vary(links)) return write_all<Ring, true>(links, out);
   }
-  const Index slots = mesh.slots(Centre{});
-  Index steps = mesh.halfedge_slots();
+  const Index slots = links.slots(Centre{});
+  Index steps = links.halfedge_slots();
   Index* const items = out.items.data();
   Index* const offsets = out.offsets.data();
   Index size = 0;
   for (Index i = 0; i < slots; ++i) {
     offsets[i] = size;
-    if (!has_ring(mesh, Centre(i))) continue;
-    const Halfedge first = first_of<Ring>(mesh, links, Centre(i));
+    if (!has_ring(links, Centre(i))) continue;
+    const Halfedge first = first_of<Ring>(links, Centre(i));
     if constexpr (kTryShort) {
       const Index length = write_short_ring<Ring>(links, first, items + size);
       if (length <= std::min(steps, kShortRing)) {
@@ -79,18 +77,17 @@ Index write_all(const Connectivity& mesh, Adjacency& out) {
   return kNone;
 }
 
-// The length of one ring, or kNone if it is broken. Writes what fits.
+// The length of one ring, or kNone if it is broken. Writes what fits, after the first `skip` items.
 template <class Ring>
-Index write_one(const Connectivity& mesh, Index centre, Index* out, Index room) {
+Index write_one(const RawLinks& links, Index centre, Index skip, Index* out, Index room) {
   using Centre = typename Ring::Centre;
-  if (!has_ring(mesh, Centre(centre))) return 0;
-  Index steps = mesh.halfedge_slots();
+  if (!has_ring(links, Centre(centre))) return 0;
+  Index steps = links.halfedge_slots();
   Index size = 0;
-  const RawLinks links(mesh);
-  const Halfedge first = first_of<Ring>(mesh, links, Centre(centre));
+  const Halfedge first = first_of<Ring>(links, Centre(centre));
   const bool closes = walk_ring<Ring>(links, first, steps, [&](Index item) {
     if (Ring::View::kCanBeEmpty && item == kNone) return;
-    if (size < room) out[size] = item;
+    if (size >= skip && size - skip < room) out[size - skip] = item;
     ++size;
   });
   return closes ? size : kNone;
@@ -99,17 +96,17 @@ Index write_one(const Connectivity& mesh, Index centre, Index* out, Index room) 
 // What is known of a ring at run time.
 struct RingFunctions {
   ItemKind kind;  // of the centre
-  Index (*slots)(const Connectivity&);
-  bool (*is_live)(const Connectivity&, Index);
-  Index (*write_all)(const Connectivity&, Adjacency&);
-  Index (*write_one)(const Connectivity&, Index, Index*, Index);
+  Index (*slots)(const RawLinks&);
+  bool (*is_live)(const RawLinks&, Index);
+  Index (*write_all)(const RawLinks&, Adjacency&);
+  Index (*write_one)(const RawLinks&, Index, Index, Index*, Index);
 };
 
 template <class Ring>
 constexpr RingFunctions functions() {
   using Centre = typename Ring::Centre;
-  return {kind_of(Centre{}), [](const Connectivity& mesh) { return mesh.slots(Centre{}); },
-          [](const Connectivity& mesh, Index centre) { return mesh.is_live(Centre(centre)); },
+  return {kind_of(Centre{}), [](const RawLinks& links) { return links.slots(Centre{}); },
+          [](const RawLinks& links, Index centre) { return links.is_live(Centre(centre)); },
           &write_all<Ring>, &write_one<Ring>};
 }
 
@@ -159,25 +156,25 @@ RingFunctions functions_of(Ring ring, Direction direction) {
 }
 
 // `where` says which of several it is, as in " at position 3".
-Error no_such_centre(const Connectivity& mesh, const RingFunctions& functions, Index centre,
+Error no_such_centre(const RawLinks& links, const RingFunctions& functions, Index centre,
                      const std::string& where) {
   const std::string item = name_of(functions.kind) + (" " + std::to_string(centre)) + where;
-  const Index slots = functions.slots(mesh);
+  const Index slots = functions.slots(links);
   if (centre < slots) return {"deleted-item", item + " is deleted"};
   return {"index-out-of-range",
           item + " does not exist, expected less than " + std::to_string(slots)};
 }
 
 // Counts the ring of each centre into `offsets`, summed up.
-Result<void> sum_ring_lengths(const Connectivity& mesh, const RingFunctions& functions,
+Result<void> sum_ring_lengths(const RawLinks& links, const RingFunctions& functions,
                               std::span<const Index> centres, Array<Index>& offsets) {
   std::size_t size = 0;
   for (std::size_t i = 0; i < centres.size(); ++i) {
     offsets[i] = Index(size);
-    if (!functions.is_live(mesh, centres[i])) {
-      return no_such_centre(mesh, functions, centres[i], " at position " + std::to_string(i));
+    if (!functions.is_live(links, centres[i])) {
+      return no_such_centre(links, functions, centres[i], " at position " + std::to_string(i));
     }
-    const Index length = functions.write_one(mesh, centres[i], nullptr, 0);
+    const Index length = functions.write_one(links, centres[i], 0, nullptr, 0);
     if (length == kNone) return corrupt(functions.kind, centres[i]);
     size += length;
     if (size >= kNone) {
@@ -192,51 +189,75 @@ Result<void> sum_ring_lengths(const Connectivity& mesh, const RingFunctions& fun
 
 // Leaves `out` empty if `result` is an error.
 Result<void> finish(Result<void> result, Adjacency& out) {
-  if (!result.ok()) {
-    out.offsets.clear();
-    out.items.clear();
-  }
+  if (!result.ok()) out.clear();
   return result;
 }
 
+// Without prev only one direction can be walked. The other is its exact reverse.
+struct Walkable {
+  Direction direction;
+  bool is_reverse = false;
+
+  Walkable(const RawLinks& links, Ring ring, Direction wanted) : direction(wanted) {
+    if (links.store_prev() || ring >= Ring::kEdgeVertices) return;
+    direction = ring >= Ring::kFaceVertices ? Direction::kCcw : Direction::kCw;
+    is_reverse = direction != wanted;
+  }
+  void turn_rows(Adjacency& rows) const {
+    for (std::size_t i = 0; is_reverse && i + 1 < rows.offsets.size(); ++i) {
+      std::reverse(rows.items.data() + rows.offsets[i], rows.items.data() + rows.offsets[i + 1]);
+    }
+  }
+};
+
 }  // namespace
 
-Result<void> adjacency(const Connectivity& mesh, Ring ring, Direction direction, Adjacency& out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return finish(sizes, out);
-  const RingFunctions functions = functions_of(ring, direction);
+Result<void> adjacency(const RawLinks& links, Ring ring, Direction direction, Adjacency& out) {
+  const Walkable walkable(links, ring, direction);
+  const RingFunctions functions = functions_of(ring, walkable.direction);
   // More than the items: a missing face is written before it is skipped, a short ring in full.
-  if (!out.offsets.recreate(std::size_t{functions.slots(mesh)} + 1) ||
-      !out.items.recreate(std::size_t{mesh.halfedge_slots()} + kShortRing)) {
+  if (!out.offsets.recreate(std::size_t{functions.slots(links)} + 1) ||
+      !out.items.recreate(std::size_t{links.halfedge_slots()} + kShortRing)) {
     return finish(out_of_memory(), out);
   }
-  const Index broken = functions.write_all(mesh, out);
-  return finish(broken == kNone ? Result<void>{} : corrupt(functions.kind, broken), out);
+  const Index broken = functions.write_all(links, out);
+  if (broken != kNone) return finish(corrupt(functions.kind, broken), out);
+  walkable.turn_rows(out);
+  return {};
 }
 
-Result<void> adjacency(const Connectivity& mesh, Ring ring, Direction direction,
+Result<void> adjacency(const RawLinks& links, Ring ring, Direction direction,
                        std::span<const Index> centres, Adjacency& out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return finish(sizes, out);
-  const RingFunctions functions = functions_of(ring, direction);
+  const Walkable walkable(links, ring, direction);
+  const RingFunctions functions = functions_of(ring, walkable.direction);
   if (!out.offsets.recreate(centres.size() + 1)) return finish(out_of_memory(), out);
-  Result<void> counted = sum_ring_lengths(mesh, functions, centres, out.offsets);
+  Result<void> counted = sum_ring_lengths(links, functions, centres, out.offsets);
   if (!counted) return finish(counted, out);
   if (!out.items.recreate(out.offsets[centres.size()])) return finish(out_of_memory(), out);
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const Index first = out.offsets[i];
-    (void)functions.write_one(mesh, centres[i], out.items.data() + first,
+    (void)functions.write_one(links, centres[i], 0, out.items.data() + first,
                               out.offsets[i + 1] - first);
   }
+  walkable.turn_rows(out);
   return {};
 }
 
-Result<Index> write_ring(const Connectivity& mesh, Ring ring, Direction direction, Index centre,
+Result<Index> write_ring(const RawLinks& links, Ring ring, Direction direction, Index centre,
                          std::span<Index> out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
-  const RingFunctions functions = functions_of(ring, direction);
-  if (!functions.is_live(mesh, centre)) return no_such_centre(mesh, functions, centre, "");
+  const Walkable walkable(links, ring, direction);
+  const RingFunctions functions = functions_of(ring, walkable.direction);
+  if (!functions.is_live(links, centre)) return no_such_centre(links, functions, centre, "");
   const Index room = Index(std::min(out.size(), std::size_t{kNone}));
-  const Index length = functions.write_one(mesh, centre, out.data(), room);
+  const Index length = functions.write_one(links, centre, 0, out.data(), room);
   if (length == kNone) return corrupt(functions.kind, centre);
+  const Index written = std::min(length, room);
+  if (walkable.is_reverse) {  // of what doesn't fit, its end comes first
+    if (length > room) {
+      (void)functions.write_one(links, centre, length - room, out.data(), room);
+    }
+    std::reverse(out.data(), out.data() + written);
+  }
   return length;
 }
 

@@ -7,11 +7,12 @@ namespace halfedge {
 
 /// Whether the halfedge arrays are equally long and hold whole edges, so that an index below
 /// halfedge_slots() is in range in each of them. For code that takes nothing else for granted.
-[[nodiscard]] inline Result<void> check_array_sizes(const Connectivity& mesh) {
+template <Storage kStored>
+[[nodiscard]] Result<void> check_array_sizes(const BasicConnectivity<kStored>& mesh) {
   const Links& links = mesh.links();
   const std::size_t size = links.next.size();
-  if (size % 2 == 0 && links.prev.size() == size && links.to_vertex.size() == size &&
-      links.face.size() == size) {
+  if (size % 2 == 0 && links.prev.size() == (kStored.prev ? size : 0) &&
+      links.to_vertex.size() == size && links.face.size() == (kStored.face ? size : 0)) {
     return {};
   }
   return Error{"corrupt-connectivity", "the halfedge arrays differ in length: validate names them"};

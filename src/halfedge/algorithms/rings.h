@@ -10,20 +10,57 @@
 /// links that may be anything.
 namespace halfedge {
 
-/// The links as the walks and views of the circulators read them, by raw pointers. A halfedge is
-/// checked once, when it is stepped to; the arrays are equally long.
+/// The links as the walks and views of the circulators read them, by raw pointers: one type for all
+/// storage options, so that what is written for it is compiled once. A halfedge is checked once,
+/// when it is stepped to; the arrays by halfedge are equally long. Good until the mesh changes.
 class RawLinks {
  public:
-  explicit RawLinks(const Connectivity& mesh)
-      : halfedge_slots_(mesh.halfedge_slots()),
+  template <Storage kStored>
+  explicit RawLinks(const BasicConnectivity<kStored>& mesh)
+      : vertex_slots_(mesh.vertex_slots()),
+        halfedge_slots_(mesh.halfedge_slots()),
+        face_slots_(mesh.face_slots()),
         next_(mesh.links().next.data()),
         prev_(mesh.links().prev.data()),
         to_vertex_(mesh.links().to_vertex.data()),
-        face_(mesh.links().face.data()) {}
+        face_(mesh.links().face.data()),
+        vertex_halfedge_(mesh.links().vertex_halfedge.data()),
+        face_halfedge_(mesh.links().face_halfedge.data()),
+        stores_prev_(kStored.prev) {
+    static_assert(kStored.face && kStored.face_halfedge && kStored.vertex_halfedge,
+                  "adjacency lists need all links but prev (StoresSurface)");
+  }
 
+  /// If not, walks against `next` can't be taken.
+  [[nodiscard]] bool store_prev() const { return stores_prev_; }
+
+  [[nodiscard]] Index halfedge_slots() const { return halfedge_slots_; }
+  [[nodiscard]] Index slots(Vertex) const { return vertex_slots_; }
+  [[nodiscard]] Index slots(Edge) const { return halfedge_slots_ / 2; }
+  [[nodiscard]] Index slots(Face) const { return face_slots_; }
   [[nodiscard]] bool contain(Halfedge h) const { return h.index() < halfedge_slots_; }
 
+  /// Where a walk around the item begins; what is empty or deleted is not contained.
+  [[nodiscard]] Halfedge stored_halfedge(Vertex v) const {
+    return Halfedge(vertex_halfedge_[v.index()]);
+  }
+  [[nodiscard]] Halfedge stored_halfedge(Face f) const {
+    return Halfedge(face_halfedge_[f.index()]);
+  }
+  [[nodiscard]] Halfedge stored_halfedge(Edge e) const { return Halfedge(2 * e.index()); }
+
+  [[nodiscard]] bool is_deleted(Vertex v) const {
+    return is_deleted_link(vertex_halfedge_[v.index()]);
+  }
+  [[nodiscard]] bool is_deleted(Face f) const { return is_deleted_link(face_halfedge_[f.index()]); }
+  [[nodiscard]] bool is_deleted(Edge e) const { return is_deleted_link(next_[2 * e.index()]); }
+  template <class Item>
+  [[nodiscard]] bool is_live(Item item) const {
+    return item.index() < slots(Item{}) && !is_deleted(item);
+  }
+
   [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(next_[h.index()]); }
+  /// pre: store_prev()
   [[nodiscard]] Halfedge prev(Halfedge h) const { return Halfedge(prev_[h.index()]); }
   [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(to_vertex_[h.index()]); }
   [[nodiscard]] Face face(Halfedge h) const { return Face(face_[h.index()]); }
@@ -33,11 +70,16 @@ class RawLinks {
   [[nodiscard]] Halfedge rotate_ccw(Halfedge h) const { return opposite(prev(h)); }
 
  private:
+  Index vertex_slots_;
   Index halfedge_slots_;
+  Index face_slots_;
   const Index* next_;
   const Index* prev_;
   const Index* to_vertex_;
   const Index* face_;
+  const Index* vertex_halfedge_;
+  const Index* face_halfedge_;
+  bool stores_prev_;
 };
 
 /// A ring is a centre, a walk and a view.
@@ -51,27 +93,16 @@ struct RingOf {
       std::is_same_v<Walk, walk::RotateCcw> || std::is_same_v<Walk, walk::LoopCw>;
 };
 
-[[nodiscard]] inline Halfedge stored_halfedge(const Connectivity& mesh, Vertex v) {
-  return mesh.vertex_halfedge(v);
-}
-[[nodiscard]] inline Halfedge stored_halfedge(const Connectivity& mesh, Face f) {
-  return mesh.face_halfedge(f);
-}
-[[nodiscard]] inline Halfedge stored_halfedge(const Connectivity& mesh, Edge e) {
-  return mesh.edge_halfedge(e);
-}
-
 /// Whether there is anything to walk around: not so at deleted slots and isolated vertices.
 template <class Centre>
-[[nodiscard]] bool has_ring(const Connectivity& mesh, Centre centre) {
-  return !mesh.is_deleted(centre) && stored_halfedge(mesh, centre).valid();
+[[nodiscard]] bool has_ring(const RawLinks& links, Centre centre) {
+  return !links.is_deleted(centre) && links.stored_halfedge(centre).valid();
 }
 
 /// Where the ring begins; empty if a link leads out of the arrays.
 template <class Ring>
-[[nodiscard]] Halfedge first_of(const Connectivity& mesh, const RawLinks& links,
-                                typename Ring::Centre centre) {
-  Halfedge first = stored_halfedge(mesh, centre);
+[[nodiscard]] Halfedge first_of(const RawLinks& links, typename Ring::Centre centre) {
+  Halfedge first = links.stored_halfedge(centre);
   if (!links.contain(first)) return {};
   if constexpr (Ring::kBeginsOneStepOn) {
     first = Ring::Walk::on(links, first);

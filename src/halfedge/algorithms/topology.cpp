@@ -39,7 +39,8 @@ void unite(Array<Index>& parent, Index a, Index b) {
 }
 
 // Unites the ends of all edges; then replaces each vertex of `of_vertex` by its component.
-Result<void> label_vertices(const Connectivity& mesh, Components& components) {
+template <Storage kStored>
+Result<void> label_vertices(const BasicConnectivity<kStored>& mesh, Components& components) {
   Array<Index>& label = components.of_vertex;
   if (!label.resize(mesh.vertex_slots())) return out_of_memory("the components of vertices");
   for (Index v = 0; v < label.size(); ++v) {
@@ -68,7 +69,8 @@ Result<void> label_vertices(const Connectivity& mesh, Components& components) {
   return {};
 }
 
-Result<void> label_faces(const Connectivity& mesh, Components& components) {
+template <Storage kStored>
+Result<void> label_faces(const BasicConnectivity<kStored>& mesh, Components& components) {
   Array<Index>& label = components.of_face;
   if (!label.resize(mesh.face_slots(), kNone)) return out_of_memory("the components of faces");
   for (const Face f : mesh.faces()) {
@@ -81,7 +83,8 @@ Result<void> label_faces(const Connectivity& mesh, Components& components) {
   return {};
 }
 
-bool all_faces_have(const Connectivity& mesh, int degree) {
+template <Storage kStored>
+bool all_faces_have(const BasicConnectivity<kStored>& mesh, int degree) {
   if (!check_array_sizes(mesh)) return false;
   for (const Face f : mesh.faces()) {
     const Halfedge first = mesh.face_halfedge(f);
@@ -98,11 +101,13 @@ bool all_faces_have(const Connectivity& mesh, int degree) {
 
 }  // namespace
 
-std::int64_t euler_characteristic(const Connectivity& mesh) {
+template <Storage kStored>
+std::int64_t euler_characteristic(const BasicConnectivity<kStored>& mesh) {
   return std::int64_t{mesh.vertex_count()} - mesh.edge_count() + mesh.face_count();
 }
 
-Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh) {
+template <Storage kStored>
+Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<kStored>& mesh) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
   const Links& links = mesh.links();
   Array<Halfedge> loops;
@@ -128,7 +133,8 @@ Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh) {
   return loops;
 }
 
-Result<Components> connected_components(const Connectivity& mesh) {
+template <Storage kStored>
+Result<Components> connected_components(const BasicConnectivity<kStored>& mesh) {
   Result<Array<Halfedge>> loops = boundary_loops(mesh);
   if (!loops) return loops.error();
   Components components;
@@ -144,7 +150,8 @@ Result<Components> connected_components(const Connectivity& mesh) {
   return components;
 }
 
-Result<std::int64_t> genus(const Connectivity& mesh) {
+template <Storage kStored>
+Result<std::int64_t> genus(const BasicConnectivity<kStored>& mesh) {
   Result<Components> components = connected_components(mesh);
   if (!components) return components.error();
   std::int64_t sum = 0;
@@ -152,12 +159,31 @@ Result<std::int64_t> genus(const Connectivity& mesh) {
   return sum;
 }
 
-bool is_closed(const Connectivity& mesh) {
+template <Storage kStored>
+bool is_closed(const BasicConnectivity<kStored>& mesh) {
   const Array<Index>& face = mesh.links().face;
   return std::find(face.begin(), face.end(), kNone) == face.end();
 }
 
-bool is_triangle_mesh(const Connectivity& mesh) { return all_faces_have(mesh, 3); }
-bool is_quad_mesh(const Connectivity& mesh) { return all_faces_have(mesh, 4); }
+template <Storage kStored>
+bool is_triangle_mesh(const BasicConnectivity<kStored>& mesh) {
+  return all_faces_have(mesh, 3);
+}
+template <Storage kStored>
+bool is_quad_mesh(const BasicConnectivity<kStored>& mesh) {
+  return all_faces_have(mesh, 4);
+}
+
+#define HALFEDGE_INSTANTIATE(storage)                                                  \
+  template std::int64_t euler_characteristic(const BasicConnectivity<storage>&);       \
+  template Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<storage>&);  \
+  template Result<Components> connected_components(const BasicConnectivity<storage>&); \
+  template Result<std::int64_t> genus(const BasicConnectivity<storage>&);              \
+  template bool is_closed(const BasicConnectivity<storage>&);                          \
+  template bool is_triangle_mesh(const BasicConnectivity<storage>&);                   \
+  template bool is_quad_mesh(const BasicConnectivity<storage>&)
+HALFEDGE_INSTANTIATE(kEverything);
+HALFEDGE_INSTANTIATE(kWithoutPrev);
+#undef HALFEDGE_INSTANTIATE
 
 }  // namespace halfedge

@@ -10,14 +10,17 @@
 ///
 /// These functions check what they follow: on a mesh that breaks its invariants they return an
 /// error with the code corrupt-connectivity (or false), they don't hang or read out of bounds.
+/// They need all links but prev, and are compiled for Connectivity and for kWithoutPrev.
 /// Those that need memory return an error with the code out-of-memory when there is none.
 namespace halfedge {
 
 /// V - E + F over all live items. An isolated vertex counts as a vertex.
-[[nodiscard]] std::int64_t euler_characteristic(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] std::int64_t euler_characteristic(const BasicConnectivity<kStored>& mesh);
 
 /// One halfedge of each boundary loop: its smallest; in index order. cost: O(halfedges)
-[[nodiscard]] Result<Array<Halfedge>> boundary_loops(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<kStored>& mesh);
 
 /// What one connected component is made of.
 struct Component {
@@ -48,16 +51,21 @@ struct Components {
 
 /// Faces and edges are connected where they share a vertex, so that the fans of a pinched vertex
 /// lie in one component. cost: O(slots), nearly
-[[nodiscard]] Result<Components> connected_components(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] Result<Components> connected_components(const BasicConnectivity<kStored>& mesh);
 
 /// The sum of the genera of all components.
-[[nodiscard]] Result<std::int64_t> genus(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] Result<std::int64_t> genus(const BasicConnectivity<kStored>& mesh);
 
 /// Whether no halfedge is a boundary halfedge. True of a mesh without edges.
-[[nodiscard]] bool is_closed(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] bool is_closed(const BasicConnectivity<kStored>& mesh);
 
 /// Whether all faces have three, or four, corners. True of a mesh without faces.
-[[nodiscard]] bool is_triangle_mesh(const Connectivity& mesh);
-[[nodiscard]] bool is_quad_mesh(const Connectivity& mesh);
+template <Storage kStored>
+[[nodiscard]] bool is_triangle_mesh(const BasicConnectivity<kStored>& mesh);
+template <Storage kStored>
+[[nodiscard]] bool is_quad_mesh(const BasicConnectivity<kStored>& mesh);
 
 }  // namespace halfedge
