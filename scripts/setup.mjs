@@ -31,6 +31,7 @@ const requirements = [
   need('tests', 'OpenMesh', 'libopenmesh-dev', () =>
     header('OpenMesh/Core/Mesh/PolyConnectivity.hh'),
   ),
+  need('tests', 'CGAL', 'libcgal-dev', () => header('CGAL/Polyhedron_3.h')),
   need('tests', 'Chromium', 'chromium', () => onPath('chromium', 'chromium-browser')),
   need('bench', 'g++', 'g++', () => onPath('g++')),
   need('bench', 'Google Benchmark', 'libbenchmark-dev', () => header('benchmark/benchmark.h')),
