@@ -6,98 +6,144 @@ import { directionIndex } from './rings.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
-const { ACROSS, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit, ROTATE_CCW, ROTATE_CW, step } = orbit;
+const { ACROSS, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit } = orbit;
+const { ROTATE_CCW, ROTATE_CW, reverse, step } = orbit;
 
 // Where the lap around an item begins, and all checks of what a caller passes. An orbit is told where
 // it *ends*, one step before its first halfedge: around a vertex that is the anchor for the default
 // direction, so that nothing needs to be looked up. The common case of each function is small enough
 // for the JIT to inline; the rest is `lastOf`.
 
+/** What a lap goes around; a loop is the one through a halfedge. */
+export type Centre = 'vertex' | 'face' | 'edge' | 'loop';
+
+/** How to go around it. Throws a sentence for what is no direction. */
+export const walkAround = (centre: Centre, direction: Direction): number => {
+  const ccw = direction === 'ccw' || directionIndex(direction) === 0;
+  if (centre === 'vertex') return ccw ? ROTATE_CCW : ROTATE_CW;
+  if (centre === 'edge') return ACROSS;
+  return ccw ? LOOP_CCW : LOOP_CW;
+};
+
+/** The halfedge where the lap ends, NONE around an isolated vertex. */
+export const lastAround = (
+  links: Links,
+  centre: Centre,
+  item: number,
+  walk: number,
+  start: number | undefined,
+  view: number,
+): number => {
+  if (centre === 'vertex') return lastAroundVertex(links, item, walk, start, view);
+  if (centre === 'face') return lastAroundFace(links, item, walk, start);
+  return rest.lastOf(links, centre, item, walk, start, view);
+};
+
+const lastAroundVertex = (
+  links: Links,
+  v: number,
+  walk: number,
+  start: number | undefined,
+  view: number,
+): number => {
+  let last = typeof v === 'number' && start === undefined ? links.vertexHalfedge[v] : -2;
+  if (walk === ROTATE_CW && last >= 0) {
+    const before = links.prev[last];
+    last = before >= 0 ? before ^ 1 : -2;
+  }
+  return last >= NONE ? last : rest.lastOf(links, 'vertex', v, walk, start, view);
+};
+
+const lastAroundFace = (
+  links: Links,
+  f: number,
+  walk: number,
+  start: number | undefined,
+): number => {
+  let last = typeof f === 'number' && start === undefined ? links.faceHalfedge[f] : NONE;
+  if (walk === LOOP_CCW && last >= 0) last = links.prev[last];
+  return last >= 0 ? last : rest.lastOf(links, 'face', f, walk, start, ITSELF);
+};
+
 /** The halfedges that leave `v`. */
-export function aroundVertex<Item extends number>(
+export const aroundVertex = <Item extends number>(
   links: Links,
   v: number,
   direction: Direction,
   start: number | undefined,
   view: number,
-): orbit.Orbit<Item> {
-  let last = typeof v === 'number' ? links.vertexHalfedge[v] : -2;
-  const ccw = direction === 'ccw';
-  if (!ccw && last >= 0) {
-    const before = links.prev[last];
-    last = direction === 'cw' && before >= 0 ? before ^ 1 : -2;
-  }
-  if (start !== undefined || !(last >= NONE)) {
-    last = rest.lastOf(links, 'vertex', v, direction, start, view === OPPOSITE);
-  }
-  return new Orbit(links, last, ccw ? ROTATE_CCW : ROTATE_CW, view);
-}
+): orbit.Orbit<Item> => {
+  const walk = direction === 'ccw' ? ROTATE_CCW : walkAround('vertex', direction);
+  return new Orbit(links, lastAroundVertex(links, v, walk, start, view), walk, view);
+};
 
 /** The halfedges of `f`. */
-export function aroundFace<Item extends number>(
+export const aroundFace = <Item extends number>(
   links: Links,
   f: number,
   direction: Direction,
   start: number | undefined,
   view: number,
-): orbit.Orbit<Item> {
-  let last = typeof f === 'number' ? links.faceHalfedge[f] : NONE;
-  const ccw = direction === 'ccw';
-  if (ccw && last >= 0) last = links.prev[last];
-  if (start !== undefined || !(last >= 0 && (ccw || direction === 'cw'))) {
-    last = rest.lastOf(links, 'face', f, direction, start, false);
-  }
-  return new Orbit(links, last, ccw ? LOOP_CCW : LOOP_CW, view);
-}
+): orbit.Orbit<Item> => {
+  const walk = direction === 'ccw' ? LOOP_CCW : walkAround('face', direction);
+  return new Orbit(links, lastAroundFace(links, f, walk, start), walk, view);
+};
 
 /** The loop through `h`, from `h` on. */
-export function aroundLoop<Item extends number>(
+export const aroundLoop = <Item extends number>(
   links: Links,
   h: number,
   direction: Direction,
   view: number,
-): orbit.Orbit<Item> {
-  links.checkHalfedge(h);
-  const clockwise = directionIndex(direction) === 1;
-  const last = step(links, clockwise ? LOOP_CCW : LOOP_CW, h);
-  if (!(last >= 0)) throw corrupt(`The loop of halfedge ${h} does not close`);
-  return new Orbit(links, last, clockwise ? LOOP_CW : LOOP_CCW, view);
-}
+): orbit.Orbit<Item> => {
+  const walk = walkAround('loop', direction);
+  return new Orbit(links, rest.lastOf(links, 'loop', h, walk, undefined, view), walk, view);
+};
 
 /** The two halfedges of `e`, side 0 first. */
-export function aroundEdge<Item extends number>(
+export const aroundEdge = <Item extends number>(
   links: Links,
   e: number,
   view: number,
-): orbit.Orbit<Item> {
+): orbit.Orbit<Item> => {
   if (!(typeof e === 'number' && (e | 0) === e && links.next[2 * e] >= 0)) links.checkEdge(e);
   return new Orbit(links, 2 * e + 1, ACROSS, view);
-}
+};
 
 /**
- * Where the lap around a vertex or a face ends, in all cases: the views are detached, there is a start,
- * an argument is wrong. Circulators that show incoming halfedges take one of those as their start, too.
+ * Where the lap around an item ends, in all cases: the views are detached, there is a start, an argument
+ * is wrong. Circulators that show incoming halfedges take one of those as their start, too.
  *
  * One function on purpose: V8 inlines none that is so long, and so the loops of programs that use it
  * have room left for what they need inlined.
  */
-function lastOf(
+const lastOf = (
   links: Links,
-  centre: 'vertex' | 'face',
+  centre: Centre,
   item: number,
-  direction: unknown,
+  walk: number,
   start: number | undefined,
-  incoming: boolean,
-): number {
-  const clockwise = directionIndex(direction) === 1;
+  view: number,
+): number => {
+  if (start !== undefined && (centre === 'edge' || centre === 'loop')) {
+    const first =
+      centre === 'edge' ? 'an edge begins with its side 0' : 'a loop begins at its halfedge';
+    throw new RangeError(`start is ${describe(start)}; expected none, because ${first}.`);
+  }
   if (centre === 'vertex') links.checkVertex(item);
-  else links.checkFace(item);
+  else if (centre === 'face') links.checkFace(item);
+  else if (centre === 'edge') links.checkEdge(item);
+  else links.checkHalfedge(item);
+  if (centre === 'edge') return 2 * item + 1;
 
-  const anchor = centre === 'vertex' ? links.vertexHalfedge[item] : links.faceHalfedge[item];
+  let anchor = item;
+  if (centre === 'vertex') anchor = links.vertexHalfedge[item];
+  else if (centre === 'face') anchor = links.faceHalfedge[item];
   let first = anchor;
   if (start !== undefined) {
     links.checkHalfedge(start, 'start');
     const [from, to, face] = [links.toVertex[start ^ 1], links.toVertex[start], links.face[start]];
+    const incoming = centre === 'vertex' && view === OPPOSITE;
     first = incoming && to === item ? start ^ 1 : start;
     if (incoming && to !== item && from !== item) {
       throw new RangeError(
@@ -116,15 +162,14 @@ function lastOf(
     }
   } else if (first === NONE && centre === 'vertex') {
     return NONE;
-  } else if (clockwise === (centre === 'face')) {
+  } else if (walk === ROTATE_CCW || (walk === LOOP_CW && centre === 'face')) {
     return first; // these directions end at the anchor
   }
-  let back = clockwise ? ROTATE_CCW : ROTATE_CW;
-  if (centre === 'face') back = clockwise ? LOOP_CCW : LOOP_CW;
-  const last = step(links, back, first);
+  const last = step(links, reverse(walk), first);
   if (last >= 0) return last;
+  if (centre === 'loop') throw corrupt(`The loop of halfedge ${item} does not close`);
   throw corrupt(`The halfedges of ${centre} ${item} form no closed orbit`);
-}
+};
 
 /** A method, because V8 compiles no property access that has never happened: see orbit.ts. */
 const rest = { lastOf };

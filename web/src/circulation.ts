@@ -16,7 +16,7 @@ import type {
 import { LiveItems } from './live.js';
 import * as navigation from './navigation.js';
 import * as orbit from './orbit.js';
-import { directionIndex, type RingKind } from './rings.js';
+import type { RingKind } from './rings.js';
 
 // Constants of this module's own: see orbit.ts.
 const { linksOf } = navigation;
@@ -25,7 +25,6 @@ const { Circulator } = circulator;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = orbit;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number> = circulator.Circulator<Item>;
-type Around<Item extends number> = circulator.Around<Item>;
 
 /** The circulators that `circulate` knows: all around one item, by the names of their methods. */
 export type CirculatorKind = RingKind | 'halfedgeLoop';
@@ -157,58 +156,32 @@ export abstract class Circulation extends BulkRings {
     options: CirculateOptions = {},
   ): Circulator<Shown<Kind>> {
     const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
-    const around = AROUND[kind] as Around<Shown<Kind>> | undefined;
+    const around = KINDS[kind] as circulator.Kind | undefined;
     if (around === undefined) throw noSuchKind(kind);
-    return new Circulator(linksOf(this), around, direction, item, start);
+    return new Circulator<Shown<Kind>>(linksOf(this), around, direction).moveTo(item, start);
   }
 }
 
-const vertexOrbit =
-  (view: number): Around<number> =>
-  (links, v, direction, start) =>
-    aroundVertex(links, v, direction, start, view);
-
-const faceOrbit =
-  (view: number): Around<number> =>
-  (links, f, direction, start) =>
-    aroundFace(links, f, direction, start, view);
-
-const edgeOrbit =
-  (view: number): Around<number> =>
-  (links, e, direction, start) => {
-    directionIndex(direction);
-    refuseStart(start, 'an edge begins with its side 0');
-    return aroundEdge(links, e, view);
-  };
-
-const AROUND: Record<CirculatorKind, Around<number>> = {
-  vertexVertices: vertexOrbit(TO_VERTEX),
-  vertexOutgoingHalfedges: vertexOrbit(ITSELF),
-  vertexIncomingHalfedges: vertexOrbit(OPPOSITE),
-  vertexEdges: vertexOrbit(EDGE),
-  vertexFaces: vertexOrbit(FACE),
-  faceVertices: faceOrbit(TO_VERTEX),
-  faceHalfedges: faceOrbit(ITSELF),
-  faceEdges: faceOrbit(EDGE),
-  faceFaces: faceOrbit(OPPOSITE_FACE),
-  edgeVertices: edgeOrbit(TO_VERTEX),
-  edgeHalfedges: edgeOrbit(ITSELF),
-  edgeFaces: edgeOrbit(FACE),
-  halfedgeLoop: (links, h, direction, start) => {
-    refuseStart(start, 'a loop begins at its halfedge');
-    return aroundLoop(links, h, direction, ITSELF);
-  },
+const KINDS: Record<CirculatorKind, circulator.Kind> = {
+  vertexVertices: { centre: 'vertex', view: TO_VERTEX },
+  vertexOutgoingHalfedges: { centre: 'vertex', view: ITSELF },
+  vertexIncomingHalfedges: { centre: 'vertex', view: OPPOSITE },
+  vertexEdges: { centre: 'vertex', view: EDGE },
+  vertexFaces: { centre: 'vertex', view: FACE },
+  faceVertices: { centre: 'face', view: TO_VERTEX },
+  faceHalfedges: { centre: 'face', view: ITSELF },
+  faceEdges: { centre: 'face', view: EDGE },
+  faceFaces: { centre: 'face', view: OPPOSITE_FACE },
+  edgeVertices: { centre: 'edge', view: TO_VERTEX },
+  edgeHalfedges: { centre: 'edge', view: ITSELF },
+  edgeFaces: { centre: 'edge', view: FACE },
+  halfedgeLoop: { centre: 'loop', view: ITSELF },
 };
 
-Object.setPrototypeOf(AROUND, null); // `constructor` is no kind
-
-function refuseStart(start: unknown, reason: string): void {
-  if (start === undefined) return;
-  throw new RangeError(`start is ${describe(start)}; expected none, because ${reason}.`);
-}
+Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
 
 function noSuchKind(kind: unknown): Error {
-  const kinds = Object.keys(AROUND).join(', ');
+  const kinds = Object.keys(KINDS).join(', ');
   const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
   return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }

@@ -1,18 +1,19 @@
+import * as around from './around.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
 import * as orbit from './orbit.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
+const { lastAround, walkAround } = around;
 const { reverse, shown, staleError, step } = orbit;
+type Centre = around.Centre;
 
-/** Makes the orbit of one kind around an item, after checking what it is given. */
-export type Around<Item extends number> = (
-  links: Links,
-  item: number,
-  direction: Direction,
-  start: number | undefined,
-) => orbit.Orbit<Item>;
+/** What a circulator goes around, and what it shows of each halfedge. */
+export interface Kind {
+  readonly centre: Centre;
+  readonly view: number;
+}
 
 /**
  * Endless and bidirectional: it has no end, it stops when you say so. It stands on one halfedge at a
@@ -23,43 +24,32 @@ export class Circulator<Item extends number = number> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly around: Around<Item>;
-  /** @internal */
-  declare readonly direction: Direction;
+  declare readonly centre: Centre;
   /** @internal */
   declare readonly walk: number;
   /** @internal */
   declare readonly view: number;
   /** @internal */
-  declare version: number;
+  declare era: Links['era'];
   /** @internal */
   declare at: number;
   /** @internal */
   declare item: number;
 
   /** @internal */
-  constructor(
-    links: Links,
-    around: Around<Item>,
-    direction: Direction,
-    item: number,
-    start: number | undefined,
-  ) {
-    const { version, last, walk, view } = around(links, item, direction, start);
+  constructor(links: Links, { centre, view }: Kind, direction: Direction) {
     this.links = links;
-    this.around = around;
-    this.direction = direction;
-    this.walk = walk;
+    this.centre = centre;
+    this.walk = walkAround(centre, direction);
     this.view = view;
-    this.version = version;
-    this.at = last;
+    this.era = links.era;
+    this.at = NONE;
     this.item = NONE;
-    if (last >= 0) this.step(walk);
   }
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.links.version !== this.version) this.refuse();
+    if (this.era.over) this.refuse();
     return this.item as Item;
   }
 
@@ -68,7 +58,7 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.links.version !== this.version) this.refuse();
+    if (this.era.over) this.refuse();
     return this.at as Halfedge;
   }
 
@@ -87,28 +77,25 @@ export class Circulator<Item extends number = number> {
    * without making one.
    */
   moveTo(item: number, start?: HalfedgeLike): this {
-    const { version, last } = this.around(this.links, item, this.direction, start);
-    this.version = version;
+    const { links, walk, view } = this;
+    const last = lastAround(links, this.centre, item, walk, start, view);
+    this.era = links.era;
     this.at = last;
     this.item = NONE;
-    if (last >= 0) this.step(this.walk);
+    if (last >= 0) this.step(walk);
     return this;
   }
 
   /** @internal */
   step(walk: number): Item {
     const { links } = this;
-    if (links.version !== this.version) this.refuse();
+    if (this.era.over) this.refuse();
     const h = step(links, walk, this.at);
-    if (h >= 0) {
-      const item = shown(links, this.view, h);
-      if (item >= 0) {
-        this.at = h;
-        this.item = item;
-        return item as Item;
-      }
-    }
-    return this.search(walk);
+    const item = shown(links, this.view, h);
+    if (!(item >= 0)) return this.search(walk);
+    this.at = h;
+    this.item = item;
+    return item as Item;
   }
 
   /**

@@ -51,8 +51,8 @@ export class Links {
   edgeCount = 0;
   faceCount = 0;
 
-  /** Changes with every change of connectivity, and with `dispose`. */
-  version = 0;
+  /** Over as soon as `version` has changed. Circulators ask this: V8 has less to inline than to compare. */
+  era = { over: false };
   disposed = false;
 
   /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
@@ -60,6 +60,7 @@ export class Links {
 
   readonly #core: Core;
   readonly #address: number;
+  #version = 0;
 
   /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
   constructor(core: Core, address: number) {
@@ -98,9 +99,7 @@ export class Links {
     this.vertexCount = words[at + 10];
     this.edgeCount = words[at + 11];
     this.faceCount = words[at + 12];
-    // Not one expression: its result would be a float in V8, which costs circulators an allocation.
-    this.version = words[at + 13];
-    if (words[at + 14] !== 0) this.version += 2 ** 32 * words[at + 14];
+    this.version = words[at + 13] + 2 ** 32 * words[at + 14];
     this.onRefresh?.();
   }
 
@@ -130,6 +129,18 @@ export class Links {
     this.version += 1;
     this.disposed = true;
     this.onRefresh?.();
+  }
+
+  /** Changes with every change of connectivity, and with `dispose`. */
+  get version(): number {
+    return this.#version;
+  }
+
+  set version(version: number) {
+    if (version === this.#version) return;
+    this.#version = version;
+    this.era.over = true;
+    this.era = { over: false };
   }
 
   /** The address of the mesh for calls into the core. Throws if disposed. */

@@ -22,7 +22,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly version: number;
+  declare readonly era: Links['era'];
   /** @internal */
   declare readonly kind: ItemKind;
   /** @internal An item has 1 << shift slots, of which the first tells whether it was deleted. */
@@ -34,7 +34,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
   constructor(links: Links, kind: ItemKind) {
     links.revive();
     this.links = links;
-    this.version = links.version;
+    this.era = links.era;
     this.kind = kind;
     this.shift = kind === 'edge' ? 1 : 0;
     this.count = slotsOf(links, kind).length >> this.shift;
@@ -72,7 +72,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
 
 function nextLive(this: Pass): orbit.Result {
   const { items, at } = this;
-  if (items.links.version !== items.version) items.refuse();
+  if (items.era.over) items.refuse();
   let item: number = NONE;
   if (at < items.count) {
     item = this.slots[at << items.shift] >= NONE ? at : items.liveFrom(at);

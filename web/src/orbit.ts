@@ -53,41 +53,44 @@ export function reverse(walk: number): number {
     : walk ^ (ROTATE_CCW ^ ROTATE_CW);
 }
 
-/** One step from `h`, through the live views; undefined or negative where the links are corrupt. */
-export function step(links: Links, walk: number, h: number): number {
-  const before = h ^ ((walk >> 1) & 1);
-  const after = (walk >> 2) & 1;
-  if (walk >= FOLLOW_NOTHING) return h ^ 1;
-  const n = (walk & FOLLOW_NEXT) === 0 ? links.prev[before] : links.next[before];
-  return n >= 0 ? n ^ after : n;
-}
-
-/** What `view` shows of `h`; NONE for no face, undefined or below NONE where links are corrupt. */
-export function shown(links: Links, view: number, h: number): number {
-  const side = h ^ (view & SHOW_OPPOSITE);
-  if (view < SHOW_VERTEX) return side >> (view >> 1);
-  return view < SHOW_FACE ? links.toVertex[side] : links.face[side];
-}
-
 /**
  * All indices of halfedges lie below: 2^30 of them would need more memory than there is. Masking
  * with it tells the JIT that a number needs no check to fit in a tagged small integer.
  */
 const SMALL = 0x3fffffff;
 
+/** What a step from `h` reads; undefined or negative where views are detached, or links corrupt. */
+const linkFrom = (links: Links, walk: number, h: number): number => {
+  if (walk >= FOLLOW_NOTHING) return h;
+  return ((walk & FOLLOW_NEXT) === 0 ? links.prev : links.next)[h ^ ((walk >> 1) & 1)];
+};
+
+/** Where a step that reads `link` leads to. */
+const arrival = (walk: number, link: number): number => (link ^ ((walk >> 2) & 1)) & SMALL;
+
+/** One step from `h`, through the live views; NONE where `linkFrom` finds nothing. */
+export const step = (links: Links, walk: number, h: number): number => {
+  const link = linkFrom(links, walk, h);
+  return link >= 0 ? arrival(walk, link) : NONE;
+};
+
+/** What `view` shows of `h`; NONE for no face, undefined or below NONE where links are corrupt. */
+export const shown = (links: Links, view: number, h: number): number => {
+  const side = h ^ (view & SHOW_OPPOSITE);
+  if (view < SHOW_VERTEX) return side >> (view >> 1);
+  return view < SHOW_FACE ? links.toVertex[side] : links.face[side];
+};
+
 /** What `next` of an iterator returns: NONE at the end, because V8 is slow with "or undefined". */
 export type Result = IteratorResult<number, typeof NONE>;
 
 /**
  * One lap underway. A literal, not a class: V8 takes literals out of inlined loops, but not what a
- * constructor has made. It holds what changes, and the views it reads.
+ * constructor has made.
  */
 interface Lap {
   next: () => Result;
   orbit: Orbit<number>;
-  /** The links that the walk follows, and those that the view looks up, if it does. */
-  follow: Int32Array;
-  table: Int32Array;
   /** The halfedge shown last, NONE when the lap is over; and how many steps there may be left. */
   at: number;
   left: number;
@@ -104,7 +107,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly version: number;
+  declare readonly era: Links['era'];
   /** @internal A lap steps from here to its first halfedge, and ends here; NONE for no lap. */
   declare readonly last: number;
   /** @internal */
@@ -115,14 +118,20 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
   constructor(links: Links, last: number, walk: number, view: number) {
     this.links = links;
-    this.version = links.version;
+    this.era = links.era;
     this.last = last;
     this.walk = walk;
     this.view = view;
   }
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
-    return lapOf(this) as Iterator<Item, typeof NONE>;
+    const lap: Lap = {
+      next: this.view < SHOW_FACE ? nextItem : nextFace,
+      orbit: this,
+      at: this.last,
+      left: this.links.halfedgeSlots,
+    };
+    return lap as Iterator<Item, typeof NONE>;
   }
 
   /** The items of the lap in a fresh array. */
@@ -140,7 +149,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    */
   into(buffer: Int32Array | Uint32Array): number {
     const { links, last, walk, view } = this;
-    if (links.version !== this.version) this.refuse();
+    if (this.era.over) this.refuse();
     const room = roomIn(buffer);
     if (last < 0) return 0;
     if (links.next.length === 0) links.revive();
@@ -149,11 +158,13 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     let h = last;
     let count = 0;
     for (let left = links.halfedgeSlots; left > 0; left--) {
-      h = stepBy(follow, walk, h);
+      const link = walk >= FOLLOW_NOTHING ? h : follow[h ^ ((walk >> 1) & 1)];
+      if (!(link >= 0)) break;
+      h = arrival(walk, link);
       const side = h ^ (view & SHOW_OPPOSITE);
       const item = view < SHOW_VERTEX ? side >> (view >> 1) : table[side];
       if (item >= 0) {
-        if (count < room) buffer[count] = item;
+        buffer[count] = item; // ignored beyond its end
         count += 1;
       } else if (item !== NONE || view < SHOW_FACE) break;
       if (h === last) return count <= room ? count : tooSmall(room, count);
@@ -166,11 +177,8 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    * @internal
    */
   advanceAgain(lap: Lap): number {
-    if (lap.follow.length !== 0) this.fail();
+    if (!this.links.detached) this.fail();
     this.links.revive();
-    const { follow, table } = lapOf(this);
-    lap.follow = follow;
-    lap.table = table;
     return this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
   }
 
@@ -187,94 +195,62 @@ export class Orbit<Item extends number> implements Iterable<Item> {
 
 // These run inside of other people's loops. V8 inlines them, if the loop has little else, and keeps the
 // lap in registers as long as nothing could see it, and nothing in the loop can throw. So they are short
-// and have no loops, and whatever hands the lap on or throws is a method: V8 compiles no property access
-// that has never happened.
+// and have next to no loops, and whatever hands the lap on or throws is a method: V8 compiles no property
+// access that has never happened. They are constants, because a declared function is compared at each
+// call with what it was when the loop was compiled.
 
-function lapOf(orbit: Orbit<number>): Lap {
-  const { links } = orbit;
-  const faces = orbit.view >= SHOW_FACE;
-  return {
-    next: faces ? nextFace : nextItem,
-    orbit,
-    follow: (orbit.walk & FOLLOW_NEXT) === 0 ? links.prev : links.next,
-    table: faces ? links.face : links.toVertex,
-    at: orbit.last,
-    left: links.halfedgeSlots,
-  };
-}
-
-function nextItem(this: Lap): Result {
+const nextItem = function (this: Lap): Result {
   const item = advance(this);
   return { value: item, done: item < 0 } as Result;
-}
+};
 
-function nextFace(this: Lap): Result {
+const nextFace = function (this: Lap): Result {
   const item = advanceToFace(this);
   return { value: item, done: item < 0 } as Result;
-}
+};
 
 /** The next item, or NONE at the end. */
-function advance(lap: Lap): number {
+const advance = (lap: Lap): number => {
   const { orbit, at, left } = lap;
-  const { view } = orbit;
-  if (orbit.links.version !== orbit.version) orbit.refuse();
-  if (at < 0) return NONE;
-  const h = stepBy(lap.follow, orbit.walk, at);
-  if (h < 0 || left === 0) return orbit.advanceAgain(lap);
+  const { links, walk, view } = orbit;
+  if (orbit.era.over) orbit.refuse();
+  if (at < 0) return at;
+  const link = linkFrom(links, walk, at);
+  if (!(link >= 0) || left <= 0) return orbit.advanceAgain(lap);
+  const h = arrival(walk, link);
   const side = h ^ (view & SHOW_OPPOSITE);
-  const item = view < SHOW_VERTEX ? side >> (view >> 1) : lap.table[side];
+  const item = view < SHOW_VERTEX ? side >> (view >> 1) : links.toVertex[side];
   if (!(item >= 0)) orbit.fail();
-  lap.left = (left - 1) & SMALL;
+  lap.left = left - 1;
   lap.at = h === orbit.last ? NONE : h;
   return item;
-}
-
-/** As `advance`, stepping over sides without a face. */
-function advanceToFace(lap: Lap): number {
-  const { orbit, table, at, left } = lap;
-  const { last } = orbit;
-  if (orbit.links.version !== orbit.version) orbit.refuse();
-  if (at < 0) return NONE;
-  let h = stepBy(lap.follow, orbit.walk, at);
-  if (h < 0 || left === 0) return orbit.advanceAgain(lap);
-  const opposite = orbit.view & SHOW_OPPOSITE;
-  let item = table[h ^ opposite];
-  if (item < 0 && h !== last) {
-    h = nextWithFace(lap.follow, orbit.walk, table, opposite, h, last);
-    item = table[h ^ opposite];
-  }
-  if (!(item >= NONE)) orbit.fail();
-  lap.left = (left - 1) & SMALL;
-  lap.at = h === last ? NONE : h;
-  return item;
-}
-
-/** As `step`; NONE where it finds no link: the views are detached, or the links corrupt. */
-function stepBy(follow: Int32Array, walk: number, h: number): number {
-  if (walk >= FOLLOW_NOTHING) return h ^ 1;
-  const n = follow[h ^ ((walk >> 1) & 1)];
-  return n >= 0 ? (n ^ (walk >> 2)) & SMALL : NONE;
-}
+};
 
 /**
- * The next halfedge after `h` that shows a face, `last` at the latest; NONE where links are corrupt. So
- * many parameters, because the lap must not be seen.
+ * As `advance`, stepping over sides without a face. The first step stands apart: where no second one is
+ * ever needed, V8 drops the loop, which otherwise keeps the orbit in memory.
  */
-function nextWithFace(
-  follow: Int32Array,
-  walk: number,
-  face: Int32Array,
-  opposite: number,
-  h: number,
-  last: number,
-): number {
-  let at = h;
-  for (let left = follow.length; left > 0 && at >= 0; left--) {
-    at = stepBy(follow, walk, at);
-    if (at === last || face[at ^ opposite] !== NONE) return at;
+const advanceToFace = (lap: Lap): number => {
+  const { orbit, at } = lap;
+  const { links, walk, last } = orbit;
+  if (orbit.era.over) orbit.refuse();
+  if (at < 0) return at;
+  const link = linkFrom(links, walk, at);
+  let { left } = lap;
+  if (!(link >= 0) || left <= 0) return orbit.advanceAgain(lap);
+  const opposite = orbit.view & SHOW_OPPOSITE;
+  let h = arrival(walk, link);
+  let item = links.face[h ^ opposite];
+  while (item < 0 && h !== last && left > 0) {
+    h = step(links, walk, h);
+    item = links.face[h ^ opposite];
+    left -= 1;
   }
-  return NONE;
-}
+  if (!(item >= (h === last ? NONE : 0))) orbit.fail();
+  lap.left = left - 1;
+  lap.at = h === last ? NONE : h;
+  return item;
+};
 
 /** The error for use after a change of connectivity. */
 export function staleError(links: Links): HalfedgeError {
