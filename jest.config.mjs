@@ -21,6 +21,7 @@ const suite = (name) => ({
   moduleNameMapper: {
     '^halfedge$': '<rootDir>/dist/index.js',
     '^halfedge/inline$': '<rootDir>/dist/inline.js',
+    '^halfedge/dialects$': '<rootDir>/dist/dialects/index.js',
     '^(\\.{1,2}/.*)\\.js$': '$1',
   },
 });

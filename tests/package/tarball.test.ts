@@ -66,6 +66,7 @@ describe('The tarball', () => {
     expect(Object.keys(analysis.entrypoints).sort()).toEqual([
       '.',
       './core.wasm',
+      './dialects',
       './inline',
       './package.json',
     ]);

@@ -3,6 +3,7 @@ import { project, tool, tryNode } from './support/project.js';
 const consumer = `
 import { type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Vertex } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
+import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { init as initInline } from 'halfedge/inline';
 
 export async function oneRing(positions: Float32Array, indices: Uint32Array): Promise<Vertex[]> {
@@ -24,6 +25,13 @@ export function explain(error: unknown): string {
   return error instanceof HalfedgeError ? error.code + error.witness.faces.join() : '';
 }
 
+export function inOtherWords(mesh: HalfedgeMesh): number {
+  const om = new PolyMesh(mesh);
+  const ring: VertexHandle[] = om.vv_range(om.vertex_handle(0));
+  const h: PolyhedronHalfedge = new Polyhedron(mesh).halfedge(0).next_on_vertex();
+  return ring.length + h.index + new HE_mesh(mesh).edge(mesh.vertexHalfedge(0)).pair.next.vert.x;
+}
+
 declare const mesh: HalfedgeMesh;
 declare const someFace: Face;
 // Each of these must be an error, or tsc objects to the directive above it.
@@ -41,6 +49,10 @@ mesh.faceCount = 3;
 HalfedgeMesh.fromTriangles([0, 1, 2]);
 // @ts-expect-error Not an option.
 void init({ url: '/core.wasm' });
+// @ts-expect-error A vertex handle is no face handle.
+new PolyMesh(mesh).fv_range(new PolyMesh(mesh).vertex_handle(0));
+// @ts-expect-error There may be no face on that side.
+new HE_mesh(mesh).edge(0).face.edge;
 // @ts-expect-error Internals are not exported.
 export { Links } from 'halfedge';
 // @ts-expect-error Nor can they be reached by path.

@@ -1,0 +1,139 @@
+import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { Pool } from './pool.js';
+
+/**
+ * A mesh as the structs of Max McGuire's article "The Half-Edge Data Structure" (2000). They are read
+ * from the mesh when they are asked, and there is one object for each item, so that the loops of
+ * the article run as they are printed:
+ *
+ * ```ts
+ * const he = new HE_mesh(mesh);
+ * const vert = he.vert(v);
+ * let edge = vert.edge;
+ * do {
+ *   // do something with edge, edge.pair or edge.face
+ *   edge = edge.pair.next;
+ * } while (edge !== vert.edge);
+ * ```
+ *
+ * For convenience, not for speed: an object for each item that is met. Make one for a mesh and keep
+ * it; items of two of them are never equal.
+ */
+export class HE_mesh {
+  /** @internal */
+  readonly edges: Pool<HE_edge>;
+  /** @internal */
+  readonly verts: Pool<HE_vert>;
+  /** @internal */
+  readonly faces: Pool<HE_face>;
+
+  constructor(readonly mesh: HalfedgeMesh) {
+    this.edges = new Pool((index) => new HE_edge(this, index));
+    this.verts = new Pool((index) => new HE_vert(this, index));
+    this.faces = new Pool((index) => new HE_face(this, index));
+  }
+
+  /** The struct of a halfedge. */
+  edge(h: HalfedgeLike): HE_edge {
+    this.mesh.next(h); // throws where there is none
+    return this.edges.at(h);
+  }
+
+  /** The struct of a vertex. */
+  vert(v: VertexLike): HE_vert {
+    this.mesh.vertexHalfedge(v);
+    return this.verts.at(v);
+  }
+
+  /** The struct of a face. */
+  face(f: FaceLike): HE_face {
+    this.mesh.faceHalfedge(f);
+    return this.faces.at(f);
+  }
+}
+
+export class HE_edge {
+  readonly #of: HE_mesh;
+
+  /** @internal */
+  constructor(
+    of: HE_mesh,
+    /** The halfedge of the mesh. */
+    readonly index: number,
+  ) {
+    this.#of = of;
+  }
+
+  /** The vertex at the end of the half-edge. */
+  get vert(): HE_vert {
+    return this.#of.verts.at(this.#of.mesh.toVertex(this.index));
+  }
+  /** The oppositely oriented adjacent half-edge. */
+  get pair(): HE_edge {
+    return this.#of.edges.at(this.#of.mesh.opposite(this.index));
+  }
+  /** The face the half-edge borders; null on the boundary, which the article excludes. */
+  get face(): HE_face | null {
+    return this.#of.faces.orNull(this.#of.mesh.face(this.index));
+  }
+  /** The next half-edge around the face, or around the boundary loop. */
+  get next(): HE_edge {
+    return this.#of.edges.at(this.#of.mesh.next(this.index));
+  }
+}
+
+export class HE_vert {
+  readonly #of: HE_mesh;
+
+  /** @internal */
+  constructor(
+    of: HE_mesh,
+    /** The vertex of the mesh. */
+    readonly index: number,
+  ) {
+    this.#of = of;
+  }
+
+  get x(): number {
+    return this.#of.mesh.positions[3 * this.index] as number;
+  }
+  set x(x: number) {
+    this.#of.mesh.positions[3 * this.index] = x;
+  }
+  get y(): number {
+    return this.#of.mesh.positions[3 * this.index + 1] as number;
+  }
+  set y(y: number) {
+    this.#of.mesh.positions[3 * this.index + 1] = y;
+  }
+  get z(): number {
+    return this.#of.mesh.positions[3 * this.index + 2] as number;
+  }
+  set z(z: number) {
+    this.#of.mesh.positions[3 * this.index + 2] = z;
+  }
+
+  /** One of the half-edges that emanate from the vertex; null if there is none. */
+  get edge(): HE_edge | null {
+    return this.#of.edges.orNull(this.#of.mesh.vertexHalfedge(this.index));
+  }
+}
+
+export class HE_face {
+  readonly #of: HE_mesh;
+
+  /** @internal */
+  constructor(
+    of: HE_mesh,
+    /** The face of the mesh. */
+    readonly index: number,
+  ) {
+    this.#of = of;
+  }
+
+  /** One of the half-edges that border the face. */
+  get edge(): HE_edge {
+    return this.#of.edges.at(this.#of.mesh.faceHalfedge(this.index));
+  }
+}

@@ -1,0 +1,340 @@
+import type { Direction } from '../items.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { Pool } from './pool.js';
+
+abstract class Handle {
+  readonly #idx: number;
+
+  /** @internal */
+  constructor(idx: number) {
+    this.#idx = idx;
+  }
+
+  /** The index of the item in the mesh, -1 if there is none. */
+  idx(): number {
+    return this.#idx;
+  }
+  is_valid(): boolean {
+    return this.#idx >= 0;
+  }
+}
+
+// The names tell them apart for TypeScript.
+export class VertexHandle extends Handle {
+  readonly kind = 'vertex';
+}
+export class HalfedgeHandle extends Handle {
+  readonly kind = 'halfedge';
+}
+export class EdgeHandle extends Handle {
+  readonly kind = 'edge';
+}
+export class FaceHandle extends Handle {
+  readonly kind = 'face';
+}
+
+/**
+ * A mesh under OpenMesh's names, for programs and people that come from there:
+ *
+ * ```ts
+ * const om = new PolyMesh(mesh);
+ * for (const vh of om.vv_range(om.vertex_handle(0))) console.log(vh.idx(), om.is_boundary(vh));
+ * ```
+ *
+ * Orders, starts and default directions are OpenMesh's: around a vertex clockwise, around a face
+ * counter-clockwise. Ranges are arrays. There is one handle for each item, so that `===` compares
+ * them; the empty one has the index -1.
+ *
+ * For convenience, not for speed: an object for each item that is met. Make one for a mesh and keep
+ * it; handles of two of them are never equal.
+ */
+export class PolyMesh {
+  static readonly InvalidVertexHandle: VertexHandle = new VertexHandle(-1);
+  static readonly InvalidHalfedgeHandle: HalfedgeHandle = new HalfedgeHandle(-1);
+  static readonly InvalidFaceHandle: FaceHandle = new FaceHandle(-1);
+
+  readonly #vertices = new Pool((idx) => new VertexHandle(idx));
+  readonly #halfedges = new Pool((idx) => new HalfedgeHandle(idx));
+  readonly #edges = new Pool((idx) => new EdgeHandle(idx));
+  readonly #faces = new Pool((idx) => new FaceHandle(idx));
+
+  constructor(readonly mesh: HalfedgeMesh) {}
+
+  /** Deleted ones included, as in OpenMesh before garbage_collection(). */
+  n_vertices(): number {
+    return this.mesh.vertexSlots;
+  }
+  n_halfedges(): number {
+    return this.mesh.halfedgeSlots;
+  }
+  n_edges(): number {
+    return this.mesh.edgeSlots;
+  }
+  n_faces(): number {
+    return this.mesh.faceSlots;
+  }
+
+  vertices(): VertexHandle[] {
+    return Array.from(this.mesh.vertices(), this.#vertex);
+  }
+  halfedges(): HalfedgeHandle[] {
+    return Array.from(this.mesh.halfedges(), this.#halfedge);
+  }
+  edges(): EdgeHandle[] {
+    return Array.from(this.mesh.edges(), this.#edge);
+  }
+  faces(): FaceHandle[] {
+    return Array.from(this.mesh.faces(), this.#face);
+  }
+
+  // ---- links (1)-(7) ------------------------------------------------------------------------------
+
+  vertex_handle(i: number): VertexHandle {
+    this.mesh.vertexHalfedge(i); // throws where there is none
+    return this.#vertex(i);
+  }
+  /** By its index; of a vertex an outgoing one; of a face one of its own; of an edge one `side`. */
+  halfedge_handle(of: number | VertexHandle | FaceHandle): HalfedgeHandle;
+  halfedge_handle(of: EdgeHandle, side: 0 | 1): HalfedgeHandle;
+  halfedge_handle(
+    of: number | VertexHandle | FaceHandle | EdgeHandle,
+    side: 0 | 1 = 0,
+  ): HalfedgeHandle {
+    if (of instanceof VertexHandle) return this.#halfedge(this.mesh.vertexHalfedge(of.idx()));
+    if (of instanceof FaceHandle) return this.#halfedge(this.mesh.faceHalfedge(of.idx()));
+    if (of instanceof EdgeHandle) return this.#halfedge(this.mesh.edgeHalfedge(of.idx(), side));
+    this.mesh.next(of);
+    return this.#halfedge(of);
+  }
+  /** By its index, or of a halfedge. */
+  edge_handle(of: number | HalfedgeHandle): EdgeHandle {
+    if (typeof of !== 'number') return this.#edge(this.mesh.edge(of.idx()));
+    this.mesh.edgeHalfedge(of);
+    return this.#edge(of);
+  }
+  /** By its index, or of a halfedge; invalid for a boundary halfedge. */
+  face_handle(of: number | HalfedgeHandle): FaceHandle {
+    if (typeof of !== 'number') return this.#face(this.mesh.face(of.idx()));
+    this.mesh.faceHalfedge(of);
+    return this.#face(of);
+  }
+  opposite_face_handle(h: HalfedgeHandle): FaceHandle {
+    return this.face_handle(this.opposite_halfedge_handle(h));
+  }
+  to_vertex_handle(h: HalfedgeHandle): VertexHandle {
+    return this.#vertex(this.mesh.toVertex(h.idx()));
+  }
+  from_vertex_handle(h: HalfedgeHandle): VertexHandle {
+    return this.#vertex(this.mesh.fromVertex(h.idx()));
+  }
+  next_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.next(h.idx()));
+  }
+  prev_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.prev(h.idx()));
+  }
+  opposite_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.opposite(h.idx()));
+  }
+  cw_rotated_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.rotateCw(h.idx()));
+  }
+  ccw_rotated_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.rotateCcw(h.idx()));
+  }
+
+  // ---- queries ------------------------------------------------------------------------------------
+
+  is_boundary(item: VertexHandle | HalfedgeHandle | EdgeHandle | FaceHandle): boolean {
+    if (item instanceof VertexHandle) return this.mesh.isBoundaryVertex(item.idx());
+    if (item instanceof HalfedgeHandle) return this.mesh.isBoundaryHalfedge(item.idx());
+    if (item instanceof EdgeHandle) return this.mesh.isBoundaryEdge(item.idx());
+    return this.mesh.isBoundaryFace(item.idx());
+  }
+  is_isolated(v: VertexHandle): boolean {
+    return this.mesh.isIsolatedVertex(v.idx());
+  }
+  is_manifold(v: VertexHandle): boolean {
+    return this.mesh.isManifoldVertex(v.idx());
+  }
+  valence(item: VertexHandle | FaceHandle): number {
+    return item instanceof VertexHandle
+      ? this.mesh.valence(item.idx())
+      : this.mesh.degree(item.idx());
+  }
+  find_halfedge(a: VertexHandle, b: VertexHandle): HalfedgeHandle {
+    return this.#halfedge(this.mesh.findHalfedge(a.idx(), b.idx()));
+  }
+  /** A copy. */
+  point(v: VertexHandle): [x: number, y: number, z: number] {
+    this.mesh.vertexHalfedge(v.idx());
+    const { positions } = this.mesh;
+    const at = 3 * v.idx();
+    return [positions[at] as number, positions[at + 1] as number, positions[at + 2] as number];
+  }
+  set_point(v: VertexHandle, point: ArrayLike<number>): void {
+    this.mesh.vertexHalfedge(v.idx());
+    this.mesh.positions.set(point, 3 * v.idx());
+  }
+
+  // ---- circulators --------------------------------------------------------------------------------
+  // Those of a vertex `voh` and `vih` also begin at a halfedge that leaves it, or arrives there.
+
+  vv_range(v: VertexHandle): VertexHandle[] {
+    return Array.from(this.mesh.vertexVertices(v.idx(), 'cw'), this.#vertex);
+  }
+  vv_cw_range(v: VertexHandle): VertexHandle[] {
+    return Array.from(this.mesh.vertexVertices(v.idx(), 'cw'), this.#vertex);
+  }
+  vv_ccw_range(v: VertexHandle): VertexHandle[] {
+    return Array.from(this.mesh.vertexVertices(v.idx(), 'ccw'), this.#vertex);
+  }
+  voh_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#leaving(at, 'cw');
+  }
+  voh_cw_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#leaving(at, 'cw');
+  }
+  voh_ccw_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#leaving(at, 'ccw');
+  }
+  vih_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#arriving(at, 'cw');
+  }
+  vih_cw_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#arriving(at, 'cw');
+  }
+  vih_ccw_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
+    return this.#arriving(at, 'ccw');
+  }
+  ve_range(v: VertexHandle): EdgeHandle[] {
+    return Array.from(this.mesh.vertexEdges(v.idx(), 'cw'), this.#edge);
+  }
+  ve_cw_range(v: VertexHandle): EdgeHandle[] {
+    return Array.from(this.mesh.vertexEdges(v.idx(), 'cw'), this.#edge);
+  }
+  ve_ccw_range(v: VertexHandle): EdgeHandle[] {
+    return Array.from(this.mesh.vertexEdges(v.idx(), 'ccw'), this.#edge);
+  }
+  vf_range(v: VertexHandle): FaceHandle[] {
+    return Array.from(this.mesh.vertexFaces(v.idx(), 'cw'), this.#face);
+  }
+  vf_cw_range(v: VertexHandle): FaceHandle[] {
+    return Array.from(this.mesh.vertexFaces(v.idx(), 'cw'), this.#face);
+  }
+  vf_ccw_range(v: VertexHandle): FaceHandle[] {
+    return Array.from(this.mesh.vertexFaces(v.idx(), 'ccw'), this.#face);
+  }
+  fv_range(f: FaceHandle): VertexHandle[] {
+    return Array.from(this.mesh.faceVertices(f.idx(), 'ccw'), this.#vertex);
+  }
+  fv_cw_range(f: FaceHandle): VertexHandle[] {
+    return Array.from(this.mesh.faceVertices(f.idx(), 'cw'), this.#vertex);
+  }
+  fv_ccw_range(f: FaceHandle): VertexHandle[] {
+    return Array.from(this.mesh.faceVertices(f.idx(), 'ccw'), this.#vertex);
+  }
+  fh_range(f: FaceHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.faceHalfedges(f.idx(), 'ccw'), this.#halfedge);
+  }
+  fh_cw_range(f: FaceHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.faceHalfedges(f.idx(), 'cw'), this.#halfedge);
+  }
+  fh_ccw_range(f: FaceHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.faceHalfedges(f.idx(), 'ccw'), this.#halfedge);
+  }
+  fe_range(f: FaceHandle): EdgeHandle[] {
+    return Array.from(this.mesh.faceEdges(f.idx(), 'ccw'), this.#edge);
+  }
+  fe_cw_range(f: FaceHandle): EdgeHandle[] {
+    return Array.from(this.mesh.faceEdges(f.idx(), 'cw'), this.#edge);
+  }
+  fe_ccw_range(f: FaceHandle): EdgeHandle[] {
+    return Array.from(this.mesh.faceEdges(f.idx(), 'ccw'), this.#edge);
+  }
+  ff_range(f: FaceHandle): FaceHandle[] {
+    return Array.from(this.mesh.faceFaces(f.idx(), 'ccw'), this.#face);
+  }
+  ff_cw_range(f: FaceHandle): FaceHandle[] {
+    return Array.from(this.mesh.faceFaces(f.idx(), 'cw'), this.#face);
+  }
+  ff_ccw_range(f: FaceHandle): FaceHandle[] {
+    return Array.from(this.mesh.faceFaces(f.idx(), 'ccw'), this.#face);
+  }
+  hl_range(h: HalfedgeHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'ccw'), this.#halfedge);
+  }
+  hl_cw_range(h: HalfedgeHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'cw'), this.#halfedge);
+  }
+  hl_ccw_range(h: HalfedgeHandle): HalfedgeHandle[] {
+    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'ccw'), this.#halfedge);
+  }
+
+  // ---- low-level changes ----------------------------------------------------------------------------
+  // They write into `mesh.connectivity`, and keep no invariant by themselves: `mesh.validate()` tells
+  // whether the result does. Circulators that are under way don't notice.
+
+  /** The outgoing halfedge of a vertex, or the halfedge of a face. */
+  set_halfedge_handle(of: VertexHandle | FaceHandle, h: HalfedgeHandle): void {
+    const { vertexHalfedge, faceHalfedge } = this.mesh.connectivity;
+    this.#check(of, h);
+    if (of instanceof VertexHandle) vertexHalfedge[of.idx()] = h.idx();
+    else faceHalfedge[of.idx()] = h.idx();
+  }
+  /** The vertex that `h` points to. */
+  set_vertex_handle(h: HalfedgeHandle, v: VertexHandle): void {
+    this.#check(h, v);
+    this.mesh.connectivity.toVertex[h.idx()] = v.idx();
+  }
+  set_face_handle(h: HalfedgeHandle, f: FaceHandle): void {
+    this.#check(h, f);
+    this.mesh.connectivity.face[h.idx()] = f.idx();
+  }
+  set_boundary(h: HalfedgeHandle): void {
+    this.#check(h);
+    this.mesh.connectivity.face[h.idx()] = -1;
+  }
+  /** Sets the link back as well. */
+  set_next_halfedge_handle(h: HalfedgeHandle, next: HalfedgeHandle): void {
+    this.#check(h, next);
+    const links = this.mesh.connectivity;
+    links.next[h.idx()] = next.idx();
+    links.prev[next.idx()] = h.idx();
+  }
+  /** The outgoing halfedge of a boundary vertex becomes a boundary halfedge. */
+  adjust_outgoing_halfedge(v: VertexHandle): void {
+    const boundary = this.voh_range(v).find((h) => this.is_boundary(h));
+    if (boundary !== undefined) this.set_halfedge_handle(v, boundary);
+  }
+
+  // ---- indices to handles ---------------------------------------------------------------------------
+
+  readonly #vertex = (idx: number): VertexHandle => this.#vertices.at(idx);
+  readonly #halfedge = (idx: number): HalfedgeHandle =>
+    idx < 0 ? PolyMesh.InvalidHalfedgeHandle : this.#halfedges.at(idx);
+  readonly #edge = (idx: number): EdgeHandle => this.#edges.at(idx);
+  readonly #face = (idx: number): FaceHandle =>
+    idx < 0 ? PolyMesh.InvalidFaceHandle : this.#faces.at(idx);
+
+  #leaving(at: VertexHandle | HalfedgeHandle, direction: Direction): HalfedgeHandle[] {
+    const [v, start] =
+      at instanceof VertexHandle
+        ? [at.idx(), undefined]
+        : [this.mesh.fromVertex(at.idx()), at.idx()];
+    return Array.from(this.mesh.vertexOutgoingHalfedges(v, direction, start), this.#halfedge);
+  }
+  #arriving(at: VertexHandle | HalfedgeHandle, direction: Direction): HalfedgeHandle[] {
+    const start = at instanceof VertexHandle ? at : this.opposite_halfedge_handle(at);
+    return this.#leaving(start, direction).map((h) => this.opposite_halfedge_handle(h));
+  }
+
+  /** Throws for the handle of an item that isn't there. */
+  #check(...handles: (VertexHandle | HalfedgeHandle | FaceHandle)[]): void {
+    for (const handle of handles) {
+      if (handle instanceof VertexHandle) this.mesh.vertexHalfedge(handle.idx());
+      else if (handle instanceof HalfedgeHandle) this.mesh.next(handle.idx());
+      else this.mesh.faceHalfedge(handle.idx());
+    }
+  }
+}
