@@ -1,5 +1,5 @@
-// `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. Arguments after
-// `--` are handed on to the benchmark.
+// `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
+// WebAssembly against native. Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -7,6 +7,7 @@ import { build, buildPreset } from './build.mjs';
 import { asProgram, root, run } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
+const native = join(root, 'build/bench/bench/native');
 const benchmarks = {
   async web(args) {
     await setup(['build']);
@@ -17,7 +18,17 @@ const benchmarks = {
   async native(args) {
     await setup(['build', 'bench']);
     await buildPreset('bench');
-    await run(join(root, 'build/bench/bench/native/halfedge_bench'), args);
+    await run(join(native, 'halfedge_bench'), args);
+  },
+
+  async wasm() {
+    await setup(['build', 'bench']);
+    await build();
+    await buildPreset('bench');
+    await run(process.execPath, [
+      join(root, 'bench/web/wasm.mjs'),
+      join(native, 'halfedge_passes'),
+    ]);
   },
 };
 
