@@ -7,24 +7,14 @@
 #include <halfedge/mesh.h>
 #include <halfedge/validate/validate.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <vector>
 
+#include "support/limited_memory.h"
 #include "support/reference_build.h"
 #include "support/shapes.h"
-
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define __SANITIZE_ADDRESS__ 1
-#endif
-#endif
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
-#include <sys/resource.h>
-#include <unistd.h>
-#define HALFEDGE_CAN_LIMIT_MEMORY 1
-#endif
 
 namespace halfedge::test {
 namespace {
@@ -35,10 +25,7 @@ constexpr bool kCanLimitMemory = true;
 
 // Leaves the process no block of memory larger than 16 KiB, which is enough for an error.
 void use_up_memory() {
-  std::size_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlimit limit{pages * std::size_t(sysconf(_SC_PAGESIZE)), RLIM_INFINITY};
-  if (setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+  if (!limit_address_space(address_space_in_use())) std::_Exit(2);
   for (std::size_t size = std::size_t{1} << 26U; size >= 16 * 1024; size /= 2) {
     // Written to, so that no compiler leaves it out; freed when the process ends.
     while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
