@@ -7,6 +7,7 @@
 #include <halfedge/build/build.h>
 #include <halfedge/connectivity/compact.h>
 #include <halfedge/connectivity/convert.h>
+#include <halfedge/decorator/decorator.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>

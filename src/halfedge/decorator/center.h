@@ -1,0 +1,141 @@
+#pragma once
+
+#include <halfedge/decorator/edit.h>
+
+namespace halfedge::decorator {
+
+namespace internal {
+
+/// The mean of the corners of the loop of `h`.
+template <HasPositions Mesh>
+[[nodiscard]] Point centroid(const Mesh& mesh, Halfedge h) {
+  double sum[3] = {};
+  double corners = 0;
+  for (const Halfedge on_loop : mesh.loop_ccw(h)) {
+    const Point p = mesh.position(mesh.to_vertex(on_loop));
+    sum[0] += double{p.x};
+    sum[1] += double{p.y};
+    sum[2] += double{p.z};
+    ++corners;
+  }
+  return {float(sum[0] / corners), float(sum[1] / corners), float(sum[2] / corners)};
+}
+
+}  // namespace internal
+
+/// Whether create_center_vertex(h) can be done: else not-a-halfedge, boundary-halfedge.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_create_center_vertex(const Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  if (is_boundary(mesh, h)) return on_boundary(h);
+  return {};
+}
+
+/// A new vertex in the face of `h`, joined to each of its n corners: n triangles. (CGAL:
+/// create_center_vertex)
+///
+///     * ---h---> *        * ---h---> *
+///     |          |        | `.    .k |
+///     |          |   =>   |    `c´   |      next(h) == k
+///     |          |        | .´    `. |
+///     * <------- *        * <------- *
+///
+/// pre: h has a face
+/// returns: k, from to_vertex(h) to the new vertex c, which is at the mean of the corners. The
+///          triangle of h and k keeps the face, n - 1 faces are new.
+/// cost: O(degree). inverse: erase_center_vertex(k), which returns h
+/// errors: those of check_create_center_vertex, out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<Halfedge> create_center_vertex(Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> can = check_create_center_vertex(mesh, h); !can) return can.error();
+  Index degree = 0;
+  for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(h)) ++degree;
+  if (!make_room(mesh, 1, degree, degree - 1)) return no_memory("a vertex, its edges and faces");
+
+  const Face f = face_of(mesh, h);
+  const Vertex c = mesh.new_vertex();
+  if constexpr (HasPositions<Mesh>) mesh.set_position(c, centroid(mesh, h));
+  const Halfedge k = mesh.new_edge(mesh.to_vertex(h), c);
+  insert_tip(mesh, mesh.opposite(k), h);  // k -> opposite(k) still holds
+  set_anchor(mesh, c, mesh.opposite(k));
+  for (Halfedge side = mesh.next(mesh.opposite(k)); side != h;) {
+    const Halfedge spoke = mesh.new_edge(mesh.to_vertex(side), c);
+    insert_tip(mesh, spoke, k);
+    insert_tip(mesh, mesh.opposite(spoke), side);
+    make_face(mesh, side);
+    side = mesh.next(mesh.opposite(spoke));
+  }
+  set_face_of_loop(mesh, h, f);
+  mend_face(mesh, f, h);
+  return k;
+}
+
+/// Whether erase_center_vertex(h) can be done: else not-a-halfedge; boundary-vertex; loop-edge;
+/// repeated-vertex, if one loop passes to_vertex(h) more than once; last-edge, if no edge but those
+/// of to_vertex(h) would be left for the face.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_erase_center_vertex(const Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  const Vertex c = mesh.to_vertex(h);
+  bool has_rim = false;
+  Halfedge in = h;
+  do {
+    if (is_boundary(mesh, in)) {
+      return Error{"boundary-vertex",
+                   text(c) + " lies on a boundary: " + text(in) +
+                       " has no face, expected a face at every corner",
+                   {.vertices = {c.index()}, .halfedges = {in.index()}}};
+    }
+    if (mesh.from_vertex(in) == c) return is_loop_edge(in, c);
+    for (Halfedge on_loop = mesh.next(in); on_loop != in; on_loop = mesh.next(on_loop)) {
+      if (mesh.to_vertex(on_loop) == c) {
+        return Error{"repeated-vertex",
+                     text(c) + " is at two corners of one face, where " + text(in) + " and " +
+                         text(on_loop) + " lead, expected one corner in each face",
+                     {.vertices = {c.index()}, .halfedges = {in.index(), on_loop.index()}}};
+      }
+      has_rim = has_rim || mesh.from_vertex(on_loop) != c;
+    }
+    in = mesh.next_on_vertex(in);
+  } while (in != h);
+  if (!has_rim) return last_edge(h, text(mesh.from_vertex(h)) + " and the joined face");
+  return {};
+}
+
+/// Removes the vertex to_vertex(h) with its edges; the faces around it become one, that of `h`.
+/// (CGAL: erase_center_vertex; the drawing is at create_center_vertex)
+///
+/// pre: every corner at the vertex has a face, all of them different
+/// returns: the halfedge before the corner where h was: prev(h), if that stays
+/// cost: O(sum of the degrees of the faces). inverse: create_center_vertex(returned), if the faces
+///       were triangles
+/// errors: those of check_erase_center_vertex
+template <Editable Mesh>
+requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
+[[nodiscard]] Result<Halfedge> erase_center_vertex(Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> can = check_erase_center_vertex(mesh, h); !can) return can.error();
+  const Vertex c = mesh.to_vertex(h);
+  const Face f = face_of(mesh, h);
+  Halfedge returned = mesh.prev(h);
+  while (mesh.from_vertex(returned) == c) returned = mesh.prev(mesh.opposite(returned));
+
+  for (Halfedge spoke = mesh.next_on_vertex(h); spoke != h;) {
+    const Halfedge following = mesh.next_on_vertex(spoke);
+    release_face(mesh, face_of(mesh, spoke));
+    erase_edge(mesh, spoke);
+    spoke = following;
+  }
+  erase_edge(mesh, h);
+  mesh.release(c);
+  set_face_of_loop(mesh, returned, f);
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    if (mesh.is_deleted(mesh.face_halfedge(f))) mesh.set_face_halfedge(f, returned);
+  }
+  return returned;
+}
+
+}  // namespace halfedge::decorator

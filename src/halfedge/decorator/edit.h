@@ -1,0 +1,257 @@
+#pragma once
+
+#include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/connectivity.h>
+#include <halfedge/decorator/refusal.h>
+#include <halfedge/mesh.h>
+#include <halfedge/result.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace halfedge::decorator {
+
+/// A mesh type whose faces, if it knows any, are known to its halfedges.
+template <class Mesh>
+concept Editable = StoresFaces<Mesh> || !StoresFaceHalfedges<Mesh>;
+/// A mesh type that can delete faces: one that stores a halfedge of each, or none at all.
+template <class Mesh>
+concept DeletesFaces = !StoresFaces<Mesh> || StoresFaceHalfedges<Mesh>;
+/// A mesh type that can delete vertices: the anchor marks the slot as free.
+template <class Mesh>
+concept DeletesVertices = StoresAnchors<Mesh>;
+
+template <class Mesh>
+concept HasPositions = requires(const Mesh& mesh, Vertex v) {
+  mesh.position(v);
+};
+
+/// The steps of which the operations consist. A link that the mesh type doesn't store is empty when
+/// read and not written. What a step costs is O(1), but for the search for a prev that isn't
+/// stored.
+namespace internal {
+
+// ---- checks ---------------------------------------------------------------------------------
+
+template <class Mesh>
+[[nodiscard]] Result<void> check_live(const Mesh& mesh, Halfedge h) {
+  if (mesh.is_live(h)) return {};
+  return not_live(h, mesh.halfedge_slots());
+}
+
+template <class Mesh>
+[[nodiscard]] Face face_of(const Mesh& mesh, [[maybe_unused]] Halfedge h) {
+  if constexpr (StoresFaces<Mesh>) return mesh.face(h);
+  return {};
+}
+
+/// Where faces aren't stored every loop counts as a face.
+template <class Mesh>
+[[nodiscard]] bool is_boundary(const Mesh& mesh, [[maybe_unused]] Halfedge h) {
+  return StoresFaces<Mesh> && !face_of(mesh, h).valid();
+}
+
+/// O(1) if one of them has a face, else O(degree).
+template <class Mesh>
+[[nodiscard]] bool is_one_loop(const Mesh& mesh, Halfedge h, Halfedge g) {
+  if (face_of(mesh, h).valid() || face_of(mesh, g).valid()) {
+    return face_of(mesh, h) == face_of(mesh, g);
+  }
+  for (const Halfedge on_loop : mesh.loop_ccw(h)) {
+    if (on_loop == g) return true;
+  }
+  return false;
+}
+
+// ---- memory ---------------------------------------------------------------------------------
+
+/// How much to reserve for `count` items where there is room for `capacity`: growing by half makes
+/// a sequence of operations amortised O(1) each.
+[[nodiscard]] inline Index with_slack(std::uint64_t count, std::uint64_t capacity) {
+  if (count <= capacity) return Index(count);
+  return Index(std::min<std::uint64_t>(std::max(count, capacity + capacity / 2 + 16), kMaxSlots));
+}
+
+template <class Mesh>
+[[nodiscard]] std::size_t vertex_capacity(Mesh& mesh) {
+  std::size_t capacity = kMaxSlots;
+  if constexpr (StoresAnchors<Mesh>) capacity = mesh.links().vertex_halfedge.capacity();
+  if constexpr (HasPositions<Mesh>) {
+    capacity = std::min(capacity, mesh.mutable_positions().capacity() / 3);
+  }
+  return capacity;
+}
+
+/// Room for so many items more, so that new_vertex, new_edge and new_face succeed so many times.
+/// False when memory is exhausted; the mesh is then as it was.
+template <class Mesh>
+[[nodiscard]] bool make_room(Mesh& mesh, Index vertices, Index edges, Index faces) {
+  const auto count = [](std::uint64_t slots, const FreeList& free, Index more) {
+    return slots + (more > free.count ? more - free.count : 0);
+  };
+  const std::uint64_t v = count(mesh.vertex_slots(), mesh.free_vertices(), vertices);
+  const std::uint64_t e = count(mesh.edge_slots(), mesh.free_edges(), edges);
+  const std::uint64_t f = count(mesh.face_slots(), mesh.free_faces(), faces);
+  if (v > kMaxSlots || e > kMaxSlots / 2 || f > kMaxSlots) return false;
+
+  const Links& links = mesh.links();
+  std::size_t halfedge_room = std::min(links.next.capacity(), links.to_vertex.capacity());
+  if constexpr (StoresPrev<Mesh>) halfedge_room = std::min(halfedge_room, links.prev.capacity());
+  if constexpr (StoresFaces<Mesh>) halfedge_room = std::min(halfedge_room, links.face.capacity());
+  const Index more_e = std::min(with_slack(e, halfedge_room / 2), kMaxSlots / 2);
+  return mesh.reserve(with_slack(v, vertex_capacity(mesh)), more_e,
+                      with_slack(f, links.face_halfedge.capacity())) ||
+         mesh.reserve(Index(v), Index(e), Index(f));
+}
+
+// ---- faces ----------------------------------------------------------------------------------
+
+template <class Mesh>
+void set_face(Mesh& mesh, [[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) {
+  if constexpr (StoresFaces<Mesh>) mesh.set_face(h, f);
+}
+
+template <class Mesh>
+void set_face_of_loop(Mesh& mesh, Halfedge h, Face f) {
+  if constexpr (StoresFaces<Mesh>) {
+    Halfedge on_loop = h;
+    do {
+      mesh.set_face(on_loop, f);
+      on_loop = mesh.next(on_loop);
+    } while (on_loop != h);
+  }
+}
+
+/// The loop of `h` becomes a new face. pre: there is room for it
+template <class Mesh>
+void make_face(Mesh& mesh, Halfedge h) {
+  if constexpr (StoresFaces<Mesh>) set_face_of_loop(mesh, h, mesh.new_face(h));
+}
+
+template <class Mesh>
+void release_face(Mesh& mesh, Face f) {
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    if (f.valid()) mesh.release(f);
+  }
+}
+
+/// If `gone` is the halfedge of its face `f`, `instead` becomes it.
+template <class Mesh>
+void replace_in_face(Mesh& mesh, Face f, Halfedge gone, Halfedge instead) {
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    if (f.valid() && mesh.face_halfedge(f) == gone) mesh.set_face_halfedge(f, instead);
+  }
+}
+
+/// If the halfedge of `f` doesn't lie in it any more, `instead` becomes it.
+template <class Mesh>
+void mend_face(Mesh& mesh, Face f, Halfedge instead) {
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    if (f.valid() && mesh.face(mesh.face_halfedge(f)) != f) mesh.set_face_halfedge(f, instead);
+  }
+}
+
+// ---- vertices -------------------------------------------------------------------------------
+
+template <class Mesh>
+void set_anchor(Mesh& mesh, [[maybe_unused]] Vertex v, [[maybe_unused]] Halfedge h) {
+  if constexpr (StoresAnchors<Mesh>) mesh.set_vertex_halfedge(v, h);
+}
+
+/// If `gone` is the anchor of `v`, `instead` becomes it.
+template <class Mesh>
+void replace_anchor(Mesh& mesh, Vertex v, Halfedge gone, Halfedge instead) {
+  if constexpr (StoresAnchors<Mesh>) {
+    if (mesh.vertex_halfedge(v) == gone) mesh.set_vertex_halfedge(v, instead);
+  }
+}
+
+/// Invariants 4 and 5 at the vertex that `leaving` leaves; an anchor that holds them stays.
+/// O(valence)
+template <class Mesh>
+void mend_anchor(Mesh& mesh, Halfedge leaving) {
+  if constexpr (StoresAnchors<Mesh>) {
+    const Vertex v = mesh.from_vertex(leaving);
+    const Halfedge anchor = mesh.vertex_halfedge(v);
+    if (!anchor.valid() || mesh.from_vertex(anchor) != v) mesh.set_vertex_halfedge(v, leaving);
+    if constexpr (StoresFaces<Mesh>) {
+      if (!mesh.is_boundary(mesh.vertex_halfedge(v))) mesh.adjust_anchor(v);
+    }
+  }
+}
+
+/// As mend_anchor for all vertices of the loop of `h`. O(sum of valences)
+template <class Mesh>
+void mend_anchors_of_loop(Mesh& mesh, Halfedge h) {
+  Halfedge on_loop = h;
+  do {
+    mend_anchor(mesh, on_loop);
+    on_loop = mesh.next(on_loop);
+  } while (on_loop != h);
+}
+
+/// A new vertex, where `v` is if vertices have positions. pre: there is room for it
+template <class Mesh>
+[[nodiscard]] Vertex copy_vertex(Mesh& mesh, [[maybe_unused]] Vertex v) {
+  if constexpr (HasPositions<Mesh>) return mesh.add_vertex(mesh.position(v));
+  return mesh.new_vertex();
+}
+
+/// A new vertex, midway between `a` and `b`. pre: there is room for it
+template <class Mesh>
+[[nodiscard]] Vertex new_vertex_between(Mesh& mesh, [[maybe_unused]] Vertex a,
+                                        [[maybe_unused]] Vertex b) {
+  if constexpr (HasPositions<Mesh>) {
+    const Point p = mesh.position(a);
+    const Point q = mesh.position(b);
+    return mesh.add_vertex({p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2});
+  }
+  return mesh.new_vertex();
+}
+
+// ---- edges ----------------------------------------------------------------------------------
+
+/// The tip of the edge of `h` enters the corner after `v`: v -> opposite(h), h -> next(v).
+template <class Mesh>
+void insert_tip(Mesh& mesh, Halfedge h, Halfedge v) {
+  mesh.link(h, mesh.next(v));
+  mesh.link(v, mesh.opposite(h));
+  mesh.set_to_vertex(h, mesh.to_vertex(v));
+}
+
+/// `h` enters the loop of `f` after `f`: f -> h -> next(f).
+template <class Mesh>
+void insert_halfedge(Mesh& mesh, Halfedge h, Halfedge f) {
+  mesh.link(h, mesh.next(f));
+  mesh.link(f, h);
+  set_face(mesh, h, face_of(mesh, f));
+}
+
+/// The next halfedge clockwise after `h` that leaves from_vertex(h) by another edge, or empty.
+template <class Mesh>
+[[nodiscard]] Halfedge beside(const Mesh& mesh, Halfedge h) {
+  Halfedge found = mesh.rotate_cw(h);
+  if (found == mesh.opposite(h)) found = mesh.rotate_cw(found);  // h is a loop edge
+  return found == h ? Halfedge{} : found;
+}
+
+/// Takes an edge out of the orbits of its ends, whose anchors move on where they must, and releases
+/// it. An end that has no other edge is left isolated. Faces are the caller's.
+template <class Mesh>
+void erase_edge(Mesh& mesh, Halfedge h) {
+  const Halfedge o = mesh.opposite(h);
+  for (const Halfedge side : {h, o}) {
+    replace_anchor(mesh, mesh.from_vertex(side), side, beside(mesh, side));
+  }
+  const Halfedge before[] = {mesh.prev(h), mesh.prev(o)};
+  const Halfedge after[] = {beside(mesh, h), beside(mesh, o)};
+  for (const int side : {0, 1}) {
+    if (mesh.edge(before[side]) != mesh.edge(h)) mesh.link(before[side], after[side]);
+  }
+  mesh.release(mesh.edge(h));
+}
+
+}  // namespace internal
+
+}  // namespace halfedge::decorator

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <halfedge/decorator/edit.h>
+
+#include <cstddef>
+#include <utility>
+
+namespace halfedge::decorator {
+
+/// Turns the surface inside out: every halfedge runs the other way along the loop it is in, so that
+/// what was counter-clockwise is clockwise. Halfedges keep their edges and faces. (CGAL:
+/// inside_out)
+///
+/// cost: O(slots); with prev stored nothing is allocated. inverse: itself
+/// errors: out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<void> inside_out(Mesh& mesh) {
+  using namespace internal;
+  Array<Index> reversed;  // next as it will be, where prev doesn't tell
+  if constexpr (!StoresPrev<Mesh>) {
+    if (!reversed.assign(mesh.links().next.span())) return no_memory("the reversed loops");
+    for (const Halfedge h : mesh.halfedges()) reversed[mesh.next(h).index()] = h.index();
+  }
+  if constexpr (StoresAnchors<Mesh>) {
+    // The halfedge that arrives along the same loop, so that it is a boundary halfedge if the
+    // anchor is.
+    for (const Vertex v : mesh.vertices()) {
+      if (mesh.is_isolated(v)) continue;
+      const Halfedge anchor = mesh.vertex_halfedge(v);
+      Index arriving = reversed.empty() ? kNone : reversed[anchor.index()];
+      if constexpr (StoresPrev<Mesh>) arriving = mesh.prev(anchor).index();
+      mesh.set_vertex_halfedge(v, Halfedge(arriving));
+    }
+  }
+  Links& links = mesh.mutable_links();
+  for (const Edge e : mesh.edges()) {
+    const std::size_t h = mesh.edge_halfedge(e).index();
+    std::swap(links.to_vertex[h], links.to_vertex[h + 1]);
+    if constexpr (StoresPrev<Mesh>) {
+      std::swap(links.next[h], links.prev[h]);
+      std::swap(links.next[h + 1], links.prev[h + 1]);
+    }
+  }
+  if constexpr (!StoresPrev<Mesh>) links.next = std::move(reversed);
+  return {};
+}
+
+/// What normalize_boundary did.
+struct BoundaryOrder {
+  /// By old halfedge slot: the new halfedge; empty for a deleted one.
+  Array<Halfedge> new_halfedge;
+  /// The first boundary edge; empty if there is none. All live edges from it on are boundary edges.
+  Edge first_boundary_edge;
+  Index boundary_edges = 0;
+  /// More than boundary_edges where an edge has no face on either side.
+  Index boundary_halfedges = 0;
+};
+
+/// Whether the boundary edges come after all others, and side 1 of each is a boundary halfedge.
+/// (CGAL: normalized_border_is_valid). cost: O(edge slots)
+template <Editable Mesh>
+requires StoresFaces<Mesh>
+[[nodiscard]] bool is_boundary_normalized(const Mesh& mesh) {
+  bool at_boundary = false;
+  for (const Edge e : mesh.edges()) {
+    at_boundary = at_boundary || mesh.is_boundary(e);
+    if (at_boundary && !mesh.is_boundary(mesh.edge_halfedge(e, 1))) return false;
+  }
+  return true;
+}
+
+namespace internal {
+
+/// array[new_of[i]] = array[i], its entries renumbered by new_of if `renumber`.
+inline void permute(Array<Index>& array, const Array<Halfedge>& new_of, Array<Index>& scratch,
+                    bool renumber) {
+  for (std::size_t h = 0; h < array.size(); ++h) scratch[h] = array[h];
+  for (std::size_t h = 0; h < array.size(); ++h) {
+    if (!new_of[h].valid()) continue;  // a deleted slot stays where it is
+    array[new_of[h].index()] = renumber ? new_of[scratch[h]].index() : scratch[h];
+  }
+}
+
+}  // namespace internal
+
+/// Renumbers the edges so that boundary edges come last, with the boundary halfedge on side 1; but
+/// for that they stay in order. Deleted slots stay where they are. (CGAL: normalize_border)
+///
+/// Handles of edges and halfedges, and what is stored by edge or halfedge outside the mesh, change
+/// as `new_halfedge` says; vertices and faces keep theirs.
+/// post: is_boundary_normalized(mesh)
+/// cost: O(slots), 8 bytes a halfedge of scratch memory. inverse: none; the same again changes
+/// nothing errors: out-of-memory
+template <Editable Mesh>
+requires StoresFaces<Mesh>
+[[nodiscard]] Result<BoundaryOrder> normalize_boundary(Mesh& mesh) {
+  using namespace internal;
+  BoundaryOrder order;
+  Array<Index> scratch;
+  if (!order.new_halfedge.resize(mesh.halfedge_slots(), Halfedge{}) ||
+      !scratch.resize(mesh.halfedge_slots())) {
+    return no_memory("the new order of the edges");
+  }
+
+  auto slot = mesh.edges().begin();  // the live slots in order are filled with the edges in order
+  for (const bool boundary : {false, true}) {
+    for (const Edge e : mesh.edges()) {
+      if (mesh.is_boundary(e) != boundary) continue;
+      const Halfedge h = mesh.edge_halfedge(e);
+      const Index turned = boundary && !mesh.is_boundary(mesh.opposite(h)) ? 1 : 0;
+      order.new_halfedge[h.index()] = mesh.edge_halfedge(*slot, turned);
+      order.new_halfedge[mesh.opposite(h).index()] = mesh.edge_halfedge(*slot, 1 - turned);
+      if (boundary) {
+        if (!order.first_boundary_edge.valid()) order.first_boundary_edge = *slot;
+        ++order.boundary_edges;
+        order.boundary_halfedges +=
+            mesh.is_boundary(h) && mesh.is_boundary(mesh.opposite(h)) ? 2 : 1;
+      }
+      ++slot;
+    }
+  }
+
+  const Array<Halfedge>& new_of = order.new_halfedge;
+  Links& links = mesh.mutable_links();
+  if constexpr (StoresAnchors<Mesh>) {
+    for (const Vertex v : mesh.vertices()) {
+      Index& anchor = links.vertex_halfedge[v.index()];
+      if (anchor != kNone) anchor = new_of[anchor].index();
+    }
+  }
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    for (const Face f : mesh.faces()) {
+      Index& first = links.face_halfedge[f.index()];
+      first = new_of[first].index();
+    }
+  }
+  permute(links.next, new_of, scratch, true);
+  if constexpr (StoresPrev<Mesh>) permute(links.prev, new_of, scratch, true);
+  permute(links.to_vertex, new_of, scratch, false);
+  permute(links.face, new_of, scratch, false);
+  return order;
+}
+
+}  // namespace halfedge::decorator

@@ -1,0 +1,73 @@
+#include <halfedge/decorator/refusal.h>
+
+namespace halfedge::decorator::internal {
+
+Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
+  Witness witness;
+  for (const Halfedge h : halfedges) witness.halfedges.push_back(h.index());
+  return witness;
+}
+
+Error not_live(Halfedge h, Index slots) {
+  if (!h.valid()) {
+    return {"not-a-halfedge", "the halfedge is empty, expected a halfedge of this mesh"};
+  }
+  if (h.index() >= slots) {
+    return {"not-a-halfedge",
+            text(h) + " is not in this mesh, expected an index below " + number(slots),
+            halfedges_of({h})};
+  }
+  return {"not-a-halfedge", text(h) + " is deleted, expected a halfedge of this mesh",
+          halfedges_of({h})};
+}
+
+Error on_boundary(Halfedge h) {
+  return {"boundary-halfedge", text(h) + " has no face, expected a halfedge of a face",
+          halfedges_of({h})};
+}
+
+Error off_boundary(Halfedge h, Face f) {
+  return {"not-a-boundary-halfedge",
+          text(h) + " lies in " + text(f) + ", expected a halfedge without a face",
+          halfedges_of({h})};
+}
+
+Error in_different_loops(Halfedge h, Halfedge g) {
+  return {
+      "different-loops",
+      text(g) + " is not reached by next from " + text(h) + ", expected two halfedges of one loop",
+      halfedges_of({h, g})};
+}
+
+Error in_same_loop(Halfedge h, Halfedge g) {
+  return {"same-loop",
+          text(h) + " and " + text(g) + " lie in the same loop, expected two different loops",
+          halfedges_of({h, g})};
+}
+
+Error edge_without_face(Halfedge h, const std::string& how) {
+  const Edge edge(h.index() / 2);
+  return {"edge-without-face",
+          text(edge) + " would have no face on either side, " + how + ", expected one at least",
+          {.edges = {edge.index()}}};
+}
+
+Error last_edge(Halfedge h, const std::string& what_is_left) {
+  const Edge edge(h.index() / 2);
+  return {"last-edge",
+          text(edge) + " can't be removed: without it " + what_is_left + " would have no halfedge",
+          {.edges = {edge.index()}}};
+}
+
+Error is_loop_edge(Halfedge h, Vertex v) {
+  const Edge edge(h.index() / 2);
+  return {"loop-edge",
+          text(edge) + " leads from " + text(v) + " to itself, expected two different ends",
+          {.vertices = {v.index()}, .edges = {edge.index()}}};
+}
+
+Error no_memory(const char* what) {
+  return {"out-of-memory", std::string("memory is exhausted: no room for ") + what};
+}
+
+}  // namespace halfedge::decorator::internal

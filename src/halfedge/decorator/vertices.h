@@ -1,0 +1,266 @@
+#pragma once
+
+#include <halfedge/decorator/edit.h>
+
+#include <string>
+
+namespace halfedge::decorator {
+
+/// Whether split_vertex(h, g) can be done: else not-a-halfedge; different-vertices;
+/// edge-without-face, if neither has a face.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_split_vertex(const Mesh& mesh, Halfedge h, Halfedge g) {
+  using namespace internal;
+  for (const Halfedge given : {h, g}) {
+    if (Result<void> live = check_live(mesh, given); !live) return live;
+  }
+  if (mesh.to_vertex(h) != mesh.to_vertex(g)) {
+    return Error{"different-vertices",
+                 text(h) + " leads to " + text(mesh.to_vertex(h)) + " and " + text(g) + " to " +
+                     text(mesh.to_vertex(g)) + ", expected one vertex",
+                 halfedges_of({h, g})};
+  }
+  if (is_boundary(mesh, h) && is_boundary(mesh, g)) {
+    return Error{"edge-without-face",
+                 "the new edge would have no face on either side: neither " + text(h) + " nor " +
+                     text(g) + " has one, expected one at least",
+                 halfedges_of({h, g})};
+  }
+  return {};
+}
+
+/// A new vertex beside the vertex v that `h` and `g` lead to, joined to it by a new edge; it takes
+/// over the edges clockwise after h, up to and with g. No face is new: those of h and g gain a
+/// corner. (CGAL: split_vertex)
+///
+///           n                         n
+///           |                         |
+///   --h---> v <--g---     =>          w <--g---
+///           |                       d |            d leads from w down to v
+///           s                 --h---> v
+///                                     |
+///                                     s
+///
+/// next(h) == opposite(d), next(g) == d. With g == h nothing is taken over: an edge that ends in
+/// the new vertex enters the corner of h (insert_tip).
+///
+/// pre: to_vertex(h) == to_vertex(g), one of them has a face
+/// returns: d, from the new vertex, which lies where v does, to v
+/// cost: O(valence). inverse: join_vertex(d), which returns h
+/// errors: those of check_split_vertex, out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<Halfedge> split_vertex(Mesh& mesh, Halfedge h, Halfedge g) {
+  using namespace internal;
+  if (Result<void> can = check_split_vertex(mesh, h, g); !can) return can.error();
+  if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
+  const Vertex v = mesh.to_vertex(h);
+  const Vertex w = copy_vertex(mesh, v);
+  const Halfedge d = mesh.new_edge(w, v);
+  const Halfedge o = mesh.opposite(d);
+  insert_halfedge(mesh, d, g);
+  insert_halfedge(mesh, o, h);
+  for (Halfedge in = mesh.next_on_vertex(o); in != o; in = mesh.next_on_vertex(in)) {
+    mesh.set_to_vertex(in, w);
+  }
+  mend_anchor(mesh, d);
+  mend_anchor(mesh, o);
+  return d;
+}
+
+/// Whether join_vertex(h) can be done: else not-a-halfedge; loop-edge; last-edge, if h is a
+/// segment.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_join_vertex(const Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  if (mesh.from_vertex(h) == mesh.to_vertex(h)) return is_loop_edge(h, mesh.to_vertex(h));
+  const Halfedge o = mesh.opposite(h);
+  if (mesh.next(h) == o && mesh.next(o) == h) {
+    return last_edge(h, text(mesh.to_vertex(h)) + " and the face around the edge");
+  }
+  return {};
+}
+
+/// Contracts the edge of `h`: from_vertex(h) disappears into to_vertex(h), the faces on both sides
+/// lose a corner; they stay, even with two or one. (CGAL: join_vertex; the drawing is at
+/// split_vertex)
+///
+/// pre: the edge has two different ends, and isn't a segment
+/// returns: what was prev(opposite(h)), or prev(h) if the edge ended in to_vertex(h)
+/// cost: O(valence of both ends). inverse: split_vertex(prev(opposite(h)), prev(h))
+/// errors: those of check_join_vertex
+template <Editable Mesh>
+requires DeletesVertices<Mesh>
+[[nodiscard]] Result<Halfedge> join_vertex(Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> can = check_join_vertex(mesh, h); !can) return can.error();
+  const Halfedge o = mesh.opposite(h);
+  const Vertex kept = mesh.to_vertex(h);
+  const Vertex gone = mesh.from_vertex(h);
+  const Halfedge before_h = mesh.prev(h);
+  const Halfedge before_o = mesh.prev(o);
+  const Halfedge after_h = mesh.next(h);
+  const Halfedge after_o = mesh.next(o);
+  const bool is_tip = after_h == o;       // kept has no other edge
+  const bool is_gone_tip = after_o == h;  // gone has no other edge
+  const Halfedge returned = is_tip ? before_h : before_o;
+  const Halfedge leaving = is_tip ? after_o : after_h;
+
+  for (Halfedge in = mesh.next_on_vertex(o); in != o; in = mesh.next_on_vertex(in)) {
+    mesh.set_to_vertex(in, kept);
+  }
+  replace_in_face(mesh, face_of(mesh, h), h, is_gone_tip ? after_h : before_h);
+  replace_in_face(mesh, face_of(mesh, o), o, is_tip ? after_o : before_o);
+  if (is_tip) {
+    mesh.link(before_h, after_o);
+  } else if (is_gone_tip) {
+    mesh.link(before_o, after_h);
+  } else {
+    mesh.link(before_h, after_h);
+    mesh.link(before_o, after_o);
+  }
+  mesh.release(mesh.edge(h));
+  mesh.release(gone);
+  mend_anchor(mesh, leaving);
+  return returned;
+}
+
+/// Whether split_edge(h) can be done: else not-a-halfedge.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_split_edge(const Mesh& mesh, Halfedge h) {
+  return internal::check_live(mesh, h);
+}
+
+/// A new vertex of valence two on the edge of `h`; the loops on both sides gain a corner.
+/// (CGAL's Polyhedron: split_edge)
+///
+///       u ------------- h -----------> v
+///       u ----- k ----> w ---- h ----> v       next(k) == h
+///
+/// returns: k, which leads to the new vertex, midway between u and v
+/// cost: O(1), and finding prev(h) where it isn't stored. inverse: join_edge(k), which returns h
+/// errors: not-a-halfedge, out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> can = check_split_edge(mesh, h); !can) return can.error();
+  if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
+  const Halfedge o = mesh.opposite(h);
+  const Vertex u = mesh.from_vertex(h);
+  const Halfedge before_h = mesh.prev(h);
+  const Halfedge after_o = mesh.next(o);
+  const bool is_tip = before_h == o;  // u has no other edge
+  const Vertex w = new_vertex_between(mesh, u, mesh.to_vertex(h));
+  const Halfedge k = mesh.new_edge(u, w);
+  const Halfedge k_opposite = mesh.opposite(k);
+  mesh.set_to_vertex(o, w);
+  mesh.link(k, h);
+  mesh.link(o, k_opposite);
+  if (is_tip) {
+    mesh.link(k_opposite, k);
+  } else {
+    mesh.link(before_h, k);
+    mesh.link(k_opposite, after_o);
+  }
+  set_face(mesh, k, face_of(mesh, h));
+  set_face(mesh, k_opposite, face_of(mesh, o));
+  replace_anchor(mesh, u, h, k);
+  set_anchor(mesh, w, is_boundary(mesh, o) ? k_opposite : h);
+  return k;
+}
+
+/// Whether join_edge(h) can be done: else not-a-halfedge, loop-edge, not-valence-two.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_join_edge(const Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  const Vertex w = mesh.to_vertex(h);
+  if (mesh.from_vertex(h) == w) return is_loop_edge(h, w);
+  const Halfedge other = mesh.next_on_vertex(h);
+  if (other != h && mesh.next_on_vertex(other) == h) return {};
+  Index valence = 0;
+  Halfedge in = h;
+  do {
+    ++valence;
+    in = mesh.next_on_vertex(in);
+  } while (in != h);
+  return Error{"not-valence-two",
+               text(w) + " has valence " + number(valence) + ", expected 2",
+               {.vertices = {w.index()}}};
+}
+
+/// Removes the vertex to_vertex(h), which has valence two, and the edge of `h`: next(h) then begins
+/// where h did. (CGAL: join_vertex; the drawing is at split_edge)
+///
+/// pre: to_vertex(h) has valence two, and h isn't a loop edge
+/// returns: what was next(h). cost: O(1), and finding prev(h) where it isn't stored
+/// inverse: split_edge(next(h))
+/// errors: those of check_join_edge
+template <Editable Mesh>
+requires DeletesVertices<Mesh>
+[[nodiscard]] Result<Halfedge> join_edge(Mesh& mesh, Halfedge k) {
+  using namespace internal;
+  if (Result<void> can = check_join_edge(mesh, k); !can) return can.error();
+  const Halfedge k_opposite = mesh.opposite(k);
+  const Halfedge h = mesh.next(k);
+  const Halfedge o = mesh.opposite(h);
+  const Vertex u = mesh.from_vertex(k);
+  const Vertex w = mesh.to_vertex(k);
+  const Halfedge before_k = mesh.prev(k);
+  const Halfedge after_k_opposite = mesh.next(k_opposite);
+  if (before_k == k_opposite) {  // u has no other edge
+    mesh.link(o, h);
+  } else {
+    mesh.link(before_k, h);
+    mesh.link(o, after_k_opposite);
+  }
+  mesh.set_to_vertex(o, u);
+  replace_in_face(mesh, face_of(mesh, k), k, h);
+  replace_in_face(mesh, face_of(mesh, k_opposite), k_opposite, o);
+  replace_anchor(mesh, u, k, h);
+  mesh.release(mesh.edge(k));
+  mesh.release(w);
+  return h;
+}
+
+/// An edge that ends in a new vertex, in the corner between `h` and next(h): split_vertex(h, h).
+///
+/// pre: h has a face
+/// returns: the halfedge to the new vertex, which lies where to_vertex(h) does; it is next(h)
+/// cost: O(valence). inverse: erase_tip(next(h)), which returns h
+/// errors: not-a-halfedge, edge-without-face, out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<Halfedge> insert_tip(Mesh& mesh, Halfedge h) {
+  const Result<Halfedge> edge = split_vertex(mesh, h, h);
+  if (!edge) return edge;
+  return mesh.opposite(edge.value());
+}
+
+/// Whether erase_tip(h) can be done: else not-a-halfedge; not-a-tip, if to_vertex(h) has other
+/// edges; last-edge, if h is a segment.
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_erase_tip(const Mesh& mesh, Halfedge h) {
+  using namespace internal;
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  if (mesh.next(h) != mesh.opposite(h)) {
+    return Error{
+        "not-a-tip",
+        text(mesh.to_vertex(h)) + ", where " + text(h) + " leads, has other edges, expected none",
+        {.vertices = {mesh.to_vertex(h).index()}, .halfedges = {h.index()}}};
+  }
+  return check_join_vertex(mesh, h);
+}
+
+/// Removes an edge and the vertex to_vertex(h) that it ends in.
+///
+/// pre: to_vertex(h) has no other edge, from_vertex(h) has
+/// returns: what was prev(h). cost: O(valence of from_vertex(h)). inverse: insert_tip(prev(h))
+/// errors: those of check_erase_tip
+template <Editable Mesh>
+requires DeletesVertices<Mesh>
+[[nodiscard]] Result<Halfedge> erase_tip(Mesh& mesh, Halfedge h) {
+  if (Result<void> can = check_erase_tip(mesh, h); !can) return can.error();
+  return join_vertex(mesh, mesh.opposite(h));
+}
+
+}  // namespace halfedge::decorator
