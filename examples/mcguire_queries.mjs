@@ -1,9 +1,11 @@
 // The five adjacency queries of Max McGuire's article "The Half-Edge Data Structure" (2000), on a
-// cube. Each takes constant time for every item that it yields.
+// cube, with the article's own structs and loops. Each takes constant time for every item that it
+// yields. The same queries in our own words are the circulators: mesh.vertexFaces(v) and so on.
 //
 //   node examples/mcguire_queries.mjs
 
 import { HalfedgeMesh, init } from 'halfedge';
+import { HE_mesh } from 'halfedge/dialects';
 
 //      7───────6
 //     ╱│      ╱│        z y
@@ -32,17 +34,41 @@ const faces = {
 
 await init();
 const mesh = HalfedgeMesh.fromPolygons(positions.flat(), Object.values(faces));
+const he = new HE_mesh(mesh);
 
-const nameOfFace = (f) => Object.keys(faces)[f];
-const nameOfEdge = (e) => [...mesh.edgeVertices(e)].sort((a, b) => a - b).join('-');
+function edgesThatUse(vert) {
+  const edges = [];
+  let edge = vert.edge;
+  do {
+    edges.push(edge);
+    edge = edge.pair.next;
+  } while (edge !== vert.edge);
+  return edges;
+}
+
+function edgesThatBorder(face) {
+  const edges = [];
+  let edge = face.edge;
+  do {
+    edges.push(edge);
+    edge = edge.next;
+  } while (edge !== face.edge);
+  return edges;
+}
+
+const nameOfFace = (face) => Object.keys(faces)[face.index];
+const nameOfEdge = (edge) =>
+  [edge.pair.vert.index, edge.vert.index].sort((a, b) => a - b).join('-');
 const print = (question, names) => console.log(`${question}  ${names.join(' ')}`);
 
-const vertex = 6;
-const edge = mesh.findEdge(5, 6);
-const face = Object.keys(faces).indexOf('top');
+const vert = he.vert(6);
+const edge = he.edge(mesh.findHalfedge(5, 6));
+const top = he.face(Object.keys(faces).indexOf('top'));
 
-print('Which faces use vertex 6?', Array.from(mesh.vertexFaces(vertex), nameOfFace));
-print('Which edges use vertex 6?', Array.from(mesh.vertexEdges(vertex), nameOfEdge));
-print('Which faces border edge 5-6?', Array.from(mesh.edgeFaces(edge), nameOfFace));
-print('Which edges border the top?', Array.from(mesh.faceEdges(face), nameOfEdge));
-print('Which faces are adjacent to the top?', Array.from(mesh.faceFaces(face), nameOfFace));
+const faceOf = (edge) => nameOfFace(edge.face);
+print('Which faces use vertex 6?', edgesThatUse(vert).map(faceOf));
+print('Which edges use vertex 6?', edgesThatUse(vert).map(nameOfEdge));
+print('Which faces border edge 5-6?', [edge.face, edge.pair.face].map(nameOfFace));
+print('Which edges border the top?', edgesThatBorder(top).map(nameOfEdge));
+const acrossOf = (edge) => nameOfFace(edge.pair.face);
+print('Which faces are adjacent to the top?', edgesThatBorder(top).map(acrossOf));
