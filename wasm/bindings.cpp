@@ -31,7 +31,9 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -89,15 +91,32 @@ std::span<const T> array_at(Address address, std::size_t count) {
   return {reinterpret_cast<const T*>(address), count};
 }
 
-Mesh& mesh_at(Address address) { return *reinterpret_cast<Mesh*>(address); }
+using MeshWithoutPrev = BasicMesh<kWithoutPrev>;
+/// What an address names. JavaScript chooses the storage at run time, C++ when it is compiled.
+using AnyMesh = std::variant<Mesh, MeshWithoutPrev>;
+
+AnyMesh& mesh_at(Address address) { return *reinterpret_cast<AnyMesh*>(address); }
+
+/// Calls `function` with the mesh as what it is.
+template <class Function>
+auto visit(AnyMesh& mesh, const Function& function) {
+  if (auto* whole = std::get_if<Mesh>(&mesh)) return function(*whole);
+  return function(*std::get_if<MeshWithoutPrev>(&mesh));
+}
+template <class Function>
+auto visit_mesh(Address address, const Function& function) {
+  return visit(mesh_at(address), function);
+}
 
 void destroy_mesh(Address address) { std::destroy_at(&mesh_at(address)), free_block(address); }
 
 /// A mesh on its way to JavaScript.
 class NewMesh {
  public:
-  NewMesh() : address_(allocate(sizeof(Mesh))) {
-    if (address_ != 0) new (reinterpret_cast<void*>(address_)) Mesh;
+  explicit NewMesh(bool stores_prev) : address_(allocate(sizeof(AnyMesh))) {
+    if (address_ == 0) return;
+    new (reinterpret_cast<void*>(address_)) AnyMesh;
+    if (!stores_prev) mesh_at(address_).emplace<MeshWithoutPrev>();
   }
   NewMesh(const NewMesh&) = delete;
   NewMesh& operator=(const NewMesh&) = delete;
@@ -105,7 +124,7 @@ class NewMesh {
     if (address_ != 0) destroy_mesh(address_);
   }
   explicit operator bool() const { return address_ != 0; }
-  Mesh& operator*() const { return mesh_at(address_); }
+  AnyMesh& operator*() const { return mesh_at(address_); }
   Address release() { return std::exchange(address_, 0); }
 
  private:
@@ -158,53 +177,60 @@ val hand_over(Array<T>& array) {
 
 // ---- meshes ----------------------------------------------------------------------------------
 
-Address create_mesh() { return NewMesh().release(); }
+Address create_mesh(bool stores_prev) { return NewMesh(stores_prev).release(); }
 
-Address clone_mesh(Address original) {
-  NewMesh copy;
-  if (!copy || !(*copy).assign(mesh_at(original))) return 0;
-  return copy.release();
+Address clone_mesh(Address address) {
+  return visit_mesh(address, [](const auto& original) -> Address {
+    using AMesh = std::remove_cvref_t<decltype(original)>;
+    NewMesh copy(StoresPrev<AMesh>);
+    if (!copy || !std::get_if<AMesh>(&*copy)->assign(original)) return 0;
+    return copy.release();
+  });
 }
 
 /// The words that `Links.refresh` reads. They are good until the next call.
 Address layout(Address address) {
-  static std::array<std::uint32_t, 15> words;
-  const Mesh& mesh = mesh_at(address);
-  const Links& links = mesh.links();
+  static std::array<std::uint32_t, 16> words;
   const auto at = [](const auto* data) {
     return static_cast<std::uint32_t>(reinterpret_cast<Address>(data));
   };
-  words = {at(links.next.data()),
-           at(links.prev.data()),
-           at(links.to_vertex.data()),
-           at(links.face.data()),
-           at(links.vertex_halfedge.data()),
-           at(links.face_halfedge.data()),
-           at(mesh.positions().data()),
-           mesh.vertex_slots(),
-           mesh.halfedge_slots(),
-           mesh.face_slots(),
-           mesh.vertex_count(),
-           mesh.edge_count(),
-           mesh.face_count(),
-           static_cast<std::uint32_t>(mesh.version()),
-           static_cast<std::uint32_t>(mesh.version() >> 32U)};
+  visit_mesh(address, [&]<Storage kStored>(const BasicMesh<kStored>& mesh) {
+    const Links& links = mesh.links();
+    words = {at(links.next.data()),
+             at(links.prev.data()),
+             at(links.to_vertex.data()),
+             at(links.face.data()),
+             at(links.vertex_halfedge.data()),
+             at(links.face_halfedge.data()),
+             at(mesh.positions().data()),
+             mesh.vertex_slots(),
+             mesh.halfedge_slots(),
+             mesh.face_slots(),
+             mesh.vertex_count(),
+             mesh.edge_count(),
+             mesh.face_count(),
+             static_cast<std::uint32_t>(mesh.version()),
+             static_cast<std::uint32_t>(mesh.version() >> 32U),
+             kStored.prev};
+  });
   return reinterpret_cast<Address>(words.data());
 }
 
 Error no_room_for_a_mesh() { return {"out-of-memory", "memory is exhausted: no room for a mesh"}; }
 
+bool build_any(AnyMesh& mesh, const Polygons& polygons, BuildReport& report) {
+  return visit(mesh, [&](auto& m) { return build_from_polygons(m, polygons, report); });
+}
+
 val build(Address positions, std::size_t position_count, Address sizes, std::size_t size_count,
-          Address corners, std::size_t corner_count) {
-  NewMesh mesh;
+          Address corners, std::size_t corner_count, bool stores_prev) {
+  NewMesh mesh(stores_prev);
   if (!mesh) return failure(no_room_for_a_mesh());
   BuildReport report;
   const Polygons polygons{array_at<float>(positions, position_count),
                           array_at<Index>(sizes, size_count),
                           array_at<Index>(corners, corner_count)};
-  if (!build_from_polygons(*mesh, polygons, report)) {
-    return failure(report.problems, report.problem_count);
-  }
+  if (!build_any(*mesh, polygons, report)) return failure(report.problems, report.problem_count);
   return success("mesh", val(mesh.release()));
 }
 
@@ -228,16 +254,16 @@ void add_lines(std::vector<Error>& problems, std::span<const std::uint8_t> bytes
 }
 
 /// `claimed` is what the user says the format is: a value of Format, or -1.
-val parse_file(Address address, std::size_t count, int claimed) {
+val parse_file(Address address, std::size_t count, int claimed, bool stores_prev) {
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   Result<ParsedFile> file =
       parse(bytes, claimed < 0 ? std::nullopt : std::optional(static_cast<Format>(claimed)));
   if (!file) return failure(file.error());
   const Format format = file.value().format;
-  NewMesh mesh;
+  NewMesh mesh(stores_prev);
   if (!mesh) return failure(no_room_for_a_mesh());
   BuildReport report;
-  if (!build_from_polygons(*mesh, file.value().soup.view(), report)) {
+  if (!build_any(*mesh, file.value().soup.view(), report)) {
     file.value().soup = {};
     add_lines(report.problems, bytes, format);
     return failure(report.problems, report.problem_count);
@@ -254,7 +280,8 @@ val parse_file(Address address, std::size_t count, int claimed) {
 // ---- questions about a whole mesh ------------------------------------------------------------
 
 val validate_mesh(Address mesh, int level) {
-  const std::vector<Problem> problems = validate(mesh_at(mesh), level);
+  const std::vector<Problem> problems =
+      visit_mesh(mesh, [&](const auto& m) { return validate(m, level); });
   const RoomForReport room;
   val list = val::array();
   for (const Problem& problem : problems) {
@@ -269,22 +296,27 @@ val validate_mesh(Address mesh, int level) {
   return list;
 }
 
-double euler(Address mesh) { return static_cast<double>(euler_characteristic(mesh_at(mesh))); }
+double euler(Address mesh) {
+  return visit_mesh(mesh,
+                    [](const auto& m) { return static_cast<double>(euler_characteristic(m)); });
+}
 
 val total_genus(Address mesh) {
-  const Result<std::int64_t> result = genus(mesh_at(mesh));
+  const Result<std::int64_t> result = visit_mesh(mesh, [](const auto& m) { return genus(m); });
   if (!result) return failure(result.error());
   return success("genus", val(static_cast<double>(result.value())));
 }
 
 val loops(Address mesh) {
-  Result<Array<Halfedge>> result = boundary_loops(mesh_at(mesh));
+  Result<Array<Halfedge>> result =
+      visit_mesh(mesh, [](const auto& m) { return boundary_loops(m); });
   if (!result) return failure(result.error());
   return success("halfedges", hand_over(result.value()));
 }
 
 val components(Address mesh) {
-  Result<Components> result = connected_components(mesh_at(mesh));
+  Result<Components> result =
+      visit_mesh(mesh, [](const auto& m) { return connected_components(m); });
   if (!result) return failure(result.error());
   Components& found = result.value();
   val out = val::object();
@@ -305,16 +337,18 @@ val to_rows(const Result<void>& result, Adjacency& rows) {
 /// `ring` and `direction` are values of Ring and Direction.
 val all_rings(Address mesh, int ring, int direction) {
   Adjacency rows;
-  const Result<void> result =
-      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction), rows);
+  const Result<void> result = visit_mesh(mesh, [&](const auto& m) {
+    return adjacency(m, static_cast<Ring>(ring), static_cast<Direction>(direction), rows);
+  });
   return to_rows(result, rows);
 }
 
 val some_rings(Address mesh, int ring, int direction, Address centres, std::size_t count) {
   Adjacency rows;
-  const Result<void> result =
-      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction),
-                array_at<Index>(centres, count), rows);
+  const Result<void> result = visit_mesh(mesh, [&](const auto& m) {
+    return adjacency(m, static_cast<Ring>(ring), static_cast<Direction>(direction),
+                     array_at<Index>(centres, count), rows);
+  });
   return to_rows(result, rows);
 }
 

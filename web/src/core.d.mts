@@ -39,11 +39,11 @@ export interface RawCore {
   bytesInUse(): number;
 
   /** An empty mesh, or 0. */
-  createMesh(): number;
+  createMesh(storesPrev: boolean): number;
   /** A copy, slot by slot, or 0. */
   cloneMesh(mesh: number): number;
   destroyMesh(mesh: number): void;
-  /** Where the arrays of a mesh lie: 15 words, in the order that `Links.refresh` reads them. */
+  /** Where the arrays of a mesh lie: 16 words, in the order that `Links.refresh` reads them. */
   layout(mesh: number): number;
 
   /** Counts are numbers of elements; without sizes all faces are triangles. */
@@ -54,12 +54,14 @@ export interface RawCore {
     sizeCount: number,
     corners: number,
     cornerCount: number,
+    storesPrev: boolean,
   ): { mesh: number } | RawFailure;
   /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
   parse(
     bytes: number,
     count: number,
     claimed: number,
+    storesPrev: boolean,
   ): { mesh: number; format: number; notes: string[] } | RawFailure;
 
   validate(

@@ -1,6 +1,6 @@
 import { describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
-import type { ItemKind } from './items.js';
+import { type ItemKind, NONE } from './items.js';
 import type { Core } from './loader.js';
 
 /**
@@ -35,6 +35,7 @@ const NO_POSITIONS = new Float32Array(0);
  */
 export class Links {
   next: Int32Array = NO_LINKS;
+  /** Empty where it isn't stored: see `findPrev`. */
   prev: Int32Array = NO_LINKS;
   toVertex: Int32Array = NO_LINKS;
   face: Int32Array = NO_LINKS;
@@ -54,6 +55,8 @@ export class Links {
   /** Over as soon as `version` has changed. Circulators ask this: V8 has less to inline than to compare. */
   era = { over: false };
   disposed = false;
+  /** Whether the mesh has the array prev. */
+  storesPrev = true;
 
   /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
   onRefresh: (() => void) | undefined;
@@ -84,7 +87,8 @@ export class Links {
     const view = (field: number, length: number) =>
       length === 0 ? NO_LINKS : owned(new Int32Array(memory.buffer, words[at + field], length));
     this.next = view(0, halfedges);
-    this.prev = view(1, halfedges);
+    this.storesPrev = words[at + 15] !== 0;
+    this.prev = this.storesPrev ? view(1, halfedges) : NO_LINKS;
     this.toVertex = view(2, halfedges);
     this.face = view(3, halfedges);
     this.vertexHalfedge = view(4, vertices);
@@ -114,6 +118,26 @@ export class Links {
   revive(): void {
     this.checkAlive();
     if (this.detached) this.refresh();
+  }
+
+  /**
+   * prev of `h` where it isn't stored: around the loop of `h` and around its vertex in step, the shorter
+   * of the two ends the search. NONE where the links are corrupt.
+   */
+  findPrev(h: number): number {
+    const { next } = this;
+    let inLoop = h;
+    let atVertex = h;
+    for (let left = next.length; left > 0; left--) {
+      const after = next[inLoop];
+      if (after === h) return inLoop;
+      const rotated = next[atVertex ^ 1];
+      if (rotated === h) return atVertex ^ 1;
+      if (!(after >= 0 && rotated >= 0)) break;
+      inLoop = after;
+      atVertex = rotated;
+    }
+    return NONE;
   }
 
   /** Frees the memory of the mesh; every later use but this throws. */

@@ -1,7 +1,14 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { type BuildOptions, type Polygons, polygonLinks, triangleLinks } from './build.js';
+import {
+  type BuildOptions,
+  type Polygons,
+  polygonLinks,
+  type StorageOptions,
+  storesPrev,
+  triangleLinks,
+} from './build.js';
 import { Circulation } from './circulation.js';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
@@ -37,11 +44,11 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
  */
 export class HalfedgeMesh extends Circulation {
   /** An empty mesh. */
-  constructor();
+  constructor(options?: StorageOptions);
   /** @internal */
   constructor(links: Links);
-  constructor(links?: unknown) {
-    super(links instanceof Links ? links : emptyLinks());
+  constructor(given: unknown = {}) {
+    super(given instanceof Links ? given : emptyLinks(given));
   }
 
   /**
@@ -174,9 +181,10 @@ export class HalfedgeMesh extends Circulation {
   }
 }
 
-function emptyLinks(): Links {
+function emptyLinks(options: unknown): Links {
+  const withPrev = storesPrev(options);
   const wasm = core();
-  const address = wasm.createMesh();
+  const address = wasm.createMesh(withPrev);
   if (address === 0) throw outOfMemory('A mesh');
   return new Links(wasm, address);
 }

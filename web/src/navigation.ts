@@ -20,7 +20,7 @@ import { corrupt, type Links } from './links.js';
 export interface ConnectivityViews {
   /** By halfedge: the one after it in its face loop or boundary loop. */
   readonly next: Int32Array;
-  /** By halfedge: the one before it. */
+  /** By halfedge: the one before it. Empty without `storePrev`. */
   readonly prev: Int32Array;
   /** By halfedge: the vertex it points to. */
   readonly toVertex: Int32Array;
@@ -164,7 +164,10 @@ export abstract class Navigation {
     return (r >= 0 ? r : this.#readNext(h)) as Halfedge;
   }
 
-  /** The halfedge before `h` in its face loop or boundary loop. */
+  /**
+   * The halfedge before `h` in its face loop or boundary loop. Without `storePrev` it is searched,
+   * O(min(degree, valence)).
+   */
   prev(h: HalfedgeLike): Halfedge {
     const r = typeof h === 'number' ? this.#prev[h] : -1;
     return (r >= 0 ? r : this.#readPrev(h)) as Halfedge;
@@ -358,7 +361,9 @@ export abstract class Navigation {
   }
   #readPrev(h: number, side = 0): number {
     this.#links.checkHalfedge(h);
-    return sound(this.#links.prev[h ^ side], 0, 'prev', h ^ side);
+    const { storesPrev, prev } = this.#links;
+    const before = storesPrev ? prev[h ^ side] : this.#links.findPrev(h ^ side);
+    return sound(before, 0, 'prev', h ^ side);
   }
   #readToVertex(h: number, side = 0): number {
     this.#links.checkHalfedge(h);

@@ -23,6 +23,8 @@ const FOLLOW_NEXT = 1;
 const OPPOSITE_BEFORE = 2;
 const OPPOSITE_AFTER = 4;
 const FOLLOW_NOTHING = 8;
+/** Without any of these a walk follows prev. */
+const NOT_ALONG_PREV = FOLLOW_NEXT | FOLLOW_NOTHING;
 
 /** Outgoing halfedges of a vertex. */
 export const ROTATE_CCW = OPPOSITE_AFTER;
@@ -68,11 +70,24 @@ const linkFrom = (links: Links, walk: number, h: number): number => {
 /** Where a step that reads `link` leads to. */
 const arrival = (walk: number, link: number): number => (link ^ ((walk >> 2) & 1)) & SMALL;
 
-/** One step from `h`, through the live views; NONE where `linkFrom` finds nothing. */
+/** One step from `h`, through the live views; NONE where there is no link. */
 export const step = (links: Links, walk: number, h: number): number => {
   const link = linkFrom(links, walk, h);
-  return link >= 0 ? arrival(walk, link) : NONE;
+  return link >= 0
+    ? arrival(walk, link)
+    : links.storesPrev
+      ? NONE
+      : search.stepByPrev(links, walk, h);
 };
+
+/** A step along prev where it isn't stored; NONE where the links are corrupt. */
+function stepByPrev(links: Links, walk: number, h: number): number {
+  if ((walk & NOT_ALONG_PREV) !== 0) return NONE;
+  const link = links.findPrev(h ^ ((walk >> 1) & 1));
+  return link >= 0 ? arrival(walk, link) : NONE;
+}
+/** A method, because V8 compiles no property access that has never happened. */
+const search = { stepByPrev };
 
 /** What `view` shows of `h`; NONE for no face, undefined or below NONE where links are corrupt. */
 export const shown = (links: Links, view: number, h: number): number => {
@@ -153,10 +168,17 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     const room = roomIn(buffer);
     if (last < 0) return 0;
     if (links.next.length === 0) links.revive();
-    const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
+    const follow = (walk & NOT_ALONG_PREV) === 0 ? links.prev : links.next;
     const table = view < SHOW_FACE ? links.toVertex : links.face;
     let h = last;
     let count = 0;
+    if (this.needsSearch) {
+      for (const item of this) {
+        if (count < room) buffer[count] = item;
+        count += 1;
+      }
+      return count <= room ? count : tooSmall(room, count);
+    }
     for (let left = links.halfedgeSlots; left > 0; left--) {
       const link = walk >= FOLLOW_NOTHING ? h : follow[h ^ ((walk >> 1) & 1)];
       if (!(link >= 0)) break;
@@ -172,11 +194,35 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     return this.fail();
   }
 
+  /** Whether this walk goes along prev, which isn't stored. */
+  private get needsSearch(): boolean {
+    return !this.links.storesPrev && (this.walk & NOT_ALONG_PREV) === 0;
+  }
+
+  /** The next item, or NONE at the end, where each prev must be searched. */
+  private advanceBySearch(lap: Lap): number {
+    this.links.revive();
+    const { links, walk, view, last } = this;
+    let h = lap.at;
+    for (let { left } = lap; left > 0; left--) {
+      h = step(links, walk, h);
+      const item = h >= 0 ? shown(links, view, h) : h;
+      lap.left = left - 1;
+      lap.at = h === last ? NONE : h;
+      if (item >= 0) return item;
+      if (item !== NONE || view < SHOW_FACE) break;
+      if (h === last) return NONE;
+    }
+    return this.fail();
+  }
+
   /**
-   * The same step of `lap` again with fresh views, if growth of the memory had detached them.
+   * The same step of `lap` again with fresh views, if growth of the memory had detached them, or if
+   * the links to follow must be searched.
    * @internal
    */
   advanceAgain(lap: Lap): number {
+    if (this.needsSearch) return this.advanceBySearch(lap);
     if (!this.links.detached) this.fail();
     this.links.revive();
     return this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);

@@ -1,4 +1,5 @@
-import { bytesOf, checkOptions, describe } from './arguments.js';
+import { bytesOf, describe } from './arguments.js';
+import { type StorageOptions, storesPrev } from './build.js';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
@@ -12,7 +13,7 @@ export type FileFormat = 'obj' | 'off';
 const FORMATS: readonly FileFormat[] = ['obj', 'off'];
 
 /** How to read a file. */
-export interface ParseOptions {
+export interface ParseOptions extends StorageOptions {
   /** Decides where the content leaves the format open. The content is believed first. */
   format?: FileFormat;
   /**
@@ -34,12 +35,13 @@ export interface ParseReport {
 
 /** The mesh in a file. */
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
-  const claimed = claimedFormat(checkOptions(options) as ParseOptions);
+  const withPrev = storesPrev(options);
+  const claimed = claimedFormat(options as ParseOptions);
   const bytes = contentOf(data);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('data', bytes);
-    return wasm.parse(address, count, claimed);
+    return wasm.parse(address, count, claimed, withPrev);
   });
   const { mesh, format, notes } = unwrap(raw);
   const links = new Links(wasm, mesh);
