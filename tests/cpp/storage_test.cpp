@@ -220,7 +220,7 @@ TYPED_TEST(StorageOptions, AreBuiltByHand) {
   }
   if constexpr (kStored.face) {
     const Face f = mesh.new_face(side[0]);
-    for (const Halfedge h : mesh.loop_ccw(side[0])) mesh.set_face(h, f);
+    for (const Halfedge h : side) mesh.set_face(h, f);
     EXPECT_EQ(mesh.face_count(), 1U);
     EXPECT_TRUE(mesh.is_boundary(mesh.edge(side[1])));
   }
