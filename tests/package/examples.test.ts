@@ -49,7 +49,13 @@ test('one_ring.mjs walks counter-clockwise around the apex', async () => {
 });
 
 /** One or two programs for each reference document, in both languages: CMake runs those in C++. */
-const documented = ['openmesh_structure', 'mcguire_queries', 'mcguire_collapse'];
+const documented = [
+  'openmesh_structure',
+  'openmesh_traits',
+  'mcguire_queries',
+  'mcguire_collapse',
+  'cgal_polyhedron',
+];
 
 test.each(documented)('%s.mjs prints what the same program in C++ prints', async (name) => {
   const printed = await node(folder, `examples/${name}.mjs`);
