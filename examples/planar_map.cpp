@@ -1,5 +1,5 @@
-// A planar map: connectivity alone, without any geometry. A street block with two houses' plots and
-// a pond in one of them; every halfedge has a face, the unbounded one included.
+// A planar map: connectivity alone, without any geometry. A street block with two plots and a pond
+// in one of them; every halfedge has a face, the unbounded one included.
 //
 //     3 ------------- 2        faces: south (0 1 2), with the pond 4 5 6 as a hole in it,
 //     |           .   |               north (0 2 3), the pond, and outside
@@ -10,6 +10,7 @@
 
 #include <halfedge/halfedge.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <initializer_list>
 #include <vector>
@@ -63,6 +64,8 @@ Face add_face(Connectivity& map, std::initializer_list<Index> corners) {
   return f;
 }
 
+constexpr Face kOutside(3);
+
 PlanarMap street_block() {
   PlanarMap map;
   for (int i = 0; i < 7; ++i) (void)map.links.new_vertex();
@@ -96,10 +99,9 @@ Connectivity dual_of(const Connectivity& map) {
   return dual;
 }
 
-void print_faces(const char* title, const PlanarMap& map) {
-  std::printf("%s\n", title);
+void print_faces(const PlanarMap& map) {
   for (const Face f : map.links.faces()) {
-    std::printf("  face %u:", f.index());
+    std::printf("face %u:", f.index());
     for (const Vertex v : map.links.face_vertices_ccw(f)) std::printf(" %u", v.index());
     for (const auto& [face, hole] : map.holes) {
       if (face != f) continue;
@@ -108,37 +110,43 @@ void print_faces(const char* title, const PlanarMap& map) {
         std::printf(" %u", map.links.to_vertex(h).index());
       }
     }
-    std::printf("\n");
+    std::printf(f == kOutside ? ", unbounded\n" : "\n");
   }
+}
+
+void print_faces_across(const Connectivity& map, Halfedge loop) {
+  for (const Halfedge h : map.loop_ccw(loop)) {
+    std::printf(" %u", map.face(map.opposite(h)).index());
+  }
+  std::printf("\n");
 }
 
 }  // namespace
 
 int main() {
   const PlanarMap map = street_block();
-  print_faces("street block", map);
+  print_faces(map);
   // Two connected parts in the plane: V - E + F = 1 + 2.
   std::printf("V - E + F = %d\n", int(euler_characteristic(map.links)));
+  std::printf("neighbours of face 0:");
+  print_faces_across(map.links, map.links.face_halfedge(Face(0)));
+  std::printf("across its hole:");
+  print_faces_across(map.links, map.holes.front().second);
+
+  const Connectivity dual = dual_of(map.links);
+  for (const Face f : dual.faces()) {
+    std::vector<Vertex> corners;
+    for (const Vertex v : dual.face_vertices_ccw(f)) corners.push_back(v);
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    std::printf("dual of vertex %u: faces", f.index());
+    for (const Vertex v : corners) std::printf(" %u", v.index());
+    std::printf("\n");
+  }
+
+  // Links know nothing of holes: a face with two loops is right up to level 2.
   std::printf("valid at level 2: %s\n", has_errors(validate(map.links, 2)) ? "no" : "yes");
   for (const Problem& problem : validate(map.links, 3)) {
     std::printf("level 3, one loop to a face: %s\n", problem.message.c_str());
-  }
-
-  std::printf("neighbours of face 0:");
-  for (const Face f : map.links.face_faces_ccw(Face(0))) std::printf(" %u", f.index());
-  std::printf("; across its hole:");
-  for (const Halfedge h : map.links.loop_ccw(map.holes.front().second)) {
-    std::printf(" %u", map.links.face(map.links.opposite(h)).index());
-  }
-  std::printf("\n");
-
-  const Connectivity dual = dual_of(map.links);
-  std::printf("dual: %u vertices, %u edges, %u faces\n", dual.vertex_count(), dual.edge_count(),
-              dual.face_count());
-  for (const Face f : dual.faces()) {
-    std::printf("  around vertex %u: faces", f.index());
-    for (const Vertex v : dual.face_vertices_ccw(f)) std::printf(" %u", v.index());
-    std::printf("\n");
   }
   return 0;
 }

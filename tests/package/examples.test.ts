@@ -62,6 +62,12 @@ test.each(documented)('%s.mjs prints what the same program in C++ prints', async
   expect(`${printed}\n`).toBe(example(`${name}.txt`));
 });
 
+test('planar_map.mjs prints what the program in C++ does, but for the levels of validity', async () => {
+  const printed = await node(folder, 'examples/planar_map.mjs');
+  expect(printed).toContain('dual of vertex 6');
+  expect(example('planar_map.txt').startsWith(`${printed}\nvalid at level 2: yes`)).toBe(true);
+});
+
 describe('load_file.mjs', () => {
   test('tells counts, topology and validity', async () => {
     expect(await node(folder, 'examples/load_file.mjs', 'pyramid.obj')).toBe(

@@ -248,3 +248,52 @@ describe('A clone', () => {
     expect(copy.validate()).toEqual([]);
   });
 });
+
+describe('Connectivity alone', () => {
+  const streetBlock = [
+    [0, 1, 2],
+    [0, 2, 3],
+    [3, 2, 1, 0],
+  ];
+
+  test('has the links of the mesh with positions', () => {
+    using mesh = HalfedgeMesh.fromFaces(streetBlock);
+    using placed = HalfedgeMesh.fromPolygons(new Float32Array(12), streetBlock);
+    expect(mesh.connectivity).toEqual(placed.connectivity);
+    expect(mesh.positions).toEqual(new Float32Array(12));
+    expect(mesh.eulerCharacteristic()).toBe(2);
+    expect(mesh.validate()).toEqual([]);
+  });
+
+  test('takes flat arrays, options, and more vertices than faces use', () => {
+    const polygons = { sizes: [3, 3, 4], corners: streetBlock.flat() };
+    using mesh = HalfedgeMesh.fromFaces(polygons, { vertexCount: 6, storePrev: false });
+    expect(mesh.vertexCount).toBe(6);
+    expect(mesh.isIsolatedVertex(5)).toBe(true);
+    using fewer = HalfedgeMesh.fromFaces(polygons, { vertexCount: 2 });
+    expect(fewer.vertexCount).toBe(4);
+    using none = HalfedgeMesh.fromFaces([]);
+    expect(none.vertexCount).toBe(0);
+  });
+
+  test('refuses what no memory holds, and what is no count', () => {
+    expect(() => HalfedgeMesh.fromFaces([[0, 1, 4_000_000_000]])).toThrow(
+      /faces has the vertex 4000000000; expected less than 268435455/,
+    );
+    expect(() => HalfedgeMesh.fromFaces([[0, 1, -2]])).toThrow(/-2/);
+    expect(() => HalfedgeMesh.fromFaces({ sizes: [3], corners: Int32Array.of(0, 1, -2) })).toThrow(
+      /-2/,
+    );
+    for (const vertexCount of [-1, 1.5, 2 ** 31, '4'] as number[]) {
+      expect(() => HalfedgeMesh.fromFaces([], { vertexCount })).toThrow(
+        /options\.vertexCount is .*; expected an integer from 0 to/,
+      );
+    }
+    expect(() =>
+      HalfedgeMesh.fromFaces([
+        [0, 1, 2],
+        [0, 1, 2],
+      ]),
+    ).toThrow(/[Ff]ace/);
+  });
+});

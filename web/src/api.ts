@@ -1,6 +1,6 @@
 // The public names, but for `init`, of which each entry has its own.
 
-export type { BuildOptions, Polygons, StorageOptions } from './build.js';
+export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
 export type { CirculateOptions, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';

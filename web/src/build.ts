@@ -36,6 +36,12 @@ export interface StorageOptions {
 /** How to build a mesh. */
 export interface BuildOptions extends StorageOptions {}
 
+/** How to build connectivity alone. */
+export interface FaceOptions extends StorageOptions {
+  /** The vertices, where there are more than those of the faces: the others are isolated. */
+  vertexCount?: number;
+}
+
 /** Whether the options ask for prev; throws a sentence for what is no option. */
 export function storesPrev(options: unknown): boolean {
   const { storePrev = true } = checkOptions(options) as StorageOptions;
@@ -64,6 +70,31 @@ export function polygonLinks(positions: unknown, faces: unknown, options: unknow
   const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
   return buildLinks(points, sizes, corners, 'corners', withPrev);
 }
+
+/** The mesh of faces without geometry: every vertex is at the origin. */
+export function faceLinks(faces: unknown, options: unknown): Links {
+  const withPrev = storesPrev(options);
+  const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
+  const { vertexCount = 0 } = options as FaceOptions;
+  if (!(isIndex(vertexCount) && vertexCount <= MOST_VERTICES)) {
+    throw new RangeError(
+      `options.vertexCount is ${describe(vertexCount)}; expected an integer from 0 to ${MOST_VERTICES}.`,
+    );
+  }
+  checkNotNegative('corners', corners);
+  let count: number = vertexCount;
+  for (let i = 0; i < lengthOf(corners); i++) count = Math.max(count, corners[i] + 1);
+  if (count > MOST_VERTICES) {
+    throw new RangeError(
+      `faces has the vertex ${count - 1}; expected less than ${MOST_VERTICES}, for which there is no room.`,
+    );
+  }
+  const points = newArray('positions', Float32Array, 3 * count);
+  return buildLinks(points, sizes, corners, 'corners', withPrev);
+}
+
+/** More have no room in the 4 GiB of WebAssembly: they would take 16 bytes each. */
+const MOST_VERTICES = 2 ** 28 - 1;
 
 function buildLinks(
   positions: NumberArray,

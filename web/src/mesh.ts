@@ -3,6 +3,8 @@
 
 import {
   type BuildOptions,
+  type FaceOptions,
+  faceLinks,
   type Polygons,
   polygonLinks,
   type StorageOptions,
@@ -85,6 +87,19 @@ export class HalfedgeMesh extends Circulation {
     options: BuildOptions = {},
   ): HalfedgeMesh {
     return new HalfedgeMesh(polygonLinks(positions, faces, options));
+  }
+
+  /**
+   * Connectivity alone, for what has no geometry or keeps it elsewhere: a planar map, a dual, an
+   * abstract complex. As {@link fromPolygons}; all positions are zero.
+   *
+   * @throws HalfedgeError as {@link fromPolygons}
+   */
+  static fromFaces(
+    faces: ArrayLike<ArrayLike<number>> | Polygons,
+    options: FaceOptions = {},
+  ): HalfedgeMesh {
+    return new HalfedgeMesh(faceLinks(faces, options));
   }
 
   /**
