@@ -18,6 +18,7 @@
 #include <emscripten/val.h>
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/decorator/complexes.h>
 #include <halfedge/halfedge.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/validate/validate.h>
@@ -186,6 +187,16 @@ Address clone_mesh(Address address) {
     if (!copy || !std::get_if<AMesh>(&*copy)->assign(original)) return 0;
     return copy.release();
   });
+}
+
+/// The halfedge that an operation has made; kNone when memory is exhausted.
+Index index_of(const Result<Halfedge>& made) { return made.ok() ? made.value().index() : kNone; }
+
+Index make_loop(Address address) {
+  return visit_mesh(address, [](auto& mesh) { return index_of(decorator::make_loop(mesh)); });
+}
+Index make_segment(Address address) {
+  return visit_mesh(address, [](auto& mesh) { return index_of(decorator::make_segment(mesh)); });
 }
 
 /// The words that `Links.refresh` reads. They are good until the next call.
@@ -368,6 +379,8 @@ EMSCRIPTEN_BINDINGS(halfedge) {
   function("cloneMesh", &clone_mesh);
   function("destroyMesh", &destroy_mesh);
   function("layout", &layout);
+  function("makeLoop", &make_loop);
+  function("makeSegment", &make_segment);
   function("build", &build);
   function("parse", &parse_file);
 

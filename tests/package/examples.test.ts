@@ -54,6 +54,7 @@ const documented = [
   'openmesh_traits',
   'mcguire_queries',
   'mcguire_collapse',
+  'cgal_loop',
   'cgal_polyhedron',
 ];
 

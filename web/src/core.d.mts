@@ -46,6 +46,10 @@ export interface RawCore {
   /** Where the arrays of a mesh lie: 16 words, in the order that `Links.refresh` reads them. */
   layout(mesh: number): number;
 
+  /** A halfedge of what was added to the mesh; all bits set when memory is exhausted. */
+  makeLoop(mesh: number): number;
+  makeSegment(mesh: number): number;
+
   /** Counts are numbers of elements; without sizes all faces are triangles. */
   build(
     positions: number,
