@@ -8,6 +8,9 @@
 #include <halfedge/connectivity/compact.h>
 #include <halfedge/connectivity/convert.h>
 #include <halfedge/decorator/decorator.h>
+#include <halfedge/directed_edges/build.h>
+#include <halfedge/directed_edges/convert.h>
+#include <halfedge/directed_edges/validate.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>

@@ -18,6 +18,7 @@ enum class Rule : std::uint8_t {
   kEmptyLink,
   kIndexOutOfRange,
   kDeletedReference,
+  kOppositeMismatch,  // Directed Edges only: elsewhere opposites aren't stored
   kNextPrevMismatch,
   kMissingAnchor,
   kAnchorElsewhere,
@@ -64,19 +65,30 @@ class ProblemList {
   }
 
   [[nodiscard]] static constexpr std::string_view code(Rule rule) {
-    constexpr std::array<std::string_view, kRuleCount> kCodes = {
-        "array-size",           "free-list",
-        "half-deleted-edge",    "empty-link",
-        "index-out-of-range",   "deleted-reference",
-        "next-prev-mismatch",   "missing-anchor",
-        "anchor-elsewhere",     "face-halfedge-elsewhere",
-        "to-from-mismatch",     "face-mismatch",
-        "unreachable-halfedge", "face-with-many-loops",
-        "interior-anchor",      "edge-without-face",
-        "degree-below-three",   "repeated-vertex",
-        "duplicate-halfedge",   "same-face-twice",
-        "pinched-vertex",       "isolated-vertex",
-        "out-of-memory"};
+    constexpr std::array<std::string_view, kRuleCount> kCodes = {"array-size",
+                                                                 "free-list",
+                                                                 "half-deleted-edge",
+                                                                 "empty-link",
+                                                                 "index-out-of-range",
+                                                                 "deleted-reference",
+                                                                 "opposite-mismatch",
+                                                                 "next-prev-mismatch",
+                                                                 "missing-anchor",
+                                                                 "anchor-elsewhere",
+                                                                 "face-halfedge-elsewhere",
+                                                                 "to-from-mismatch",
+                                                                 "face-mismatch",
+                                                                 "unreachable-halfedge",
+                                                                 "face-with-many-loops",
+                                                                 "interior-anchor",
+                                                                 "edge-without-face",
+                                                                 "degree-below-three",
+                                                                 "repeated-vertex",
+                                                                 "duplicate-halfedge",
+                                                                 "same-face-twice",
+                                                                 "pinched-vertex",
+                                                                 "isolated-vertex",
+                                                                 "out-of-memory"};
     return kCodes[std::size_t(rule)];
   }
   [[nodiscard]] static constexpr Severity severity(Rule rule) {

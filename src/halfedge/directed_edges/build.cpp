@@ -1,0 +1,56 @@
+#include <halfedge/build/diagnose.h>
+#include <halfedge/build/strict.h>
+#include <halfedge/directed_edges/build.h>
+#include <halfedge/directed_edges/connect.h>
+
+#include <cstddef>
+#include <string>
+
+namespace halfedge {
+
+namespace {
+
+bool all_triangles(const Polygons& polygons) {
+  Index different = 0;
+  for (const Index size : polygons.sizes) different |= size ^ 3U;
+  return different == 0;
+}
+
+void report_other_faces(const Polygons& polygons, BuildReport& report) {
+  ProblemSink problems(report);
+  std::size_t first = 0;
+  for (std::size_t f = 0; f < polygons.sizes.size(); ++f) {
+    const Index size = polygons.sizes[f];
+    const auto corners = polygons.corners.subspan(first, size);
+    first += size;
+    if (size == 3) continue;
+    problems.add([&] {
+      return Error{"not-a-triangle",
+                   "Face " + std::to_string(f) + " has " + std::to_string(size) +
+                       " corners; Directed Edges hold triangles only.",
+                   {.vertices = {corners.begin(), corners.end()}, .faces = {Index(f)}}};
+    });
+  }
+}
+
+}  // namespace
+
+bool build_from_triangles(DirectedEdgesMesh& mesh, const Polygons& polygons, BuildReport& report) {
+  report = {};
+  mesh.clear();
+  ConnectResult result = ConnectResult::kNotManifold;
+  if (can_be_connected(polygons)) {
+    if (!all_triangles(polygons)) {
+      report_other_faces(polygons, report);
+      return false;
+    }
+    result = connect_triangles(polygons, mesh.mutable_links());
+  }
+  if (result == ConnectResult::kDone) {
+    result = copy_positions(polygons.positions, mesh.mutable_positions());
+  }
+  if (result != ConnectResult::kDone) mesh.clear();
+  return explain(result, polygons, report);
+}
+
+}  // namespace halfedge

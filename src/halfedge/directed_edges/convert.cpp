@@ -1,0 +1,235 @@
+#include <halfedge/directed_edges/convert.h>
+#include <halfedge/directed_edges/validate.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+namespace halfedge {
+
+namespace {
+
+Error out_of_memory(Index halfedges) {
+  return {"out-of-memory",
+          "There is not enough memory for a mesh of " + std::to_string(halfedges) + " halfedges."};
+}
+
+// ---- to the full mesh
+
+// Gives each halfedge the index that build_from_polygons would give it: edges are grouped by their
+// smaller vertices, as many to a group as sides lead from it to larger ones, in the order of their
+// first sides; those for which a group has no room come after all groups.
+[[nodiscard]] bool number_halfedges(const DirectedLinks& links, Array<Index>& numbers) {
+  const std::size_t vertices = links.vertex_halfedge.size();
+  Array<Index> begin;
+  Array<Index> used;
+  if (!begin.resize(vertices + 1, 0) || !used.resize(vertices, 0) ||
+      !numbers.recreate(links.opposite.size())) {
+    return false;
+  }
+  for (Index h = 0; h < links.sides; ++h) {
+    const Index from = links.from_vertex(h);
+    begin[from + 1] += from < links.to_vertex[h] ? 1 : 0;
+  }
+  for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+
+  Index after_groups = begin[vertices];
+  for (Index h = 0; h < links.sides; ++h) {
+    const Index opposite = links.opposite[h];
+    if (opposite < h) continue;
+    const Index from = links.from_vertex(h);
+    const Index to = links.to_vertex[h];
+    const Index low = std::min(from, to);
+    const bool has_room = begin[low] + used[low] < begin[low + 1];
+    const Index edge = has_room ? begin[low] + used[low]++ : after_groups++;
+    numbers[h] = 2 * edge + Index{from > to};
+    numbers[opposite] = numbers[h] ^ 1U;
+  }
+  return true;
+}
+
+[[nodiscard]] bool write_links(const DirectedLinks& from, Links& to) {
+  Array<Index> numbers;
+  const std::size_t halfedges = from.opposite.size();
+  if (!number_halfedges(from, numbers) || !to.next.recreate(halfedges) ||
+      !to.prev.recreate(halfedges) || !to.to_vertex.recreate(halfedges) ||
+      !to.face.recreate(halfedges) || !to.vertex_halfedge.recreate(from.vertex_halfedge.size()) ||
+      !to.face_halfedge.recreate(from.sides / 3)) {
+    return false;
+  }
+  for (Index h = 0; h < halfedges; ++h) {
+    const Index number = numbers[h];
+    to.next[number] = numbers[from.next(h)];
+    to.prev[number] = numbers[from.prev(h)];
+    to.to_vertex[number] = from.to_vertex[h];
+    to.face[number] = from.is_boundary(h) ? kNone : h / 3;
+  }
+  for (std::size_t v = 0; v < to.vertex_halfedge.size(); ++v) {
+    const Index anchor = from.vertex_halfedge[v];
+    to.vertex_halfedge[v] = anchor == kNone ? kNone : numbers[anchor];
+  }
+  for (Index f = 0; f < to.face_halfedge.size(); ++f) to.face_halfedge[f] = numbers[3 * f];
+  return true;
+}
+
+// ---- from the full mesh
+
+Error corrupt(const std::string& what) {
+  return {"corrupt-connectivity", what + ": validate tells more"};
+}
+
+Result<void> check_slots(const Mesh& mesh) {
+  const Links& links = mesh.links();
+  const std::size_t size = links.next.size();
+  if (size % 2 != 0 || links.prev.size() != size || links.to_vertex.size() != size ||
+      links.face.size() != size || mesh.positions().size() != 3 * links.vertex_halfedge.size()) {
+    return corrupt("the arrays of the mesh differ in length");
+  }
+  const auto deleted = [](const char* kind, Index index) {
+    return Error{"deleted-item", std::string(kind) + " " + std::to_string(index) +
+                                     " is deleted; Directed Edges have no deleted items: "
+                                     "compact the mesh first."};
+  };
+  const auto find_deleted = [](const Array<Index>& array, std::size_t stride) {
+    std::size_t slot = 0;
+    while (slot < array.size() && !is_deleted_link(array[slot])) slot += stride;
+    return slot < array.size() ? Index(slot / stride) : kNone;
+  };
+  const Index face = find_deleted(links.face_halfedge, 1);
+  if (face != kNone) return deleted("Face", face);
+  const Index edge = find_deleted(links.next, 2);
+  if (edge != kNone) return deleted("Edge", edge);
+  const Index vertex = find_deleted(links.vertex_halfedge, 1);
+  if (vertex != kNone) return deleted("Vertex", vertex);
+  return {};
+}
+
+// Walks around each face of a mesh whose links may be anything.
+class FaceNumbers {
+ public:
+  FaceNumbers(const Mesh& mesh, Array<Index>& numbers)
+      : links_(mesh.links()), faces_(mesh.face_slots()), numbers_(numbers) {}
+
+  // Gives the halfedges of face f the indices 3f to 3f + 2. pre: all numbers are kNone.
+  Result<void> give() {
+    for (Index f = 0; f < faces_; ++f) {
+      const Index first = links_.face_halfedge[f];
+      Index h = first;
+      for (Index i = 0; i < 3; ++i) {
+        if (!is_free_side(h, f)) return corrupt("face " + std::to_string(f) + " has no loop");
+        numbers_[h] = 3 * f + i;
+        h = links_.next[h];
+        if (h == first && i < 2) return other_degree(f, i + 1);
+      }
+      if (h != first) return other_degree(f, degree_from(h, first));
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] bool is_free_side(Index h, Index f) const {
+    return h < numbers_.size() && numbers_[h] == kNone && links_.face[h] == f;
+  }
+
+  // pre: `h` is the fourth halfedge of a loop through `first`.
+  [[nodiscard]] Index degree_from(Index h, Index first) const {
+    Index degree = 3;
+    for (; h != first && h < numbers_.size() && degree < numbers_.size(); ++degree) {
+      h = links_.next[h];
+    }
+    return degree;
+  }
+
+  static Error other_degree(Index f, Index degree) {
+    return {"not-a-triangle",
+            "Face " + std::to_string(f) + " has " + std::to_string(degree) +
+                (degree == 1 ? " corner" : " corners") + "; Directed Edges hold triangles only.",
+            {.faces = {f}}};
+  }
+
+  const Links& links_;
+  Index faces_;
+  Array<Index>& numbers_;
+};
+
+Result<void> read_links(const Mesh& mesh, DirectedLinks& to) {
+  const Links& from = mesh.links();
+  const Index halfedges = Index(from.next.size());
+  const std::size_t sides = 3 * std::size_t{mesh.face_slots()};
+  Array<Index> numbers;
+  if (!numbers.resize(halfedges, kNone)) return out_of_memory(halfedges);
+  Result<void> numbered = FaceNumbers(mesh, numbers).give();
+  if (!numbered) return numbered;
+
+  const std::size_t boundary = halfedges - sides;
+  if (!to.opposite.recreate(halfedges) || !to.to_vertex.recreate(halfedges) ||
+      !to.boundary_next.recreate(boundary) || !to.boundary_prev.recreate(boundary) ||
+      !to.vertex_halfedge.recreate(mesh.vertex_slots())) {
+    return out_of_memory(halfedges);
+  }
+  to.sides = Index(sides);
+
+  // In the order of their opposites, as the builder numbers them; `opposite` is scratch for the
+  // halfedges by number.
+  for (Index h = 0; h < halfedges; ++h) {
+    if (numbers[h] != kNone) to.opposite[numbers[h]] = h;
+  }
+  Index count = to.sides;
+  for (Index n = 0; n < sides; ++n) {
+    const Index o = to.opposite[n] ^ 1U;
+    if (numbers[o] != kNone) continue;
+    if (from.face[o] != kNone) {
+      return corrupt("halfedge " + std::to_string(o) + " is not in the loop of its face");
+    }
+    numbers[o] = count++;
+  }
+  if (count != halfedges) return corrupt("an edge has no face on either side");
+
+  for (Index h = 0; h < halfedges; ++h) {
+    const Index n = numbers[h];
+    if (from.to_vertex[h] >= mesh.vertex_slots() || from.next[h] >= halfedges ||
+        from.prev[h] >= halfedges) {
+      return corrupt("a link of halfedge " + std::to_string(h) + " leads out of range");
+    }
+    to.opposite[n] = numbers[h ^ 1U];
+    to.to_vertex[n] = from.to_vertex[h];
+    if (n < sides) continue;
+    to.boundary_next[n - sides] = numbers[from.next[h]];
+    to.boundary_prev[n - sides] = numbers[from.prev[h]];
+  }
+  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+    const Index anchor = from.vertex_halfedge[v];
+    if (anchor != kNone && anchor >= halfedges) {
+      return corrupt("the anchor of vertex " + std::to_string(v) + " is out of range");
+    }
+    to.vertex_halfedge[v] = anchor == kNone ? kNone : numbers[anchor];
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> to_mesh(const DirectedEdgesMesh& from, Mesh& to) {
+  to.clear();
+  const std::vector<Problem> problems = validate(from, 1);
+  if (has_errors(problems)) return corrupt(problems.front().message);
+  if (write_links(from.links(), to.mutable_links()) &&
+      to.mutable_positions().assign(from.positions())) {
+    return {};
+  }
+  to.clear();
+  return out_of_memory(from.halfedge_count());
+}
+
+Result<void> from_mesh(const Mesh& from, DirectedEdgesMesh& to) {
+  to.clear();
+  Result<void> result = check_slots(from);
+  if (result) result = read_links(from, to.mutable_links());
+  if (result && !to.mutable_positions().assign(from.positions())) {
+    result = out_of_memory(from.halfedge_slots());
+  }
+  if (!result) to.clear();
+  return result;
+}
+
+}  // namespace halfedge

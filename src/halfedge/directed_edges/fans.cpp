@@ -1,0 +1,108 @@
+#include <halfedge/directed_edges/connect.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+
+namespace halfedge {
+
+namespace {
+
+void join(DirectedLinks& links, Index arriving, Index leaving) {
+  links.boundary_next[arriving - links.sides] = leaving;
+  links.boundary_prev[leaving - links.sides] = arriving;
+}
+
+// Joins into one cycle the fans that begin at these outgoing boundary halfedges of a vertex, each
+// of which is a cycle so far.
+void join_cycles(std::span<const Index> firsts, DirectedLinks& links) {
+  Index last = links.prev(firsts.front());
+  for (const Index first : firsts.subspan(1)) {
+    const Index last_of_next = links.prev(first);
+    join(links, last, first);
+    last = last_of_next;
+  }
+  join(links, last, firsts.front());
+}
+
+// `firsts` are outgoing boundary halfedges of pinched vertices, all of them, some more than once.
+ConnectResult join_at_pinched_vertices(std::span<Index> firsts, DirectedLinks& links) {
+  const auto from = [&](Index h) { return links.to_vertex[links.opposite[h]]; };
+  std::sort(firsts.begin(), firsts.end(), [&](Index a, Index b) {
+    return std::tuple(from(a), links.to_vertex[a], a) < std::tuple(from(b), links.to_vertex[b], b);
+  });
+  const auto end = std::unique(firsts.begin(), firsts.end());
+  for (auto first = firsts.begin(); first != end;) {
+    auto last = first + 1;
+    for (; last != end && from(*last) == from(*first); ++last) {
+      if (links.to_vertex[*last] == links.to_vertex[*(last - 1)]) {
+        return ConnectResult::kNotManifold;
+      }
+    }
+    join_cycles({first, last}, links);
+    links.vertex_halfedge[from(*first)] = *first;
+    first = last;
+  }
+  return ConnectResult::kDone;
+}
+
+}  // namespace
+
+ConnectResult join_open_fans(DirectedLinks& links) {
+  Array<Index> at_pinched_vertices;
+  for (Index h = links.sides; h < links.opposite.size(); ++h) {
+    Index arriving = links.opposite[h];
+    const Index vertex = links.to_vertex[arriving];
+    while (!links.is_boundary(arriving)) arriving = links.opposite[links.next(arriving)];
+    join(links, arriving, h);
+
+    Index& anchor = links.vertex_halfedge[vertex];
+    if (!links.is_boundary(anchor)) {
+      anchor = h;
+    } else if (!at_pinched_vertices.push_back(anchor) || !at_pinched_vertices.push_back(h)) {
+      return ConnectResult::kOutOfMemory;
+    }
+  }
+  return join_at_pinched_vertices(at_pinched_vertices.span(), links);
+}
+
+// Walks around several vertices in step, for the reason given in build/fans.cpp.
+bool each_vertex_has_one_cycle(const DirectedLinks& links) {
+  constexpr std::size_t kLanes = 8;
+  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
+  if (links.opposite.empty()) return true;
+  const Index* const opposite = links.opposite.data();
+  const std::size_t vertices = links.vertex_halfedge.size();
+  std::size_t reached = 0;
+  for (std::size_t v = 0; v < vertices; v += kLanes) {
+    std::array<Index, kLanes> anchor;
+    std::array<Index, kLanes> at;
+    std::array<Index, kLanes> walking;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      anchor[i] = v + i < vertices ? links.vertex_halfedge[v + i] : kNone;
+      walking[i] = anchor[i] != kNone ? 1 : 0;
+      at[i] = walking[i] != 0 ? anchor[i] : 0;
+    }
+    Index any = 1;
+    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
+      any = 0;
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        reached += walking[i];
+        at[i] = links.next(opposite[at[i]]);
+        walking[i] &= Index{at[i] != anchor[i]};
+        any |= walking[i];
+      }
+    }
+    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
+      for (; walking[i] != 0; ++reached) {
+        at[i] = links.next(opposite[at[i]]);
+        walking[i] = Index{at[i] != anchor[i]};
+      }
+    }
+  }
+  return reached == links.opposite.size();
+}
+
+}  // namespace halfedge
