@@ -201,14 +201,15 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
   using namespace internal;
   if (Result<void> can = check_join_loop(mesh, h, g); !can) return can.error();
   struct Seam {
-    Halfedge kept;    // on the loop of h
-    Halfedge outer;   // opposite the halfedge on the loop of g, whose place `kept` takes
-    Halfedge before;  // prev(outer) and next(outer)
-    Halfedge after;
+    Halfedge kept = {};    // on the loop of h
+    Halfedge outer = {};   // opposite the halfedge on the loop of g, whose place `kept` takes
+    Halfedge before = {};  // prev(outer) and next(outer)
+    Halfedge after = {};
+    Vertex gone = {};  // to_vertex(outer)
   };
   Array<Seam> seams;
   for (const Halfedge on_loop : mesh.loop_ccw(h)) {
-    if (!seams.push_back({on_loop, {}, {}, {}})) return no_memory("the seam");
+    if (!seams.push_back({.kept = on_loop})) return no_memory("the seam");
   }
   const std::size_t n = seams.size();
   Halfedge on_g = g;
@@ -217,20 +218,21 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
     on_g = mesh.next(on_g);
   }
 
-  release_face(mesh, face_of(mesh, h));
-  release_face(mesh, face_of(mesh, g));
   for (std::size_t i = 0; i < n; ++i) {
     Seam& following = seams[(i + 1) % n];
     seams[i].after = mesh.next(seams[i].outer);
     Halfedge in = seams[i].outer;
     const Vertex kept = mesh.to_vertex(seams[i].kept);
-    mesh.release(mesh.to_vertex(in));
+    seams[i].gone = mesh.to_vertex(in);
     do {
       if (mesh.next(in) == following.outer) following.before = in;
       mesh.set_to_vertex(in, kept);
       in = mesh.next_on_vertex(in);
     } while (in != seams[i].outer);
   }
+  // Last in, first out: what is made first by split_loop is released last.
+  release_face(mesh, face_of(mesh, g));
+  release_face(mesh, face_of(mesh, h));
   for (std::size_t i = 0; i < n; ++i) {
     const Seam& seam = seams[i];
     const Seam& following = seams[(i + 1) % n];
@@ -241,7 +243,10 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
     set_face(mesh, seam.kept, face_of(mesh, seam.outer));
     replace_in_face(mesh, face_of(mesh, seam.outer), seam.outer, seam.kept);
   }
-  for (const Seam& seam : seams) mesh.release(mesh.edge(seam.outer));
+  for (std::size_t i = n; i-- > 0;) {
+    mesh.release(mesh.edge(seams[i].outer));
+    mesh.release(seams[i].gone);
+  }
   for (const Seam& seam : seams) mend_anchor(mesh, seam.kept);
   return h;
 }

@@ -94,9 +94,11 @@ struct Counts {
   std::int64_t loops = 0;
   std::int64_t faces = 0;
   std::int64_t components = 0;
+  std::int64_t isolated = 0;
 
   explicit Counts(const Mesh& mesh)
       : vertices(mesh.vertex_count()), edges(mesh.edge_count()), faces(mesh.face_count()) {
+    for (const Vertex v : mesh.vertices()) isolated += mesh.is_isolated(v) ? 1 : 0;
     std::set<Halfedge> on_loops;
     std::set<Halfedge> reached;
     for (const Halfedge h : mesh.halfedges()) {
@@ -116,8 +118,8 @@ struct Counts {
       }
     }
   }
-  /// V - E + L = 2 C - 2 G
-  [[nodiscard]] std::int64_t euler() const { return vertices - edges + loops; }
+  /// V - E + L = 2 C - 2 G, but for isolated vertices
+  [[nodiscard]] std::int64_t euler() const { return vertices - isolated - edges + loops; }
   [[nodiscard]] std::int64_t genus() const { return components - euler() / 2; }
 
   [[nodiscard]] std::vector<std::int64_t> since(const Counts& before) const {
