@@ -4,16 +4,30 @@
 
 namespace halfedge {
 
-bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& report) {
+namespace {
+
+template <Storage kStored>
+bool build(BasicMesh<kStored>& mesh, const Polygons& polygons, BuildReport& report) {
   report = {};
   mesh.clear();
   ConnectResult result = ConnectResult::kNotManifold;
-  if (can_be_connected(polygons)) result = connect(polygons, mesh.mutable_links());
+  if (can_be_connected(polygons)) result = connect<kStored.prev>(polygons, mesh.mutable_links());
   if (result == ConnectResult::kDone) {
     result = copy_positions(polygons.positions, mesh.mutable_positions());
   }
   if (result != ConnectResult::kDone) mesh.clear();
   return explain(result, polygons, report);
+}
+
+}  // namespace
+
+bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& report) {
+  return build(mesh, polygons, report);
+}
+
+bool build_from_polygons(BasicMesh<kWithoutPrev>& mesh, const Polygons& polygons,
+                         BuildReport& report) {
+  return build(mesh, polygons, report);
 }
 
 }  // namespace halfedge

@@ -44,7 +44,11 @@ struct BuildReport {
 /// too-large, out-of-memory.
 [[nodiscard]] bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& report);
 
-/// The same for a mesh type that leaves links out: all are made, and those too many freed.
+/// The same without prev, in less memory.
+[[nodiscard]] bool build_from_polygons(BasicMesh<kWithoutPrev>& mesh, const Polygons& polygons,
+                                       BuildReport& report);
+
+/// The same for a mesh type that leaves other links out: all are made, and those too many freed.
 template <Storage kStored>
 [[nodiscard]] bool build_from_polygons(BasicMesh<kStored>& mesh, const Polygons& polygons,
                                        BuildReport& report) {

@@ -35,7 +35,7 @@ constexpr std::size_t kAhead = 48;
 //   - the edges of large groups, around vertices of high valence;
 //   - edges for which a group has no room: as many as there are boundary edges whose only side runs
 //     down. They can't be foreseen, so they are numbered after all groups, and their table grows.
-template <bool kTriangles, bool kLargeGroups>
+template <bool kTriangles, bool kLargeGroups, bool kPrev>
 class FaceConnector {
  public:
   FaceConnector(const Polygons& polygons, const Groups& groups, Links& links)
@@ -78,8 +78,12 @@ class FaceConnector {
  private:
   // ---- the arrays
 
-  [[nodiscard]] std::array<Array<Index>*, 4> halfedge_arrays() const {
-    return {&links_.next, &links_.prev, &links_.to_vertex, &links_.face};
+  [[nodiscard]] auto halfedge_arrays() const {
+    if constexpr (kPrev) {
+      return std::array{&links_.next, &links_.to_vertex, &links_.face, &links_.prev};
+    } else {
+      return std::array{&links_.next, &links_.to_vertex, &links_.face};
+    }
   }
 
   // There is an edge for each side that runs up, and for each that runs down.
@@ -146,7 +150,7 @@ class FaceConnector {
     const Index clash = Index{face_[h] != kNone};
     face_[h] = f;
     next_[before] = h;
-    prev_[h] = before;
+    if constexpr (kPrev) prev_[h] = before;
     return clash;
   }
 
@@ -171,7 +175,8 @@ class FaceConnector {
 
   [[gnu::always_inline]] void prefetch_group(Index low) const {
     const Index begin = groups_[low];
-    for (const Index* array : {to_, face_, next_, prev_}) prefetch(array + begin);
+    for (const Index* array : {to_, face_, next_}) prefetch(array + begin);
+    if constexpr (kPrev) prefetch(prev_ + begin);
   }
 
   // ---- the edges
@@ -277,7 +282,7 @@ class FaceConnector {
   ConnectResult failure_ = ConnectResult::kDone;
 };
 
-template <bool kTriangles>
+template <bool kTriangles, bool kPrev>
 ConnectResult connect_faces(const Polygons& polygons, Links& links) {
   Groups groups;
   bool repeated = false;
@@ -285,8 +290,10 @@ ConnectResult connect_faces(const Polygons& polygons, Links& links) {
     return ConnectResult::kOutOfMemory;
   }
   if (repeated) return ConnectResult::kNotManifold;
-  if (groups.in_large > 0) return FaceConnector<kTriangles, true>(polygons, groups, links).run();
-  return FaceConnector<kTriangles, false>(polygons, groups, links).run();
+  if (groups.in_large == 0) {
+    return FaceConnector<kTriangles, false, kPrev>(polygons, groups, links).run();
+  }
+  return FaceConnector<kTriangles, true, kPrev>(polygons, groups, links).run();
 }
 
 bool all_triangles(std::span<const Index> sizes) {
@@ -297,15 +304,19 @@ bool all_triangles(std::span<const Index> sizes) {
 
 }  // namespace
 
+template <bool kPrev>
 ConnectResult connect(const Polygons& polygons, Links& links) {
   const ConnectResult result = all_triangles(polygons.sizes)
-                                   ? connect_faces<true>(polygons, links)
-                                   : connect_faces<false>(polygons, links);
+                                   ? connect_faces<true, kPrev>(polygons, links)
+                                   : connect_faces<false, kPrev>(polygons, links);
   if (result != ConnectResult::kDone) return result;
   const bool is_closed = links.next.size() == polygons.corners.size();
   if (!is_closed && !join_open_fans(links)) return ConnectResult::kOutOfMemory;
   if (!each_vertex_has_one_cycle(links)) return ConnectResult::kNotManifold;
   return ConnectResult::kDone;
 }
+
+template ConnectResult connect<true>(const Polygons& polygons, Links& links);
+template ConnectResult connect<false>(const Polygons& polygons, Links& links);
 
 }  // namespace halfedge

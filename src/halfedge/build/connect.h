@@ -9,7 +9,7 @@ namespace halfedge {
 
 enum class ConnectResult : std::uint8_t { kDone, kNotManifold, kTooLarge, kOutOfMemory };
 
-/// Fills all links of a mesh from its faces: what `build_from_polygons` promises but for the
+/// Fills all links of a mesh, or all but prev, from its faces: what `build_from_polygons` promises but for the
 /// positions. Finds out that the polygons aren't manifold, not why. The links are undefined after
 /// any result but kDone.
 ///
@@ -17,6 +17,7 @@ enum class ConnectResult : std::uint8_t { kDone, kNotManifold, kTooLarge, kOutOf
 /// at most kMaxSlots corners and vertices
 /// cost: O(vertices + corners), expected; 4 bytes a vertex of scratch memory, and 8 or so for each
 /// boundary edge
+template <bool kPrev>
 [[nodiscard]] ConnectResult connect(const Polygons& polygons, Links& links);
 
 }  // namespace halfedge

@@ -3,22 +3,31 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 namespace halfedge {
 
 namespace {
 
-// Joins into one cycle the fans that begin at these outgoing boundary halfedges of a vertex, each
-// of which is a cycle so far.
+// Where the fan ends that begins at the outgoing boundary halfedge `first`: the boundary halfedge
+// that arrives there.
+Index end_of_fan(const Links& links, Index first) {
+  Index h = first ^ 1U;
+  while (links.face[h] != kNone) h = links.next[h] ^ 1U;
+  return h;
+}
+
+void link(Links& links, Index h, Index next) {
+  links.next[h] = next;
+  if (!links.prev.empty()) links.prev[next] = h;
+}
+
+// Joins into one cycle the fans that begin at these outgoing boundary halfedges of a vertex.
 void join_cycles(std::span<const Index> firsts, Links& links) {
-  Index last = links.prev[firsts.front()];
-  for (const Index first : firsts.subspan(1)) {
-    links.next[last] = first;
-    last = std::exchange(links.prev[first], last);
+  for (std::size_t i = 0; i < firsts.size(); ++i) {
+    link(links, end_of_fan(links, firsts[i]), firsts[i + 1 < firsts.size() ? i + 1 : 0]);
   }
-  links.next[last] = firsts.front();
-  links.prev[firsts.front()] = last;
 }
 
 }  // namespace
@@ -30,11 +39,7 @@ bool join_open_fans(Links& links) {
 
   for (Index h = 0; h < links.next.size(); ++h) {
     if (!is_boundary(h)) continue;
-    Index last = h ^ 1U;
-    while (!is_boundary(last)) last = links.next[last] ^ 1U;
-    links.next[last] = h;
-    links.prev[h] = last;
-
+    link(links, end_of_fan(links, h), h);
     Index& anchor = links.vertex_halfedge[from(h)];
     if (!is_boundary(anchor)) {
       anchor = h;
