@@ -7,9 +7,11 @@
 #include <halfedge/dialects/cgal.h>
 #include <halfedge/dialects/mcguire.h>
 #include <halfedge/dialects/openmesh.h>
+#include <halfedge/directed_edges/convert.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -109,6 +111,83 @@ TEST(CgalDialect, SearchesForPrevWhereItIsNotStored) {
     EXPECT_EQ(Halfedge(without(h)->prev_on_vertex()), Halfedge(with(h)->prev_on_vertex()));
     EXPECT_EQ(openmesh.prev_halfedge_handle(h), mesh.prev(h));
   }
+}
+
+// All that the dialects tell of a mesh of ours, with its halfedges by their ends.
+template <class M>
+std::vector<std::string> told(const M& mesh) {
+  std::vector<std::string> said;
+  const auto name = [&](Halfedge h) {
+    return std::to_string(mesh.from_vertex(h).index()) + ">" +
+           std::to_string(mesh.to_vertex(h).index());
+  };
+  const dialects::openmesh::PolyMesh openmesh(mesh);
+  const dialects::cgal::Polyhedron polyhedron(mesh);
+  Result<dialects::mcguire::HE_mesh> copied = dialects::mcguire::copy(mesh);
+  EXPECT_TRUE(copied.ok());
+  const dialects::mcguire::HE_mesh& structs = copied.value();
+  for (const auto v : openmesh.vertices()) {
+    std::string line = "vertex " + std::to_string(v.idx()) + ":";
+    for (const auto w : openmesh.vv_range(v)) line += " " + std::to_string(w.idx());
+    for (const auto h : openmesh.voh_ccw_range(v)) line += " " + name(h);
+    for (const auto h : openmesh.vih_range(v)) line += " " + name(h);
+    for (const auto f : openmesh.vf_ccw_range(v)) line += " " + std::to_string(f.idx());
+    const auto begin = polyhedron(v)->vertex_begin();
+    if (begin != nullptr) {
+      auto c = begin;
+      do line += " " + name(*c);
+      while (--c != begin);
+    }
+    const auto* vert = structs.vert(v);
+    if (const auto* edge = vert->edge) {
+      do {
+        line += " " + name(structs.item(edge));
+        edge = edge->pair->next;
+      } while (edge != vert->edge);
+    }
+    said.push_back(line + (openmesh.is_boundary(v) ? " boundary" : ""));
+  }
+  for (const auto f : openmesh.faces()) {
+    std::string line = "face " + std::to_string(f.idx()) + ":";
+    for (const auto w : openmesh.fv_range(f)) line += " " + std::to_string(w.idx());
+    for (const auto g : openmesh.ff_cw_range(f)) line += " " + std::to_string(g.idx());
+    line += " " + name(polyhedron(f)->halfedge()->prev());
+    said.push_back(line);
+  }
+  std::vector<std::string> edges;
+  for (auto e = polyhedron.edges_begin(); e != polyhedron.edges_end(); ++e) {
+    edges.push_back(std::min(name(e), name(e->opposite())) +
+                    (e->is_border_edge() ? " border" : ""));
+  }
+  std::sort(edges.begin(), edges.end());
+  said.insert(said.end(), edges.begin(), edges.end());
+  said.push_back(std::to_string(polyhedron.size_of_vertices()) + " " +
+                 std::to_string(polyhedron.size_of_halfedges()) + " " +
+                 std::to_string(polyhedron.size_of_facets()));
+  return said;
+}
+
+TEST(Dialects, TellTheSameOfEveryMeshTypeThatHasTheLinks) {
+  int triangle_meshes = 0;
+  for (const Shape& shape : all_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Mesh mesh = built(shape);
+    const std::vector<std::string> expected = told(mesh);
+
+    BasicMesh<kWithoutPrev> without_prev;
+    ASSERT_TRUE(convert(built(shape), without_prev));
+    EXPECT_EQ(told(without_prev), expected);
+
+    Connectivity connectivity;
+    ASSERT_TRUE(convert(built(shape), connectivity));
+    EXPECT_EQ(told(connectivity), expected);
+
+    DirectedEdgesMesh directed_edges;
+    if (!from_mesh(mesh, directed_edges)) continue;  // for triangles only
+    EXPECT_EQ(told(directed_edges), expected);
+    ++triangle_meshes;
+  }
+  EXPECT_GE(triangle_meshes, 6);
 }
 
 // The article's structs.

@@ -40,7 +40,7 @@ class Polyhedron {
   using Vertex_iterator = ItemIterator<Mesh, Vertex, halfedge::Vertex>;
   using Halfedge_iterator = ItemIterator<Mesh, Halfedge, halfedge::Halfedge>;
   /// One halfedge of each edge, its side 0.
-  using Edge_iterator = ItemIterator<Mesh, Halfedge, halfedge::Halfedge, 2>;
+  using Edge_iterator = ItemIterator<Mesh, Halfedge, halfedge::Edge>;
   using Facet_iterator = ItemIterator<Mesh, Facet, halfedge::Face>;
 
   // Nothing can be changed through these names, so that the const forms are the same.
@@ -83,7 +83,7 @@ class Polyhedron {
     return {*mesh_, mesh_->halfedge_slots()};
   }
   [[nodiscard]] Edge_iterator edges_begin() const { return {*mesh_, 0}; }
-  [[nodiscard]] Edge_iterator edges_end() const { return {*mesh_, mesh_->halfedge_slots()}; }
+  [[nodiscard]] Edge_iterator edges_end() const { return {*mesh_, mesh_->edge_slots()}; }
   [[nodiscard]] Facet_iterator facets_begin() const { return {*mesh_, 0}; }
   [[nodiscard]] Facet_iterator facets_end() const { return {*mesh_, mesh_->face_slots()}; }
 

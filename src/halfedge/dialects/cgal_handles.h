@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
 
 /// Handles, circulators and iterators as CGAL's programs use them; see cgal.h.
 namespace halfedge::dialects::cgal {
@@ -221,9 +222,8 @@ class FacetOf : public Named<FacetOf<Mesh>, Mesh, Face> {
   [[nodiscard]] bool is_quad() const { return halfedge().is_quad(); }
 };
 
-/// `Vertex_iterator` and its kin: the live items in index order, `kStride` slots apart; a handle
-/// itself, as in CGAL.
-template <class Mesh, class NamedItem, class Item, Index kStride = 1>
+/// `Vertex_iterator` and its kin: the live items in index order; a handle itself, as in CGAL.
+template <class Mesh, class NamedItem, class Item>
 class ItemIterator : public NamedItem {
  public:
   using value_type = NamedItem;
@@ -234,17 +234,18 @@ class ItemIterator : public NamedItem {
 
   ItemIterator() = default;
   /// At the first live item from slot `at` on.
-  ItemIterator(const Mesh& mesh, Index at) : NamedItem(mesh, Item(at)) { skip_deleted(); }
+  ItemIterator(const Mesh& mesh, Index at) : NamedItem(mesh, {}), at_(at) { settle(); }
 
   ItemIterator& operator++() {
-    move_by(kStride);
-    skip_deleted();
+    ++at_;
+    settle();
     return *this;
   }
   /// pre: not at the first live item
   ItemIterator& operator--() {
-    do move_by(-kStride);
-    while (this->mesh().is_deleted(Item(*this)));
+    do --at_;
+    while (this->mesh().is_deleted(Item(at_)));
+    settle();
     return *this;
   }
   ItemIterator operator++(int) {
@@ -259,11 +260,20 @@ class ItemIterator : public NamedItem {
   }
 
  private:
-  void move_by(Index slots) { this->item_ = Item(this->item_.index() + slots); }
-  void skip_deleted() {
+  // An edge is told by its side 0. The end is the empty handle.
+  void settle() {
     const Index slots = this->mesh().slots(Item());
-    while (this->item_.index() < slots && this->mesh().is_deleted(this->item_)) move_by(kStride);
+    while (at_ < slots && this->mesh().is_deleted(Item(at_))) ++at_;
+    if (at_ >= slots) {
+      this->item_ = {};
+    } else if constexpr (std::is_same_v<Item, Edge>) {
+      this->item_ = this->mesh().edge_halfedge(Edge(at_));
+    } else {
+      this->item_ = Item(at_);
+    }
   }
+
+  Index at_ = 0;
 };
 
 }  // namespace halfedge::dialects::cgal
