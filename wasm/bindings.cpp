@@ -1,4 +1,4 @@
-// The WebAssembly module of the JavaScript package: the functions below, and its memory.
+// The WebAssembly module of the JavaScript package: the functions of these files, and its memory.
 //
 // Design. Nothing here is called per item. JavaScript walks a mesh by reading its arrays in place,
 // as typed arrays over this memory; `layout` says where they lie. What is called works on a whole
@@ -14,167 +14,28 @@
 //
 // The types of this module for TypeScript are in web/src/core.d.mts. No algorithm belongs here.
 
-#include <emscripten/bind.h>
-#include <emscripten/val.h>
+#include "bindings.h"
+
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/decorator/complexes.h>
 #include <halfedge/halfedge.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/validate/validate.h>
-#include <malloc.h>
 
 #include <array>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 #include <new>
 #include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
-#include <utility>
-#include <variant>
 #include <vector>
 
 namespace {
 
 using namespace halfedge;
-using emscripten::val;
-
-using Address = std::uintptr_t;
-
-// ---- memory ----------------------------------------------------------------------------------
-
-/// Arrays of the core report a failed allocation, but the strings of an error can't: without
-/// exceptions a failing `new` ends the module. So some memory is kept back for them: it is let go
-/// when `new` finds none, and while a report is made; and is taken back as soon as there is room.
-class Reserve {
- public:
-  static bool take_back() {
-    if (block_ == nullptr) block_ = std::malloc(kBytes);
-    return block_ != nullptr;
-  }
-  static void let_go() { std::free(std::exchange(block_, nullptr)); }
-  static void on_exhaustion() {
-    if (block_ == nullptr) std::abort();  // a report larger than the reserve: a bug
-    let_go();
-  }
-
- private:
-  static constexpr std::size_t kBytes = std::size_t{4} << 20U;
-  static inline void* block_ = nullptr;
-};
-
-/// While it lives, embind can make strings, for which it allocates without asking for success.
-class RoomForReport {
- public:
-  RoomForReport() { Reserve::let_go(); }
-  ~RoomForReport() { (void)Reserve::take_back(); }
-  RoomForReport(const RoomForReport&) = delete;
-  RoomForReport& operator=(const RoomForReport&) = delete;
-};
-
-Address allocate(std::size_t bytes) {
-  if (!Reserve::take_back()) return 0;
-  return reinterpret_cast<Address>(std::malloc(bytes > 0 ? bytes : 1));
-}
-
-void free_block(Address address) { std::free(reinterpret_cast<void*>(address)); }
-
-std::size_t bytes_in_use() {
-  (void)Reserve::take_back();
-  return static_cast<std::size_t>(mallinfo().uordblks);
-}
-
-template <class T>
-std::span<const T> array_at(Address address, std::size_t count) {
-  return {reinterpret_cast<const T*>(address), count};
-}
-
-using MeshWithoutPrev = BasicMesh<kWithoutPrev>;
-/// What an address names. JavaScript chooses the storage at run time, C++ when it is compiled.
-using AnyMesh = std::variant<Mesh, MeshWithoutPrev>;
-
-AnyMesh& mesh_at(Address address) { return *reinterpret_cast<AnyMesh*>(address); }
-
-/// Calls `function` with the mesh as what it is.
-template <class Function>
-auto visit(AnyMesh& mesh, const Function& function) {
-  if (auto* whole = std::get_if<Mesh>(&mesh)) return function(*whole);
-  return function(*std::get_if<MeshWithoutPrev>(&mesh));
-}
-template <class Function>
-auto visit_mesh(Address address, const Function& function) {
-  return visit(mesh_at(address), function);
-}
-
-void destroy_mesh(Address address) { std::destroy_at(&mesh_at(address)), free_block(address); }
-
-/// A mesh on its way to JavaScript.
-class NewMesh {
- public:
-  explicit NewMesh(bool stores_prev) : address_(allocate(sizeof(AnyMesh))) {
-    if (address_ == 0) return;
-    new (reinterpret_cast<void*>(address_)) AnyMesh;
-    if (!stores_prev) mesh_at(address_).emplace<MeshWithoutPrev>();
-  }
-  NewMesh(const NewMesh&) = delete;
-  NewMesh& operator=(const NewMesh&) = delete;
-  ~NewMesh() {
-    if (address_ != 0) destroy_mesh(address_);
-  }
-  explicit operator bool() const { return address_ != 0; }
-  AnyMesh& operator*() const { return mesh_at(address_); }
-  Address release() { return std::exchange(address_, 0); }
-
- private:
-  Address address_;
-};
-
-// ---- reports ---------------------------------------------------------------------------------
-
-val to_array(const std::vector<Index>& indices) {
-  return val(emscripten::typed_memory_view(indices.size(), indices.data())).call<val>("slice");
-}
-
-val to_problem(const Error& error) {
-  val problem = val::object();
-  problem.set("code", error.code);
-  problem.set("message", error.message);
-  problem.set("vertices", to_array(error.witness.vertices));
-  problem.set("halfedges", to_array(error.witness.halfedges));
-  problem.set("edges", to_array(error.witness.edges));
-  problem.set("faces", to_array(error.witness.faces));
-  return problem;
-}
-
-/// What a call returns that failed: `problems`, and how many there are, listed or not.
-val failure(std::span<const Error> errors, std::size_t count) {
-  const RoomForReport room;
-  val problems = val::array();
-  for (const Error& error : errors) problems.call<void>("push", to_problem(error));
-  val result = val::object();
-  result.set("problems", problems);
-  result.set("problemCount", count);
-  return result;
-}
-val failure(const Error& error) { return failure({&error, 1}, 1); }
-
-val success(const char* name, const val& value) {
-  val result = val::object();
-  result.set(name, value);
-  return result;
-}
-
-/// Hands the elements over: the address is JavaScript's to free.
-template <class T>
-val hand_over(Array<T>& array) {
-  val block = val::object();
-  block.set("count", array.size());
-  block.set("address", reinterpret_cast<Address>(array.release()));
-  return block;
-}
+using namespace halfedge::bindings;
 
 // ---- meshes ----------------------------------------------------------------------------------
 
@@ -226,8 +87,6 @@ Address layout(Address address) {
   });
   return reinterpret_cast<Address>(words.data());
 }
-
-Error no_room_for_a_mesh() { return {"out-of-memory", "memory is exhausted: no room for a mesh"}; }
 
 bool build_any(AnyMesh& mesh, const Polygons& polygons, BuildReport& report) {
   return visit(mesh, [&](auto& m) { return build_from_polygons(m, polygons, report); });
@@ -293,18 +152,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool stores_prev
 val validate_mesh(Address mesh, int level) {
   const std::vector<Problem> problems =
       visit_mesh(mesh, [&](const auto& m) { return validate(m, level); });
-  const RoomForReport room;
-  val list = val::array();
-  for (const Problem& problem : problems) {
-    val item = val::object();
-    item.set("code", std::string(problem.code));
-    item.set("severity", std::string(name_of(problem.severity)));
-    item.set("kind", std::string(name_of(problem.kind)));
-    item.set("index", static_cast<std::int32_t>(problem.index));
-    item.set("message", problem.message);
-    list.call<void>("push", item);
-  }
-  return list;
+  return to_list(problems);
 }
 
 double euler(Address mesh) {
