@@ -487,6 +487,16 @@ TEST(DirectedEdges, ConversionsKeepAnchorsAndFirstHalfedges) {
   expect_same(compact, back);
 }
 
+TEST(DirectedEdges, AreMadeOfAMeshWithoutPrev) {
+  const Shape shape = in_random_order(triangle_grid(5, 4));
+  BasicMesh<kWithoutPrev> without;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(without, shape.polygons(), report));
+  DirectedEdgesMesh compact;
+  ASSERT_TRUE(from_mesh(without, compact));
+  expect_same_links(compact, built(shape));
+}
+
 TEST(DirectedEdges, AMeshWithDeletedItemsIsRefused) {
   Mesh full;
   BuildReport report;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace halfedge {
 
@@ -78,11 +79,10 @@ Error corrupt(const std::string& what) {
   return {"corrupt-connectivity", what + ": validate tells more"};
 }
 
-Result<void> check_slots(const Mesh& mesh) {
-  const Links& links = mesh.links();
+Result<void> check_slots(const Links& links, std::size_t floats) {
   const std::size_t size = links.next.size();
-  if (size % 2 != 0 || links.prev.size() != size || links.to_vertex.size() != size ||
-      links.face.size() != size || mesh.positions().size() != 3 * links.vertex_halfedge.size()) {
+  if (size % 2 != 0 || links.to_vertex.size() != size || links.face.size() != size ||
+      floats != 3 * links.vertex_halfedge.size()) {
     return corrupt("the arrays of the mesh differ in length");
   }
   const auto deleted = [](const char* kind, Index index) {
@@ -107,12 +107,11 @@ Result<void> check_slots(const Mesh& mesh) {
 // Walks around each face of a mesh whose links may be anything.
 class FaceNumbers {
  public:
-  FaceNumbers(const Mesh& mesh, Array<Index>& numbers)
-      : links_(mesh.links()), faces_(mesh.face_slots()), numbers_(numbers) {}
+  FaceNumbers(const Links& links, Array<Index>& numbers) : links_(links), numbers_(numbers) {}
 
   // Gives the halfedges of face f the indices 3f to 3f + 2. pre: all numbers are kNone.
   Result<void> give() {
-    for (Index f = 0; f < faces_; ++f) {
+    for (Index f = 0; f < links_.face_halfedge.size(); ++f) {
       const Index first = links_.face_halfedge[f];
       Index h = first;
       for (Index i = 0; i < 3; ++i) {
@@ -148,26 +147,27 @@ class FaceNumbers {
   }
 
   const Links& links_;
-  Index faces_;
   Array<Index>& numbers_;
 };
 
-Result<void> read_links(const Mesh& mesh, DirectedLinks& to) {
-  const Links& from = mesh.links();
+Result<void> read_links(const Links& from, DirectedLinks& to) {
   const Index halfedges = Index(from.next.size());
-  const std::size_t sides = 3 * std::size_t{mesh.face_slots()};
+  const Index vertices = Index(from.vertex_halfedge.size());
+  const std::size_t sides = 3 * from.face_halfedge.size();
   Array<Index> numbers;
   if (!numbers.resize(halfedges, kNone)) return out_of_memory(halfedges);
-  Result<void> numbered = FaceNumbers(mesh, numbers).give();
+  Result<void> numbered = FaceNumbers(from, numbers).give();
   if (!numbered) return numbered;
 
   const std::size_t boundary = halfedges - sides;
   if (!to.opposite.recreate(halfedges) || !to.to_vertex.recreate(halfedges) ||
       !to.boundary_next.recreate(boundary) || !to.boundary_prev.recreate(boundary) ||
-      !to.vertex_halfedge.recreate(mesh.vertex_slots())) {
+      !to.vertex_halfedge.recreate(vertices)) {
     return out_of_memory(halfedges);
   }
   to.sides = Index(sides);
+
+  std::fill(to.boundary_prev.begin(), to.boundary_prev.end(), kNone);
 
   // In the order of their opposites, as the builder numbers them; `opposite` is scratch for the
   // halfedges by number.
@@ -187,17 +187,20 @@ Result<void> read_links(const Mesh& mesh, DirectedLinks& to) {
 
   for (Index h = 0; h < halfedges; ++h) {
     const Index n = numbers[h];
-    if (from.to_vertex[h] >= mesh.vertex_slots() || from.next[h] >= halfedges ||
-        from.prev[h] >= halfedges) {
+    if (from.to_vertex[h] >= vertices || from.next[h] >= halfedges) {
       return corrupt("a link of halfedge " + std::to_string(h) + " leads out of range");
     }
     to.opposite[n] = numbers[h ^ 1U];
     to.to_vertex[n] = from.to_vertex[h];
     if (n < sides) continue;
-    to.boundary_next[n - sides] = numbers[from.next[h]];
-    to.boundary_prev[n - sides] = numbers[from.prev[h]];
+    const Index next = numbers[from.next[h]];
+    if (next < sides) {
+      return corrupt("the boundary halfedge " + std::to_string(h) + " leads into a face");
+    }
+    to.boundary_next[n - sides] = next;
+    to.boundary_prev[next - sides] = n;
   }
-  for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+  for (Index v = 0; v < vertices; ++v) {
     const Index anchor = from.vertex_halfedge[v];
     if (anchor != kNone && anchor >= halfedges) {
       return corrupt("the anchor of vertex " + std::to_string(v) + " is out of range");
@@ -221,15 +224,20 @@ Result<void> to_mesh(const DirectedEdgesMesh& from, Mesh& to) {
   return out_of_memory(from.halfedge_count());
 }
 
-Result<void> from_mesh(const Mesh& from, DirectedEdgesMesh& to) {
+template <Storage kStored>
+requires StoresSurface<BasicMesh<kStored>> Result<void> from_mesh(const BasicMesh<kStored>& from,
+                                                                  DirectedEdgesMesh& to) {
   to.clear();
-  Result<void> result = check_slots(from);
-  if (result) result = read_links(from, to.mutable_links());
+  Result<void> result = check_slots(from.links(), from.positions().size());
+  if (result) result = read_links(from.links(), to.mutable_links());
   if (result && !to.mutable_positions().assign(from.positions())) {
     result = out_of_memory(from.halfedge_slots());
   }
   if (!result) to.clear();
   return result;
 }
+
+template Result<void> from_mesh(const Mesh&, DirectedEdgesMesh&);
+template Result<void> from_mesh(const BasicMesh<kWithoutPrev>&, DirectedEdgesMesh&);
 
 }  // namespace halfedge

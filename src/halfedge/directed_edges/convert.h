@@ -19,11 +19,15 @@ namespace halfedge {
 /// boundary loops. Anchors are the same too; circulators around a face begin where they did. The
 /// inverse of `to_mesh`.
 ///
+/// Takes meshes with and without prev, which isn't needed.
+///
 /// pre: `from` is valid at level 3
 /// cost: O(halfedges); 4 bytes a halfedge of scratch memory
 /// Codes: not-a-triangle, for the first face that has other than three corners; deleted-item, as
 /// there are no deleted slots in Directed Edges; corrupt-connectivity, if links lead astray;
 /// out-of-memory. `to` is then empty.
-[[nodiscard]] Result<void> from_mesh(const Mesh& from, DirectedEdgesMesh& to);
+template <Storage kStored>
+requires StoresSurface<BasicMesh<kStored>>
+[[nodiscard]] Result<void> from_mesh(const BasicMesh<kStored>& from, DirectedEdgesMesh& to);
 
 }  // namespace halfedge
