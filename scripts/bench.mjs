@@ -1,5 +1,5 @@
 // `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
-// WebAssembly against native. Arguments after `--` are handed on to the benchmark.
+// WebAssembly against native. `npm run bench:variants`: our own variants. Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -19,6 +19,12 @@ const benchmarks = {
     await setup(['build', 'bench']);
     await buildPreset('bench');
     await run(join(native, 'halfedge_bench'), args);
+  },
+
+  async variants(args) {
+    await setup(['build', 'bench']);
+    await buildPreset('bench');
+    await run(join(native, 'halfedge_variants'), args);
   },
 
   async wasm() {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "measure.h"
 #include "memory.h"
 #include "meshes.h"
+#include "table.h"
 
 namespace {
 
@@ -34,36 +34,6 @@ void must_agree(const std::string& what, std::uint64_t ours, std::uint64_t their
   std::fprintf(stderr, "%s: %s gives %llu, halfedge %llu\n", what.c_str(), name.c_str(),
                static_cast<unsigned long long>(theirs), static_cast<unsigned long long>(ours));
   std::exit(1);
-}
-
-// ---- tables
-
-void print_header(const std::vector<std::string>& columns) {
-  for (const std::string& column : columns) std::printf("| %s ", column.c_str());
-  std::printf("|\n");
-  for (std::size_t i = 0; i < columns.size(); ++i) std::printf("|---");
-  std::printf("|\n");
-}
-
-/// Ours in milliseconds, the others as multiples of it. With --benchmark_filter some are missing,
-/// "-": without ours the others are in milliseconds too, and without any there is no row.
-void print_row(const std::string& label, const std::vector<std::string>& names,
-               const std::map<std::string, double>& medians) {
-  if (medians.empty()) return;
-  const auto ours = medians.find(names.front());
-  std::printf("| %s |", label.c_str());
-  for (const std::string& name : names) {
-    const auto median = medians.find(name);
-    if (median == medians.end()) {
-      std::printf(" - |");
-    } else if (median == ours || ours == medians.end()) {
-      std::printf(" %.2f |", median->second);
-    } else {
-      std::printf(" %.2f× |", median->second / ours->second);
-    }
-  }
-  std::printf("\n");
-  std::fflush(stdout);
 }
 
 // ---- libraries
@@ -154,29 +124,11 @@ void compare_builders(const std::string& label, const TriangleMesh& input, bool 
   print_row(label, names, measure(jobs));
 }
 
-std::string cpu_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
-std::string thousands(std::size_t count) { return std::to_string(count / 1000) + " k"; }
-
 }  // namespace
 
 int main(int argc, char** argv) {
   keep_one_heap();
-  std::vector<char*> arguments(argv, argv + argc);
-  char rounds[] = "--benchmark_repetitions=9";
-  char interleaved[] = "--benchmark_enable_random_interleaving=true";
-  char min_time[] = "--benchmark_min_time=0.02";
-  arguments.insert(arguments.begin() + 1, {rounds, interleaved, min_time});
-  auto count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
-
+  start_rounds(argc, argv);
   const NamedMesh base = base_mesh();
   std::vector<TriangleMesh> meshes{base.mesh};
   while (meshes.size() < 3) meshes.push_back(subdivided(meshes.back()));

@@ -2,6 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string>
@@ -12,6 +13,18 @@ struct Job {
   std::string name;
   std::function<void()> run;
 };
+
+/// Takes the arguments of the program, those of Google Benchmark, and sets the rounds.
+inline void start_rounds(int argc, char** argv) {
+  std::vector<char*> arguments(argv, argv + argc);
+  char rounds[] = "--benchmark_repetitions=9";
+  char interleaved[] = "--benchmark_enable_random_interleaving=true";
+  char min_time[] = "--benchmark_min_time=0.02";
+  arguments.insert(arguments.begin() + 1, {rounds, interleaved, min_time});
+  auto count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) std::exit(1);
+}
 
 /// Median milliseconds of CPU time by name. All jobs take turns, in random order, so that whatever
 /// else the machine does meets all of them.
