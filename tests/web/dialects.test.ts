@@ -162,6 +162,7 @@ describe("OpenMesh's names", () => {
     expect(() => om.set_boundary(PolyMesh.InvalidHalfedgeHandle)).toThrow(RangeError);
     expect(() => om.set_face_handle(a, PolyMesh.InvalidFaceHandle)).toThrow(RangeError);
     expect(() => om.point(PolyMesh.InvalidVertexHandle)).toThrow(RangeError);
+    expect(() => om.is_boundary(PolyMesh.InvalidEdgeHandle)).toThrow(RangeError);
     expect(PolyMesh.InvalidVertexHandle.is_valid()).toBe(false);
   });
 });

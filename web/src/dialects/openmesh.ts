@@ -51,6 +51,7 @@ export class FaceHandle extends Handle {
 export class PolyMesh {
   static readonly InvalidVertexHandle: VertexHandle = new VertexHandle(-1);
   static readonly InvalidHalfedgeHandle: HalfedgeHandle = new HalfedgeHandle(-1);
+  static readonly InvalidEdgeHandle: EdgeHandle = new EdgeHandle(-1);
   static readonly InvalidFaceHandle: FaceHandle = new FaceHandle(-1);
 
   readonly #vertices = new Pool((idx) => new VertexHandle(idx));
