@@ -1,6 +1,7 @@
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
+import type { ReadableMesh } from './readable.js';
 
 /**
  * A mesh under the names of CGAL's Polyhedron_3, for programs and people that come from there. Items
@@ -19,12 +20,12 @@ import { Pool } from './pool.js';
  * For convenience, not for speed: an object for each item that is met. Make one for a mesh and keep
  * it; items of two of them are never equal.
  */
-export class Polyhedron {
+export class Polyhedron<Mesh extends ReadableMesh = HalfedgeMesh> {
   readonly #vertices: Pool<PolyhedronVertex>;
   readonly #halfedges: Pool<PolyhedronHalfedge>;
   readonly #facets: Pool<PolyhedronFacet>;
 
-  constructor(readonly mesh: HalfedgeMesh) {
+  constructor(readonly mesh: Mesh) {
     this.#vertices = new Pool((index) => new PolyhedronVertex(this, index));
     this.#halfedges = new Pool((index) => new PolyhedronHalfedge(this, index));
     this.#facets = new Pool((index) => new PolyhedronFacet(this, index));
@@ -77,11 +78,11 @@ export class Polyhedron {
 }
 
 export class PolyhedronHalfedge {
-  readonly #of: Polyhedron;
+  readonly #of: Polyhedron<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: Polyhedron,
+    of: Polyhedron<ReadableMesh>,
     /** The halfedge of the mesh. */
     readonly index: number,
   ) {
@@ -143,11 +144,11 @@ export class PolyhedronHalfedge {
 }
 
 export class PolyhedronVertex {
-  readonly #of: Polyhedron;
+  readonly #of: Polyhedron<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: Polyhedron,
+    of: Polyhedron<ReadableMesh>,
     /** The vertex of the mesh. */
     readonly index: number,
   ) {
@@ -178,11 +179,11 @@ export class PolyhedronVertex {
 }
 
 export class PolyhedronFacet {
-  readonly #of: Polyhedron;
+  readonly #of: Polyhedron<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: Polyhedron,
+    of: Polyhedron<ReadableMesh>,
     /** The face of the mesh. */
     readonly index: number,
   ) {

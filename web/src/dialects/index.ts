@@ -15,3 +15,4 @@ export {
 } from './cgal.js';
 export { type HE_edge, type HE_face, HE_mesh, type HE_vert } from './mcguire.js';
 export { EdgeHandle, FaceHandle, HalfedgeHandle, PolyMesh, VertexHandle } from './openmesh.js';
+export type { ReadableMesh } from './readable.js';

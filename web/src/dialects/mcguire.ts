@@ -1,6 +1,7 @@
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
+import type { ReadableMesh } from './readable.js';
 
 /**
  * A mesh as the structs of Max McGuire's article "The Half-Edge Data Structure" (2000). They are read
@@ -20,7 +21,7 @@ import { Pool } from './pool.js';
  * For convenience, not for speed: an object for each item that is met. Make one for a mesh and keep
  * it; items of two of them are never equal.
  */
-export class HE_mesh {
+export class HE_mesh<Mesh extends ReadableMesh = HalfedgeMesh> {
   /** @internal */
   readonly edges: Pool<HE_edge>;
   /** @internal */
@@ -28,7 +29,7 @@ export class HE_mesh {
   /** @internal */
   readonly faces: Pool<HE_face>;
 
-  constructor(readonly mesh: HalfedgeMesh) {
+  constructor(readonly mesh: Mesh) {
     this.edges = new Pool((index) => new HE_edge(this, index));
     this.verts = new Pool((index) => new HE_vert(this, index));
     this.faces = new Pool((index) => new HE_face(this, index));
@@ -54,11 +55,11 @@ export class HE_mesh {
 }
 
 export class HE_edge {
-  readonly #of: HE_mesh;
+  readonly #of: HE_mesh<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: HE_mesh,
+    of: HE_mesh<ReadableMesh>,
     /** The halfedge of the mesh. */
     readonly index: number,
   ) {
@@ -84,11 +85,11 @@ export class HE_edge {
 }
 
 export class HE_vert {
-  readonly #of: HE_mesh;
+  readonly #of: HE_mesh<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: HE_mesh,
+    of: HE_mesh<ReadableMesh>,
     /** The vertex of the mesh. */
     readonly index: number,
   ) {
@@ -121,11 +122,11 @@ export class HE_vert {
 }
 
 export class HE_face {
-  readonly #of: HE_mesh;
+  readonly #of: HE_mesh<ReadableMesh>;
 
   /** @internal */
   constructor(
-    of: HE_mesh,
+    of: HE_mesh<ReadableMesh>,
     /** The face of the mesh. */
     readonly index: number,
   ) {
