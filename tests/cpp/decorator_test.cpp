@@ -153,7 +153,7 @@ TEST(DecoratorFace, SaysWhyItCannotSplit) {
   expect_refused(split_face(mesh, Halfedge{}, h), "not-a-halfedge", mesh, before);
   expect_refused(split_face(mesh, h, Halfedge(99)), "not-a-halfedge", mesh, before);
   EXPECT_EQ(split_face(mesh, h, Halfedge(99)).error().message,
-            "halfedge 99 is not in this mesh, expected an index below 14");
+            "Halfedge 99 is not in this mesh, expected an index below 14.");
   EXPECT_EQ(split_face(mesh, h, boundary).error().witness.halfedges, Corners{boundary.index()});
 }
 
@@ -315,7 +315,7 @@ TEST(DecoratorEdge, SaysWhyItCannotJoin) {
   const Snapshot before(mesh);
   expect_refused(join_edge(mesh, between(mesh, 0, 1)), "not-valence-two", mesh, before);
   EXPECT_EQ(join_edge(mesh, between(mesh, 0, 1)).error().message,
-            "vertex 1 has valence 3, expected 2");
+            "Vertex 1 has valence 3, expected 2.");
   expect_refused(join_edge(mesh, Halfedge(14)), "not-a-halfedge", mesh, before);
   expect_refused(split_edge(mesh, Halfedge(14)), "not-a-halfedge", mesh, before);
   Mesh segment = segment_complex();

@@ -19,32 +19,6 @@
 namespace halfedge::test {
 namespace {
 
-#if defined(HALFEDGE_CAN_LIMIT_MEMORY)
-
-constexpr bool kCanLimitMemory = true;
-
-// Leaves the process no block of memory larger than 16 KiB, which is enough for an error.
-void use_up_memory() {
-  if (!limit_address_space(address_space_in_use())) std::_Exit(2);
-  for (std::size_t size = std::size_t{1} << 26U; size >= 16 * 1024; size /= 2) {
-    // Written to, so that no compiler leaves it out; freed when the process ends.
-    while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
-  }
-}
-
-#else
-
-constexpr bool kCanLimitMemory = false;
-void use_up_memory() {}
-
-#endif
-
-#define HALFEDGE_NEEDS_A_MEMORY_LIMIT() \
-  if (!kCanLimitMemory) GTEST_SKIP() << "memory can't be limited here"
-
-// Ends the process: 0 if the condition holds.
-[[noreturn]] void leave(bool holds) { std::_Exit(holds ? 0 : 1); }
-
 bool same(const Links& a, const Links& b) {
   const auto equal = [](const Array<Index>& x, const Array<Index>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end());

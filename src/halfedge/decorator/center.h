@@ -84,18 +84,18 @@ template <Editable Mesh>
   Halfedge in = h;
   do {
     if (is_boundary(mesh, in)) {
-      return Error{"boundary-vertex",
-                   text(c) + " lies on a boundary: " + text(in) +
-                       " has no face, expected a face at every corner",
-                   {.vertices = {c.index()}, .halfedges = {in.index()}}};
+      return refusal("boundary-vertex",
+                     text(c) + " lies on a boundary: " + text(in) +
+                         " has no face, expected a face at every corner",
+                     {.vertices = {c.index()}, .halfedges = {in.index()}});
     }
     if (mesh.from_vertex(in) == c) return is_loop_edge(in, c);
     for (Halfedge on_loop = mesh.next(in); on_loop != in; on_loop = mesh.next(on_loop)) {
       if (mesh.to_vertex(on_loop) == c) {
-        return Error{"repeated-vertex",
-                     text(c) + " is at two corners of one face, where " + text(in) + " and " +
-                         text(on_loop) + " lead, expected one corner in each face",
-                     {.vertices = {c.index()}, .halfedges = {in.index(), on_loop.index()}}};
+        return refusal("repeated-vertex",
+                       text(c) + " is at two corners of one face, where " + text(in) + " and " +
+                           text(on_loop) + " lead, expected one corner in each face",
+                       {.vertices = {c.index()}, .halfedges = {in.index(), on_loop.index()}});
       }
       has_rim = has_rim || mesh.from_vertex(on_loop) != c;
     }

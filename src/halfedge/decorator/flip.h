@@ -19,9 +19,9 @@ template <Editable Mesh>
     if (mesh.next(side) != side && mesh.next(mesh.next(mesh.next(side))) == side) continue;
     Index degree = 0;
     for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(side)) ++degree;
-    return Error{"not-a-triangle",
-                 "the face of " + text(side) + " has degree " + number(degree) + ", expected 3",
-                 halfedges_of({side})};
+    return refusal("not-a-triangle",
+                   "the face of " + text(side) + " has degree " + number(degree) + ", expected 3",
+                   halfedges_of({side}));
   }
   if (is_one_loop(mesh, h, mesh.opposite(h))) return in_same_loop(h, mesh.opposite(h));
   return {};

@@ -29,7 +29,7 @@ template <Editable Mesh>
 [[nodiscard]] Result<void> check_split_loop(const Mesh& mesh, std::span<const Halfedge> cycle) {
   using namespace internal;
   if (cycle.empty())
-    return Error{"not-a-cycle", "the cycle is empty, expected one halfedge or more"};
+    return refusal("not-a-cycle", "the cycle is empty, expected one halfedge or more");
   Array<Vertex> vertices;
   for (const Halfedge h : cycle) {
     if (Result<void> live = check_live(mesh, h); !live) return live;
@@ -39,24 +39,24 @@ template <Editable Mesh>
     const Halfedge h = cycle[i];
     const Halfedge following = cycle[(i + 1) % cycle.size()];
     if (mesh.to_vertex(h) != mesh.from_vertex(following)) {
-      return Error{"not-a-cycle",
-                   text(h) + " leads to " + text(mesh.to_vertex(h)) +
-                       ", but the next in the cycle, " + text(following) + ", leaves " +
-                       text(mesh.from_vertex(following)),
-                   halfedges_of({h, following})};
+      return refusal("not-a-cycle",
+                     text(h) + " leads to " + text(mesh.to_vertex(h)) +
+                         ", but the next in the cycle, " + text(following) + ", leaves " +
+                         text(mesh.from_vertex(following)),
+                     halfedges_of({h, following}));
     }
     if (following == mesh.opposite(h)) {
-      return Error{"not-a-cycle",
-                   text(h) + " and " + text(following) +
-                       " are the two sides of one edge, expected different edges",
-                   halfedges_of({h, following})};
+      return refusal("not-a-cycle",
+                     text(h) + " and " + text(following) +
+                         " are the two sides of one edge, expected different edges",
+                     halfedges_of({h, following}));
     }
   }
   if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
-    return Error{
+    return refusal(
         "repeated-vertex",
         "the cycle passes " + text(repeated) + " more than once, expected different vertices",
-        {.vertices = {repeated.index()}}};
+        {.vertices = {repeated.index()}});
   }
   return {};
 }
@@ -157,17 +157,17 @@ template <Editable Mesh>
     }
   }
   if (degrees[0] != degrees[1]) {
-    return Error{"different-degrees",
-                 "the loop of " + text(h) + " has " + std::to_string(degrees[0]) +
-                     " halfedges and that of " + text(g) + " has " + std::to_string(degrees[1]) +
-                     ", expected as many",
-                 halfedges_of({h, g})};
+    return refusal("different-degrees",
+                   "the loop of " + text(h) + " has " + std::to_string(degrees[0]) +
+                       " halfedges and that of " + text(g) + " has " + std::to_string(degrees[1]) +
+                       ", expected as many",
+                   halfedges_of({h, g}));
   }
   if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
-    return Error{"repeated-vertex",
-                 text(repeated) + " occurs twice in the loops of " + text(h) + " and " + text(g) +
-                     ", expected different vertices",
-                 {.vertices = {repeated.index()}, .halfedges = {h.index(), g.index()}}};
+    return refusal("repeated-vertex",
+                   text(repeated) + " occurs twice in the loops of " + text(h) + " and " + text(g) +
+                       ", expected different vertices",
+                   {.vertices = {repeated.index()}, .halfedges = {h.index(), g.index()}});
   }
   for (const Halfedge given : {h, g}) {
     if (degrees[0] == 2 && mesh.next(given) == mesh.opposite(given)) {

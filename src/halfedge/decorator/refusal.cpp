@@ -1,6 +1,13 @@
 #include <halfedge/decorator/refusal.h>
 
+#include <utility>
+
 namespace halfedge::decorator::internal {
+
+Error refusal(const char* code, std::string sentence, Witness witness) {
+  if ('a' <= sentence[0] && sentence[0] <= 'z') sentence[0] = char(sentence[0] - 'a' + 'A');
+  return {code, sentence + ".", std::move(witness)};
+}
 
 Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
   Witness witness;
@@ -10,64 +17,67 @@ Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
 
 Error not_live(Halfedge h, Index slots) {
   if (!h.valid()) {
-    return {"not-a-halfedge", "the halfedge is empty, expected a halfedge of this mesh"};
+    return refusal("not-a-halfedge", "the halfedge is empty, expected a halfedge of this mesh");
   }
   if (h.index() >= slots) {
-    return {"not-a-halfedge",
-            text(h) + " is not in this mesh, expected an index below " + number(slots),
-            halfedges_of({h})};
+    return refusal("not-a-halfedge",
+                   text(h) + " is not in this mesh, expected an index below " + number(slots),
+                   halfedges_of({h}));
   }
-  return {"not-a-halfedge", text(h) + " is deleted, expected a halfedge of this mesh",
-          halfedges_of({h})};
+  return refusal("not-a-halfedge", text(h) + " is deleted, expected a halfedge of this mesh",
+                 halfedges_of({h}));
 }
 
 Error on_boundary(Halfedge h) {
-  return {"boundary-halfedge", text(h) + " has no face, expected a halfedge of a face",
-          halfedges_of({h})};
+  return refusal("boundary-halfedge", text(h) + " has no face, expected a halfedge of a face",
+                 halfedges_of({h}));
 }
 
 Error off_boundary(Halfedge h, Face f) {
-  return {"not-a-boundary-halfedge",
-          text(h) + " lies in " + text(f) + ", expected a halfedge without a face",
-          halfedges_of({h})};
+  return refusal("not-a-boundary-halfedge",
+                 text(h) + " lies in " + text(f) + ", expected a halfedge without a face",
+                 halfedges_of({h}));
 }
 
 Error in_different_loops(Halfedge h, Halfedge g) {
-  return {
+  return refusal(
       "different-loops",
       text(g) + " is not reached by next from " + text(h) + ", expected two halfedges of one loop",
-      halfedges_of({h, g})};
+      halfedges_of({h, g}));
 }
 
 Error in_same_loop(Halfedge h, Halfedge g) {
-  return {"same-loop",
-          text(h) + " and " + text(g) + " lie in the same loop, expected two different loops",
-          halfedges_of({h, g})};
+  return refusal(
+      "same-loop",
+      text(h) + " and " + text(g) + " lie in the same loop, expected two different loops",
+      halfedges_of({h, g}));
 }
 
 Error edge_without_face(Halfedge h, const std::string& how) {
   const Edge edge(h.index() / 2);
-  return {"edge-without-face",
-          text(edge) + " would have no face on either side, " + how + ", expected one at least",
-          {.edges = {edge.index()}}};
+  return refusal(
+      "edge-without-face",
+      text(edge) + " would have no face on either side, " + how + ", expected one at least",
+      {.edges = {edge.index()}});
 }
 
 Error last_edge(Halfedge h, const std::string& what_is_left) {
   const Edge edge(h.index() / 2);
-  return {"last-edge",
-          text(edge) + " can't be removed: without it " + what_is_left + " would have no halfedge",
-          {.edges = {edge.index()}}};
+  return refusal(
+      "last-edge",
+      text(edge) + " can't be removed: without it " + what_is_left + " would have no halfedge",
+      {.edges = {edge.index()}});
 }
 
 Error is_loop_edge(Halfedge h, Vertex v) {
   const Edge edge(h.index() / 2);
-  return {"loop-edge",
-          text(edge) + " leads from " + text(v) + " to itself, expected two different ends",
-          {.vertices = {v.index()}, .edges = {edge.index()}}};
+  return refusal("loop-edge",
+                 text(edge) + " leads from " + text(v) + " to itself, expected two different ends",
+                 {.vertices = {v.index()}, .edges = {edge.index()}});
 }
 
 Error no_memory(const char* what) {
-  return {"out-of-memory", std::string("memory is exhausted: no room for ") + what};
+  return refusal("out-of-memory", std::string("there is not enough memory for ") + what);
 }
 
 }  // namespace halfedge::decorator::internal

@@ -17,6 +17,9 @@ template <class Tag>
   return std::string(name_of(kind_of(item))) + " " + number(item.index());
 }
 
+/// `sentence` begins in lower case, or with a number, and gets its full stop here.
+[[nodiscard]] Error refusal(const char* code, std::string sentence, Witness witness = {});
+
 [[nodiscard]] Witness halfedges_of(std::initializer_list<Halfedge> halfedges);
 
 /// not-a-halfedge

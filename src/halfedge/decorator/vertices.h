@@ -15,16 +15,16 @@ template <Editable Mesh>
     if (Result<void> live = check_live(mesh, given); !live) return live;
   }
   if (mesh.to_vertex(h) != mesh.to_vertex(g)) {
-    return Error{"different-vertices",
-                 text(h) + " leads to " + text(mesh.to_vertex(h)) + " and " + text(g) + " to " +
-                     text(mesh.to_vertex(g)) + ", expected one vertex",
-                 halfedges_of({h, g})};
+    return refusal("different-vertices",
+                   text(h) + " leads to " + text(mesh.to_vertex(h)) + " and " + text(g) + " to " +
+                       text(mesh.to_vertex(g)) + ", expected one vertex",
+                   halfedges_of({h, g}));
   }
   if (is_boundary(mesh, h) && is_boundary(mesh, g)) {
-    return Error{"edge-without-face",
-                 "the new edge would have no face on either side: neither " + text(h) + " nor " +
-                     text(g) + " has one, expected one at least",
-                 halfedges_of({h, g})};
+    return refusal("edge-without-face",
+                   "the new edge would have no face on either side: neither " + text(h) + " nor " +
+                       text(g) + " has one, expected one at least",
+                   halfedges_of({h, g}));
   }
   return {};
 }
@@ -184,9 +184,8 @@ template <Editable Mesh>
     ++valence;
     in = mesh.next_on_vertex(in);
   } while (in != h);
-  return Error{"not-valence-two",
-               text(w) + " has valence " + number(valence) + ", expected 2",
-               {.vertices = {w.index()}}};
+  return refusal("not-valence-two", text(w) + " has valence " + number(valence) + ", expected 2",
+                 {.vertices = {w.index()}});
 }
 
 /// Removes the vertex to_vertex(h), which has valence two, and the edge of `h`: next(h) then begins
@@ -243,10 +242,10 @@ template <Editable Mesh>
   using namespace internal;
   if (Result<void> live = check_live(mesh, h); !live) return live;
   if (mesh.next(h) != mesh.opposite(h)) {
-    return Error{
+    return refusal(
         "not-a-tip",
         text(mesh.to_vertex(h)) + ", where " + text(h) + " leads, has other edges, expected none",
-        {.vertices = {mesh.to_vertex(h).index()}, .halfedges = {h.index()}}};
+        {.vertices = {mesh.to_vertex(h).index()}, .halfedges = {h.index()}});
   }
   return check_join_vertex(mesh, h);
 }

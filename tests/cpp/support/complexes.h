@@ -5,6 +5,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/validate/validate.h>
 
+#include <cctype>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -74,7 +75,8 @@ void expect_refused(const Result<T>& result, const std::string& code, const Mesh
                     const Snapshot& before) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, code) << result.error().message;
-  EXPECT_GT(result.error().message.size(), 30U);
+  const std::string& message = result.error().message;
+  EXPECT_TRUE(message.size() > 30 && std::isupper(message[0]) && message.back() == '.') << message;
   EXPECT_TRUE(Snapshot(mesh) == before);
 }
 

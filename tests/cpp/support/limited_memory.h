@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include <cstddef>
+#include <cstdlib>
 #include <fstream>
 
 namespace halfedge::test {
@@ -31,6 +32,38 @@ inline bool limit_address_space(std::size_t bytes) {
   return setrlimit(RLIMIT_AS, &limit) == 0;
 }
 
+inline constexpr bool kCanLimitMemory = true;
+
+/// Leaves the process no block of memory larger than 16 KiB, which is enough for an error.
+inline void use_up_memory() {
+  if (!limit_address_space(address_space_in_use())) std::_Exit(2);
+  for (std::size_t size = std::size_t{1} << 26U; size >= 16 * 1024; size /= 2) {
+    // Written to, so that no compiler leaves it out; freed when the process ends.
+    while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
+  }
+}
+
+}  // namespace halfedge::test
+
+#else
+
+namespace halfedge::test {
+
+inline constexpr bool kCanLimitMemory = false;
+inline void use_up_memory() {}
+
 }  // namespace halfedge::test
 
 #endif
+
+#include <cstdlib>
+
+namespace halfedge::test {
+
+/// Ends the process: 0 if the condition holds.
+[[noreturn]] inline void leave(bool holds) { std::_Exit(holds ? 0 : 1); }
+
+}  // namespace halfedge::test
+
+#define HALFEDGE_NEEDS_A_MEMORY_LIMIT() \
+  if (!halfedge::test::kCanLimitMemory) GTEST_SKIP() << "memory can't be limited here"
