@@ -84,7 +84,7 @@ struct Difference {
 };
 inline const std::vector<Difference>& intended_differences() {
   static const std::vector<Difference> all = {
-      {0, 0, "empty-link"},  // a halfedge without a vertex: they look from level 1 on
+      {0, 0, "empty-link"},  // a halfedge without a vertex: they look from level 1 on; or as below
       {1, 2, "empty-link"},  // a face without a halfedge: they look from level 3 on
       {3, 4, "interior-anchor"}, {3, 4, "edge-without-face"},  {4, 4, "degree-below-three"},
       {4, 4, "repeated-vertex"}, {4, 4, "duplicate-halfedge"}, {4, 4, "same-face-twice"},
