@@ -75,7 +75,7 @@ requires StoresFaces<Mesh>
 }
 
 /// Removes the face of `h`, those of its edges that have no other face, and those of its vertices
-/// that then have no edge. (CGAL: erase_facet)
+/// that then have no edge. (CGAL: erase_face)
 ///
 /// pre: h has a face
 /// cost: O(sum of the valences along the face). inverse: none in general; it undoes

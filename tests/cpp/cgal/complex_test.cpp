@@ -6,7 +6,7 @@
 //   join_vertex  an edge that ends in a vertex without other edges, on either end
 //   erase_center_vertex   a face of two corners before h: prev(h) is erased, and returned
 //   split_loop, join_loop   a halfedge without a face: its face, a null handle, is written to
-//   erase_facet  an edge without a face on either side, or a vertex that the face passes twice
+//   erase_face   an edge without a face on either side, or a vertex that the face passes twice
 
 #include "cgal/complex.h"
 
