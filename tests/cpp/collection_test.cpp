@@ -91,7 +91,7 @@ TEST(Collection, HasTheCountsAndTheTopologyOfItsReadmeAndIsValid) {
   HALFEDGE_NEEDS_DATA();
   const std::map<std::string, Facts> table = table_of_readme();
   std::size_t checked = 0;
-  for (const auto& path : data_files("good", {".obj", ".off"})) {
+  for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename());
     const Result<ParsedFile> file = parse_file(path);
     if (!file) {
@@ -132,7 +132,7 @@ TEST(Collection, GivesTheSameMeshesInAnyOrderOfFaces) {
   HALFEDGE_NEEDS_DATA();
   constexpr std::size_t kMaxFaces = 15000;  // or it takes minutes under the sanitizers
   std::mt19937 random(7);
-  for (const auto& path : data_files("good", {".obj", ".off"})) {
+  for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename());
     const Result<ParsedFile> file = parse_file(path);
     if (!file || file.value().soup.view().face_count() > kMaxFaces) continue;

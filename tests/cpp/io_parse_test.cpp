@@ -62,30 +62,31 @@ TEST(Parse, FallsBackOnTheClaim) {
 
 TEST(Parse, SaysWhatAnUnreadableFileIs) {
   EXPECT_EQ(error_of(""),
-            "unknown-format: the file is empty (0 bytes), expected an OBJ or OFF file");
+            "unknown-format: the file is empty (0 bytes), expected an OBJ, OFF, PLY or STL file");
   EXPECT_EQ(error_of("", Format::kObj),
-            "unknown-format: the file is empty (0 bytes), expected an OBJ or OFF file");
-  EXPECT_EQ(error_of("# only\n \n"),
-            "unknown-format: the file has nothing but comments and blanks, expected an OBJ or OFF "
-            "file");
+            "unknown-format: the file is empty (0 bytes), expected an OBJ, OFF, PLY or STL file");
+  EXPECT_EQ(
+      error_of("# only\n \n"),
+      "unknown-format: the file has nothing but comments and blanks, expected an OBJ, OFF, PLY or "
+      "STL file");
   EXPECT_EQ(error_of("\nhello world\n"),
-            "unknown-format: line 2: expected the start of an OBJ or OFF file, found \"hello\"");
+            "unknown-format: line 2: expected the start of an OBJ, OFF, PLY or STL file, found "
+            "\"hello\"");
   for (const std::string line :
        {"0 0 0", "1", "1 2 3 4", "1 2 -3", "1 2 x", "1.5 2 3", "point 1 2 3", "f x"}) {
-    EXPECT_EQ(error_of(line + "\n"),
-              "unknown-format: line 1: expected the start of an OBJ or OFF file, found \"" +
-                  line.substr(0, line.find(' ')) + "\"");
+    EXPECT_EQ(
+        error_of(line + "\n"),
+        "unknown-format: line 1: expected the start of an OBJ, OFF, PLY or STL file, found \"" +
+            line.substr(0, line.find(' ')) + "\"");
   }
   const std::pair<std::string, std::string> kinds[] = {
-      {"ply\nformat ascii 1.0\n", "a PLY file"},
-      {"solid cube\nfacet normal 0 0 1\n", "an STL file"},
       {"glTF\x02\0\0\0"s, "a GLB file"},
       {"{\"asset\": {}}", "a JSON (perhaps glTF) file"},
       {"<!DOCTYPE html>\n<p>404\n", "an HTML or XML file"}};
   for (const auto& [text, name] : kinds) {
     for (const auto claimed : {std::optional<Format>{}, std::optional{Format::kObj}}) {
       EXPECT_EQ(error_of(text, claimed),
-                "unsupported-format: this is " + name + ", expected an OBJ or OFF file");
+                "unsupported-format: this is " + name + ", expected an OBJ, OFF, PLY or STL file");
     }
   }
 }
@@ -97,9 +98,11 @@ TEST(Parse, RefusesUtf16AndBinary) {
   EXPECT_EQ(error_of("v\0 \0001\0"s, Format::kObj), utf16);
   EXPECT_EQ(error_of("\0v\0 \0001"s, Format::kObj), utf16);
   EXPECT_EQ(error_of(std::string(4096, '\0'), Format::kObj),
-            "not-text: byte 0 is 0, which no text has: this is no OBJ or OFF file in text form");
+            "not-text: byte 0 is 0, which no text has: this is no OBJ, OFF, PLY or STL file in "
+            "text form");
   EXPECT_EQ(error_of("v 1 2 3\nabc\0"s, Format::kObj),
-            "not-text: byte 11 is 0, which no text has: this is no OBJ or OFF file in text form");
+            "not-text: byte 11 is 0, which no text has: this is no OBJ, OFF, PLY or STL file in "
+            "text form");
   EXPECT_EQ(error_of("OFF BINARY\n\0\0\0\1"s),
             "unsupported-format: line 1: this OFF file is binary, expected one in text form");
 }
@@ -107,6 +110,8 @@ TEST(Parse, RefusesUtf16AndBinary) {
 TEST(Parse, NamesItsFormats) {
   EXPECT_STREQ(name_of(Format::kObj), "OBJ");
   EXPECT_STREQ(name_of(Format::kOff), "OFF");
+  EXPECT_STREQ(name_of(Format::kPly), "PLY");
+  EXPECT_STREQ(name_of(Format::kStl), "STL");
 }
 
 TEST(Parse, FindsNoLinesOfNoFaces) {

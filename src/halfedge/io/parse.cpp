@@ -11,8 +11,6 @@ namespace {
 
 /// Formats that are recognised only so that the error can say what the file is.
 const char* name_of_unreadable(std::string_view text) {
-  if (text.starts_with("ply\n") || text.starts_with("ply\r")) return "a PLY file";
-  if (text.starts_with("solid")) return "an STL file";
   if (text.starts_with("glTF")) return "a GLB file";
   if (text.starts_with("{")) return "a JSON (perhaps glTF) file";
   if (text.starts_with("<")) return "an HTML or XML file";
@@ -33,29 +31,37 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
   const std::string_view raw(reinterpret_cast<const char*>(bytes.data()),
                              std::min(bytes.size(), kLooked));
   if (raw.empty()) {
-    return Error{"unknown-format", "the file is empty (0 bytes), expected an OBJ or OFF file"};
+    return Error{"unknown-format",
+                 "the file is empty (0 bytes), expected an OBJ, OFF, PLY or STL file"};
   }
+  const io::StlKind stl = io::kind_of_stl(bytes);
+  if (stl == io::StlKind::kBinary) return Format::kStl;  // whatever its header looks like
   if (looks_like_utf16(raw)) {
     return Error{"not-text", "the file is encoded in UTF-16, expected ASCII or UTF-8"};
   }
   io::TextScanner text(bytes);
   if (io::looks_like_off(text)) return Format::kOff;  // before the look for NULs: may be binary
+  if (io::looks_like_ply(text)) return Format::kPly;
+  if (stl == io::StlKind::kText) return Format::kStl;
   text.skip_to_token();
   if (const char* name = name_of_unreadable(text.rest())) {
     return Error{"unsupported-format",
-                 std::string("this is ") + name + ", expected an OBJ or OFF file"};
+                 std::string("this is ") + name + ", expected an OBJ, OFF, PLY or STL file"};
   }
+  const bool binary_stl = claimed == Format::kStl && raw.find('\0') != std::string_view::npos;
+  if (binary_stl) return Format::kStl;  // of the wrong size
   if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
     return Error{"not-text", "byte " + std::to_string(nul) + " is 0, which no text has: this is " +
-                                 "no OBJ or OFF file in text form"};
+                                 "no OBJ, OFF, PLY or STL file in text form"};
   }
   if (io::looks_like_obj(text)) return Format::kObj;
   if (claimed) return *claimed;
   if (text.at_end()) {
-    return Error{"unknown-format",
-                 "the file has nothing but comments and blanks, expected an OBJ or OFF file"};
+    return Error{
+        "unknown-format",
+        "the file has nothing but comments and blanks, expected an OBJ, OFF, PLY or STL file"};
   }
-  Error error = io::unexpected(text, "the start of an OBJ or OFF file");
+  Error error = io::unexpected(text, "the start of an OBJ, OFF, PLY or STL file");
   error.code = "unknown-format";
   return error;
 }
@@ -67,6 +73,10 @@ Result<ParsedFile> read(std::span<const std::uint8_t> bytes, Format format,
       return io::read_obj(bytes, wanted);
     case Format::kOff:
       return io::read_off(bytes, wanted);
+    case Format::kPly:
+      return io::read_ply(bytes, wanted);
+    case Format::kStl:
+      return io::read_stl(bytes, wanted);
   }
   return Error{"unknown-format", "the format asked for does not exist"};
 }
@@ -79,6 +89,10 @@ const char* name_of(Format format) {
       return "OBJ";
     case Format::kOff:
       return "OFF";
+    case Format::kPly:
+      return "PLY";
+    case Format::kStl:
+      return "STL";
   }
   return "";
 }

@@ -13,18 +13,21 @@
 namespace halfedge {
 
 /// The file formats that can be read.
-enum class Format : std::uint8_t { kObj, kOff };
+enum class Format : std::uint8_t { kObj, kOff, kPly, kStl };
 
-/// "OBJ", "OFF".
+/// "OBJ", "OFF", "PLY", "STL".
 [[nodiscard]] const char* name_of(Format format);
 
 /// What a file holds: faces over shared vertices as written, not yet a mesh. Vertex i and face j
-/// are the i-th vertex and the j-th face of the file.
+/// are the i-th vertex and the j-th face of the file; of an STL file, which repeats its vertices,
+/// vertex i is the i-th position that differs from those before.
 struct ParsedFile {
   Format format = Format::kObj;
   PolygonSoup soup;
   /// What was ignored and a user may want to know, one sentence each.
   std::vector<std::string> notes;
+  /// It is no text, and has no lines.
+  bool binary = false;
 };
 
 /// Reads a file. Its content decides the format; `claimed` (what the name of the file says, or its
@@ -32,14 +35,15 @@ struct ParsedFile {
 ///
 /// Positions spelt `nan` or `inf`, faces with fewer than three corners and repeated vertices are
 /// read as they stand: they are well-formed text, and the builder refuses them with a reason.
-/// Every error but those about the whole file starts with "line N: " and says what was expected.
-/// Lines end with LF, CR LF or CR; a UTF-8 byte-order mark is skipped.
+/// Every error but those about the whole file starts with "line N: ", or "byte N: " in a binary
+/// file (from 0), and says what was expected. Lines end with LF, CR LF or CR; a UTF-8 byte-order
+/// mark is skipped.
 ///
 /// cost: one pass; memory in proportion to the size of the file, whatever its header promises.
 ///
-/// Codes: parse-error, truncated (the file ends too early), index-out-of-range, unknown-format,
-/// unsupported-format (known, but not readable), not-text (UTF-16, binary), too-large,
-/// out-of-memory.
+/// Codes: parse-error, truncated (the file ends too early), index-out-of-range, non-finite-position
+/// (in STL), unknown-format, unsupported-format (known, but not readable), not-text (UTF-16,
+/// binary), too-large, out-of-memory.
 [[nodiscard]] Result<ParsedFile> parse(std::span<const std::uint8_t> bytes,
                                        std::optional<Format> claimed = std::nullopt);
 
@@ -54,10 +58,20 @@ struct ParsedFile {
 /// coordinates are ignored; 4OFF positions are divided by their fourth coordinate.
 [[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes);
 
+/// Reads a PLY file, in text or in either binary form: elements and properties in any order, x, y
+/// and z of `vertex` and the list vertex_indices (or vertex_index) of `face` of any types, and
+/// `tristrips`. Other properties and elements are ignored, and named in a note.
+[[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes);
+
+/// Reads an STL file, in text or binary form. Positions are welded where all bits are equal, but
+/// for the sign of zero; what is no number has no place in that, and is an error that names the
+/// triangle. Normals and attributes are ignored.
+[[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes);
+
 /// The line, from 1, on which each of these faces starts, in the order asked for; 0 for a face that
-/// the file does not have. Reads the file again, so that reading keeps no line numbers in memory.
-/// pre: `bytes` are what the faces were read from.
-/// cost: as reading, whatever the number of faces.
+/// the file does not have, and for all faces of a binary file. Reads the file again, so that
+/// reading keeps no line numbers in memory. pre: `bytes` are what the faces were read from. cost:
+/// as reading, whatever the number of faces.
 [[nodiscard]] std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes,
                                                       Format format, std::span<const Index> faces);
 

@@ -13,11 +13,22 @@ namespace halfedge::io {
                                           FacePositions* wanted);
 [[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes,
                                           FacePositions* wanted);
+[[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes,
+                                          FacePositions* wanted);
+[[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
+                                          FacePositions* wanted);
 
 /// The text starts with an OBJ statement that has what such a statement needs, after any number of
 /// others. Looks at the first lines only.
 [[nodiscard]] bool looks_like_obj(TextScanner text);
 /// The text starts with the header word of an OFF file, or with a line of two or three counts.
 [[nodiscard]] bool looks_like_off(TextScanner text);
+/// The file starts with the word ply.
+[[nodiscard]] bool looks_like_ply(TextScanner text);
+
+enum class StlKind : std::uint8_t { kUnknown, kText, kBinary };
+/// Binary if the size is that of the number of triangles, whatever the header says; else by how it
+/// starts.
+[[nodiscard]] StlKind kind_of_stl(std::span<const std::uint8_t> bytes);
 
 }  // namespace halfedge::io

@@ -22,6 +22,10 @@ Error index_error(const TextScanner& text, std::size_t corner, std::size_t face)
   return error;
 }
 
+Error error_at_byte(std::size_t offset, std::string code, const std::string& message) {
+  return {std::move(code), "byte " + std::to_string(offset) + ": " + message};
+}
+
 std::optional<Error> check_size(SoupWriter& out) {
   const std::size_t vertices = out.vertex_count();
   const std::size_t faces = out.face_count();

@@ -50,6 +50,8 @@ class SoupWriter {
   [[nodiscard]] Index largest_index() const { return largest_; }
   /// An allocation failed: what was written since is lost.
   [[nodiscard]] bool out_of_memory() const { return out_of_memory_; }
+  /// For an allocation of the reader's own.
+  void set_out_of_memory() { out_of_memory_ = true; }
 
   /// Room for these, so that they need not grow.
   void reserve(std::size_t vertices, std::size_t corners) {
@@ -73,6 +75,16 @@ class SoupWriter {
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
     if (Index* const p = append(soup_.corners, 1)) *p = vertex;
+  }
+  /// A face of three corners, in one go.
+  void add_triangle(Index a, Index b, Index c) {
+    largest_ = std::max({largest_, a, b, c});
+    if (Index* const p = append(soup_.corners, 3)) {
+      p[0] = a;
+      p[1] = b;
+      p[2] = c;
+    }
+    end_face();
   }
   /// Sizes are kept from the first face on that is no triangle.
   void end_face() {
@@ -122,6 +134,8 @@ class SoupWriter {
 [[nodiscard]] Error unexpected(const TextScanner& text, const std::string& expected);
 /// index-out-of-range: "line N: corner … of face … is …", for the caller to say what was expected.
 [[nodiscard]] Error index_error(const TextScanner& text, std::size_t corner, std::size_t face);
+/// "byte N: " before a message about a binary file.
+[[nodiscard]] Error error_at_byte(std::size_t offset, std::string code, const std::string& message);
 /// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing. The soup is freed
 /// with an error, which needs memory itself.
 [[nodiscard]] std::optional<Error> check_size(SoupWriter& out);

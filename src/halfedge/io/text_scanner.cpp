@@ -64,12 +64,8 @@ std::size_t TextScanner::lines_between(const char* from, const char* to) {
   return lines;
 }
 
-std::string TextScanner::found() const {
-  if (at_end()) return "the end of the file";
-  if (at_line_end()) return "the end of the line";
+std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 32;
-  std::string_view text = token();
-  if (text.empty()) text = rest().substr(0, 1);  // a lone backslash
   std::string quoted = "\"";
   for (const char c : text.substr(0, std::min(text.size(), kShown))) {
     if (c >= ' ' && c <= '~') {
@@ -83,6 +79,13 @@ std::string TextScanner::found() const {
     quoted += kHex[byte & 15];
   }
   return quoted + (text.size() > kShown ? "...\"" : "\"");
+}
+
+std::string TextScanner::found() const {
+  if (at_end()) return "the end of the file";
+  if (at_line_end()) return "the end of the line";
+  const std::string_view text = token();
+  return quoted(text.empty() ? rest().substr(0, 1) : text);  // a lone backslash is no token
 }
 
 }  // namespace halfedge::io

@@ -28,6 +28,9 @@ inline constexpr std::array<CharClass, 256> kCharClasses = [] {
 }
 [[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// A part of a file in quotation marks, for a sentence. Plain ASCII and short, whatever the bytes.
+[[nodiscard]] std::string quoted(std::string_view text);
+
 /// A cursor over the bytes of a text file, which need not end with NUL. Never reads beyond them.
 ///
 /// Lines end with LF, CR LF or CR; `#` starts a comment that runs to the end of its line; a
@@ -149,7 +152,7 @@ class TextScanner {
   [[nodiscard]] static std::size_t lines_between(const char* from, const char* to);
 
   /// The token at the cursor in quotation marks, or "the end of the line" or "of the file": what an
-  /// error says was found. Plain ASCII and short, whatever the bytes.
+  /// error says was found.
   [[nodiscard]] std::string found() const;
 
  private:

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <halfedge/io/text_scanner.h>
+#include <halfedge/result.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace halfedge::io {
+
+enum class PlyType : std::uint8_t {
+  kInt8,
+  kUint8,
+  kInt16,
+  kUint16,
+  kInt32,
+  kUint32,
+  kFloat32,
+  kFloat64
+};
+
+/// The bytes of a value in a binary file.
+[[nodiscard]] constexpr std::size_t size_of(PlyType type) {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+[[nodiscard]] constexpr bool is_integer(PlyType type) { return type < PlyType::kFloat32; }
+
+/// Names are views of the file.
+struct PlyProperty {
+  std::string_view name;
+  PlyType type;
+  /// A list: the type of its length, before the values.
+  std::optional<PlyType> length_type;
+};
+
+struct PlyElement {
+  std::string_view name;
+  std::uint64_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// The property of this name, or null.
+  [[nodiscard]] const PlyProperty* find(std::string_view property) const;
+  /// The list of the vertices of each row, under either of its usual names, or null.
+  [[nodiscard]] const PlyProperty* vertex_list() const;
+};
+
+enum class PlyEncoding : std::uint8_t { kText, kLittleEndian, kBigEndian };
+
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::kText;
+  /// In the order of the file.
+  std::vector<PlyElement> elements;
+  /// Where the data starts.
+  std::size_t size = 0;
+
+  /// The element of this name, or null.
+  [[nodiscard]] const PlyElement* find(std::string_view element) const;
+};
+
+/// Reads the header. Counts that the rest of the file is too short for are refused, so that memory
+/// may be asked for by them; so is a header without x, y and z of vertices, or without the vertices
+/// of faces.
+[[nodiscard]] Result<PlyHeader> read_ply_header(std::span<const std::uint8_t> bytes);
+
+}  // namespace halfedge::io

@@ -1,0 +1,187 @@
+#pragma once
+
+#include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/ply_header.h>
+#include <halfedge/io/soup_writer.h>
+#include <halfedge/io/text_scanner.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace halfedge::io {
+
+/// The values of a PLY file in text form. A row may not be broken over lines, so that one with too
+/// few values is found where it is.
+class PlyText {
+ public:
+  PlyText(std::span<const std::uint8_t> bytes, std::size_t offset) : text_(bytes) {
+    text_.move_to(reinterpret_cast<const char*>(bytes.data()) + offset);
+  }
+
+  /// As many values as the rest of the file can hold, behind `others` values of another type.
+  [[nodiscard]] std::uint64_t room(PlyType, std::uint64_t others = 0, PlyType = {}) const {
+    const std::uint64_t values = text_.rest().size() / 2;
+    return values - std::min(values, others);
+  }
+
+  /// Returns where the row starts.
+  const char* begin_row() {
+    text_.skip_to_token();
+    return text_.position();
+  }
+  /// Each reads or skips the next value of the row; false, at that value, if it is none.
+  [[nodiscard]] bool read(PlyType, float& value) {
+    text_.skip_blanks();
+    return text_.read_float(value);
+  }
+  [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
+    text_.skip_blanks();
+    const char* const start = text_.position();
+    if (text_.read_integer(value) && text_.at_token_end()) return true;
+    text_.move_to(start);
+    return !is_integer(type) && read_whole_float(value);
+  }
+  [[nodiscard]] bool skip(PlyType, std::uint64_t count) {
+    for (; count > 0; --count) {
+      text_.skip_blanks();
+      if (text_.at_line_end()) return false;
+      text_.skip_token();
+    }
+    return true;
+  }
+
+  /// The place of the value that was read last, to go back to it.
+  [[nodiscard]] const char* mark() {
+    text_.skip_blanks();
+    return text_.position();
+  }
+  void move_to(const char* mark) { text_.move_to(mark); }
+
+  [[nodiscard]] Error unexpected(const std::string& expected) const {
+    return io::unexpected(text_, expected);
+  }
+  [[nodiscard]] Error error(const char* code, const std::string& message) const {
+    return error_at(text_, code, message);
+  }
+  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t) const {
+    return io::index_error(text_, corner, face);
+  }
+  /// What follows the last row, as a note; "" if there is nothing.
+  [[nodiscard]] std::string rest() {
+    text_.skip_to_token();
+    if (text_.at_end()) return "";
+    return "ignored what follows the last element, from line " + std::to_string(text_.line()) +
+           " on: " + text_.found();
+  }
+
+ private:
+  /// 3.0, where the header says that an index is a float.
+  [[nodiscard]] bool read_whole_float(std::int64_t& value) {
+    const char* const start = text_.position();
+    float number = 0;
+    if (text_.read_float(number) && number >= -0x1p31F && number <= 0x1p31F) {
+      value = static_cast<std::int64_t>(number);
+      if (static_cast<float>(value) == number) return true;
+    }
+    text_.move_to(start);
+    return false;
+  }
+
+  TextScanner text_;
+};
+
+/// The values of a binary PLY file.
+template <ByteOrder kOrder>
+class PlyBinary {
+ public:
+  static constexpr ByteOrder kByteOrder = kOrder;
+
+  PlyBinary(std::span<const std::uint8_t> bytes, std::size_t offset) : bytes_(bytes, offset) {}
+
+  [[nodiscard]] std::uint64_t room(PlyType type, std::uint64_t others = 0,
+                                   PlyType other = {}) const {
+    const std::uint64_t left = bytes_.left();
+    return (left - std::min(left, others * size_of(other))) / size_of(type);
+  }
+  [[nodiscard]] ByteScanner& bytes() { return bytes_; }
+
+  /// Nobody looks for the rows of a file without lines.
+  const char* begin_row() { return nullptr; }
+  [[nodiscard]] bool read(PlyType type, float& value) {
+    if (room(type) == 0) return false;
+    value = static_cast<float>(take(type));
+    return true;
+  }
+  [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
+    if (room(type) == 0) return false;
+    const ByteScanner start = bytes_;
+    const double number = take(type);  // holds whatever 32 bits hold
+    if (number >= -0x1p32 && number <= 0x1p32) {
+      value = static_cast<std::int64_t>(number);
+      if (static_cast<double>(value) == number) return true;
+    }
+    bytes_ = start;
+    return false;
+  }
+  [[nodiscard]] bool skip(PlyType type, std::uint64_t count) {
+    if (count > room(type)) return false;
+    bytes_.skip(static_cast<std::size_t>(count) * size_of(type));
+    return true;
+  }
+
+  [[nodiscard]] ByteScanner mark() const { return bytes_; }
+  void move_to(const ByteScanner& mark) { bytes_ = mark; }
+
+  [[nodiscard]] Error unexpected(const std::string& expected) const {
+    if (bytes_.left() >= sizeof(double)) {
+      return error("parse-error", "expected " + expected + ", found no whole number");
+    }
+    return error("truncated", "expected " + expected + ", found the end of the file in " +
+                                  std::to_string(bytes_.left()) + " bytes");
+  }
+  [[nodiscard]] Error error(const char* code, const std::string& message) const {
+    return error_at_byte(bytes_.offset(), code, message);
+  }
+  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t vertex) const {
+    Error error = error_at_byte(bytes_.offset(), "index-out-of-range",
+                                "corner " + std::to_string(corner) + " of face " +
+                                    std::to_string(face) + " is " + std::to_string(vertex));
+    error.witness.faces = {static_cast<Index>(face)};
+    return error;
+  }
+  [[nodiscard]] std::string rest() const {
+    if (bytes_.left() == 0) return "";
+    return "ignored the " + std::to_string(bytes_.left()) + " bytes behind the last element";
+  }
+
+ private:
+  /// pre: room(type) > 0
+  [[nodiscard]] double take(PlyType type) {
+    switch (type) {
+      case PlyType::kInt8:
+        return bytes_.take<std::int8_t, kOrder>();
+      case PlyType::kUint8:
+        return bytes_.take<std::uint8_t, kOrder>();
+      case PlyType::kInt16:
+        return bytes_.take<std::int16_t, kOrder>();
+      case PlyType::kUint16:
+        return bytes_.take<std::uint16_t, kOrder>();
+      case PlyType::kInt32:
+        return bytes_.take<std::int32_t, kOrder>();
+      case PlyType::kUint32:
+        return bytes_.take<std::uint32_t, kOrder>();
+      case PlyType::kFloat32:
+        return static_cast<double>(bytes_.take<float, kOrder>());
+      case PlyType::kFloat64:
+        return bytes_.take<double, kOrder>();
+    }
+    return 0;
+  }
+
+  ByteScanner bytes_;
+};
+
+}  // namespace halfedge::io

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/handle.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace halfedge::io {
+
+/// Welds: the index of each distinct position, in the order in which they came. Positions are equal
+/// if all bits are, but for the sign of zero.
+///
+/// An open-addressing table of indices, at most half full. Expected O(1) a look-up.
+class PositionTable {
+ public:
+  /// Room for so many, so that the table need not grow. False when memory is exhausted.
+  [[nodiscard]] bool reserve(std::size_t count) { return grow({}, count); }
+
+  /// The index of `xyz` among `positions`, or kNone, where `positions.size() / 3` is then its index
+  /// if the caller appends it. False when memory is exhausted.
+  [[nodiscard]] bool find_or_claim(const float* xyz, std::span<const float> positions,
+                                   Index& found) {
+    const std::size_t count = positions.size() / 3;
+    if (2 * (count + 1) > slots_.size() && !grow(positions, 2 * count)) return false;
+    const Key key(xyz);
+    for (std::size_t i = key.hash() & mask();; i = (i + 1) & mask()) {
+      const Index v = slots_[i];
+      if (v == kNone) {
+        slots_[i] = static_cast<Index>(count);
+        found = kNone;
+        return true;
+      }
+      if (Key(&positions[3 * std::size_t{v}]) == key) {
+        found = v;
+        return true;
+      }
+    }
+  }
+
+ private:
+  struct Key {
+    explicit Key(const float* xyz) {
+      std::memcpy(bits, xyz, sizeof(bits));
+      constexpr std::uint32_t kMinusZero = 0x8000'0000;
+      for (std::uint32_t& word : bits) word = word == kMinusZero ? 0 : word;
+    }
+    [[nodiscard]] std::size_t hash() const {
+      std::uint64_t h = (std::uint64_t{bits[1]} << 32U | bits[0]) * 0x9E37'79B9'7F4A'7C15U;
+      h = (h ^ (h >> 29U) ^ bits[2]) * 0xBF58'476D'1CE4'E5B9U;
+      h = (h ^ (h >> 32U)) * 0x94D0'49BB'1331'11EBU;
+      return static_cast<std::size_t>(h >> 32U);
+    }
+    friend bool operator==(const Key& a, const Key& b) {
+      return a.bits[0] == b.bits[0] && a.bits[1] == b.bits[1] && a.bits[2] == b.bits[2];
+    }
+    std::uint32_t bits[3];
+  };
+
+  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
+  [[nodiscard]] bool grow(std::span<const float> positions, std::size_t count) {
+    std::size_t slots = 1024;
+    while (slots < 2 * (count + 1)) slots *= 2;
+    if (!slots_.recreate(slots)) return false;
+    std::fill(slots_.begin(), slots_.end(), kNone);
+    for (std::size_t v = 0; v < positions.size() / 3; ++v) {
+      std::size_t i = Key(&positions[3 * v]).hash() & mask();
+      while (slots_[i] != kNone) i = (i + 1) & mask();
+      slots_[i] = static_cast<Index>(v);
+    }
+    return true;
+  }
+
+  Array<Index> slots_;  // a power of two
+};
+
+}  // namespace halfedge::io

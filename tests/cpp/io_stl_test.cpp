@@ -1,0 +1,186 @@
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/text_file.h"
+
+namespace halfedge {
+namespace {
+
+using namespace std::string_literals;
+using test::bytes_of;
+using test::Parsed;
+
+using Triangle = std::array<float, 9>;
+
+Parsed parse_stl(const std::string& text) { return test::flatten(read_stl(bytes_of(text))); }
+std::string stl_error(const std::string& text) { return parse_stl(text).error; }
+
+template <class T>
+std::string raw(const T& value) {
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  return bytes;
+}
+
+std::string binary(const std::vector<Triangle>& triangles, std::string header = "",
+                   std::uint32_t more = 0) {
+  header.resize(80, ' ');
+  header += raw(static_cast<std::uint32_t>(triangles.size()) + more);
+  for (const Triangle& triangle : triangles) {
+    header += std::string(12, '\x11') + raw(triangle) + "ab";
+  }
+  return header;
+}
+
+constexpr Triangle kFirst = {0, 0, 0, 1, 0, 0, 1, 1, 0};
+constexpr Triangle kSecond = {0, 0, 0, 1, 1, 0, 0, 1, 0};
+const std::vector<float> kSquare = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+const std::vector<std::vector<Index>> kFaces = {{0, 1, 2}, {0, 2, 3}};
+
+const std::string kText =
+    "solid a # name \\\n"
+    " facet normal 0 0 1\n  outer loop\n"
+    "   vertex 0 0 0\n   vertex 1 0 0\n   vertex 1 1 0\n"
+    "  endloop\n endfacet\n"
+    " facet normal nan nan nan\n  outer loop\n"
+    "   vertex 0 0 0\n   vertex 1 1 0\n   vertex 0 1 0\n"
+    "  endloop\n endfacet\n"
+    "endsolid a\n";
+
+TEST(Stl, WeldsTheTrianglesOfBothForms) {
+  for (const std::string& text : {kText, binary({kFirst, kSecond})}) {
+    const Parsed file = parse_stl(text);
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.positions, kSquare);
+    EXPECT_EQ(file.faces, kFaces);
+    EXPECT_TRUE(file.notes.empty());
+  }
+}
+
+TEST(Stl, TellsTheFormsApartByTheContent) {
+  for (const std::string& header : {"solid cube"s, "facet normal"s, "ply\nformat"s, "OFF 1 2 3\n"s,
+                                    "\0v\0 \0001"s, "\xFF\xFE"s, "v 0 0 0\n"s}) {
+    const auto file = parse(bytes_of(binary({kFirst, kSecond}, header)));
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_EQ(file.value().format, Format::kStl);
+    EXPECT_TRUE(file.value().binary);
+  }
+  const auto text = parse(bytes_of(kText));
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(text.value().format, Format::kStl);
+  EXPECT_FALSE(text.value().binary);
+}
+
+TEST(Stl, WeldsZerosOfEitherSignAndNothingElse) {
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  const float next = std::nextafter(1.0F, 2.0F);
+  const Parsed file = parse_stl(binary({{-0.0F, 0, 0, 1, 0, 0, 0, 1, -0.0F},
+                                        {0, -0.0F, 0, 0, 1, 0, tiny, 0, 0},
+                                        {0, 0, -0.0F, next, 0, 0, -tiny, 0, 0}}));
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}}));
+  EXPECT_TRUE(std::signbit(file.positions[0])) << "the first one's bits are kept";
+}
+
+// A table of the wrong size or with a wrong look-up would lose or double some.
+TEST(Stl, WeldsManyPositions) {
+  std::mt19937 random(3);
+  std::vector<Triangle> triangles(20000);
+  std::vector<std::vector<Index>> expected;
+  std::vector<Index> index_of(8000, kNone);
+  Index count = 0;
+  for (Triangle& triangle : triangles) {
+    expected.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto p = static_cast<std::size_t>(random() % index_of.size());
+      triangle[3 * i] = static_cast<float>(p % 20);
+      triangle[3 * i + 1] = static_cast<float>(p / 20 % 20);
+      triangle[3 * i + 2] = static_cast<float>(p / 400);
+      if (index_of[p] == kNone) index_of[p] = count++;
+      expected.back().push_back(index_of[p]);
+    }
+  }
+  EXPECT_EQ(parse_stl(binary(triangles)).faces, expected);
+  EXPECT_EQ(parse_stl(binary(triangles)).positions.size(), 3 * std::size_t{count});
+}
+
+TEST(Stl, TakesTextInAnyCaseAndSeveralSolids) {
+  std::string loud = kText;
+  for (char& c : loud) c = static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+  EXPECT_EQ(parse_stl(loud).faces, kFaces);
+  const Parsed twice = parse_stl(kText + kText);
+  EXPECT_EQ(twice.faces.size(), 4U);
+  EXPECT_EQ(twice.positions, kSquare);
+  EXPECT_EQ(parse_stl("solid\nendsolid\n").error, "");
+}
+
+TEST(Stl, NotesAnOddEnd) {
+  const std::string part = kText.substr(0, kText.find("endsolid"));
+  EXPECT_EQ(parse_stl(part).faces, kFaces);
+  EXPECT_EQ(parse_stl(part).notes,
+            std::vector<std::string>{"the file ends without endsolid: it may be a part only"});
+  const std::string longer = binary({kFirst}, "\0"s) + "xyz";
+  EXPECT_EQ(parse_stl(longer).faces.size(), 1U);
+  EXPECT_EQ(parse_stl(longer).notes,
+            std::vector<std::string>{"ignored the 3 bytes behind the last of the 1 triangles that "
+                                     "the header promises"});
+}
+
+TEST(Stl, ExplainsWrongText) {
+  const std::string start = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
+  const std::pair<std::string, std::string> errors[] = {
+      {"solid\nfacets\n", "parse-error: line 2: expected facet or endsolid, found \"facets\""},
+      {"solid\nfacet\nvertex\n",
+       "parse-error: line 3: expected outer of triangle 0, found \"vertex\""},
+      {start + "vertex 1 0\n",
+       "parse-error: line 5: expected a number for z of vertex 1 of triangle 0, found the end of "
+       "the line"},
+      {start + "vertex 1 0 0\nendloop\n",
+       "parse-error: line 6: expected vertex of triangle 0, found \"endloop\""},
+      {start + "vertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\n",
+       "parse-error: line 7: expected endloop of triangle 0, found \"vertex\""},
+      {start + "vertex 1 0",
+       "truncated: line 5: expected a number for z of vertex 1 of triangle "
+       "0, found the end of the file"},
+      {start + "vertex 1 inf 0\nvertex 1 1 0\nendloop\nendfacet\n",
+       "non-finite-position: line 4: y of vertex 1 of triangle 0 is inf, expected a finite number"},
+      {"hello world", "parse-error: line 1: expected solid or facet, found \"hello\""}};
+  for (const auto& [text, error] : errors) EXPECT_EQ(stl_error(text), error);
+}
+
+TEST(Stl, ExplainsWrongBytes) {
+  EXPECT_EQ(stl_error(std::string(80, '\0')),
+            "truncated: the file has 80 bytes, expected at least the 84 bytes that start a binary "
+            "STL file");
+  EXPECT_EQ(stl_error(binary({kFirst}, "solid", 4)),
+            "truncated: byte 80: the header promises 5 triangles, but what follows has room for 1");
+  Triangle bad = kSecond;
+  bad[8] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(stl_error(binary({kFirst, bad})),
+            "non-finite-position: byte 134: z of vertex 2 of triangle 1 is nan, expected a finite "
+            "number");
+  bad[0] = -std::numeric_limits<float>::infinity();
+  const auto file = read_stl(bytes_of(binary({kFirst, bad})));
+  EXPECT_EQ(file.error().message,
+            "byte 134: x of vertex 0 of triangle 1 is -inf, expected a finite number");
+  EXPECT_EQ(file.error().witness.faces, std::vector<Index>{1});
+}
+
+TEST(Stl, FindsTheLinesOfTrianglesInTextOnly) {
+  const std::vector<Index> faces = {1, 0, 2};
+  EXPECT_EQ(lines_of_faces(bytes_of(kText), Format::kStl, faces),
+            (std::vector<std::size_t>{9, 2, 0}));
+  EXPECT_EQ(lines_of_faces(bytes_of(binary({kFirst, kSecond})), Format::kStl, faces),
+            (std::vector<std::size_t>{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace halfedge
