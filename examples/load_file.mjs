@@ -24,7 +24,7 @@ function describe(mesh) {
 
 /** Runs the program; returns a sentence if it can't do what it was asked. */
 async function main(path) {
-  if (path === undefined) return 'Usage: node examples/load_file.mjs <file.obj or file.off>';
+  if (path === undefined) return 'Usage: node examples/load_file.mjs <OBJ, OFF, PLY or STL file>';
   await init();
   let mesh;
   try {

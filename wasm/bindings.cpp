@@ -135,7 +135,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool stores_prev
   BuildReport report;
   if (!build_any(*mesh, file.value().soup.view(), report)) {
     file.value().soup = {};
-    add_lines(report.problems, bytes, format);
+    if (!file.value().binary) add_lines(report.problems, bytes, format);
     return failure(report.problems, report.problem_count);
   }
   const RoomForReport room;

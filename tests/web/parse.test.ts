@@ -45,6 +45,55 @@ describe('parse', () => {
     mesh.dispose();
   });
 
+  test('reads a binary PLY file', () => {
+    const header =
+      'ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n' +
+      'property float y\nproperty float z\nproperty uchar red\nelement face 1\n' +
+      'property list uchar int vertex_indices\nend_header\n';
+    const data = new DataView(new ArrayBuffer(3 * 13 + 13));
+    [0, 0, 0, 1, 0, 0, 0, 0.1, 0].forEach((x, i) => {
+      data.setFloat32(13 * Math.floor(i / 3) + 4 * (i % 3), x, true);
+    });
+    data.setUint8(39, 3);
+    [0, 1, 2].forEach((v, i) => {
+      data.setInt32(40 + 4 * i, v, true);
+    });
+    const bytes = Buffer.concat([Buffer.from(header), Buffer.from(data.buffer)]);
+    const { mesh, report } = HalfedgeMesh.parse(bytes);
+    expect(report).toMatchObject({
+      format: 'ply',
+      summary: 'PLY: 3 vertices, 3 edges, 1 face. Ignored the property "red" of "vertex".',
+    });
+    expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, Math.fround(0.1), 0]);
+    mesh.dispose();
+  });
+
+  test('welds the triangles of an STL file', () => {
+    const facet = (...corners: string[]) =>
+      `facet normal 0 0 1\nouter loop\nvertex ${corners.join('\nvertex ')}\nendloop\nendfacet\n`;
+    const square = facet('0 0 0', '1 0 0', '1 1 0') + facet('-0 0 0', '1 1 0', '0 1 0');
+    const { mesh, report } = HalfedgeMesh.parse(`solid\n${square}endsolid\n`);
+    expect(report.summary).toBe('STL: 4 vertices, 5 edges, 2 faces.');
+    expect(mesh.boundaryLoops()).toHaveLength(1);
+    mesh.dispose();
+    expect(() => HalfedgeMesh.parse(`solid\n${square}${square}endsolid\n`)).toThrow(/Line/);
+  });
+
+  test('names faces, and no lines, of a binary file that makes no manifold', () => {
+    const data = new DataView(new ArrayBuffer(84 + 2 * 50));
+    data.setUint32(80, 2, true);
+    for (const triangle of [84, 134]) {
+      [0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((x, i) => {
+        data.setFloat32(triangle + 12 + 4 * i, x, true);
+      });
+    }
+    expect(() => HalfedgeMesh.parse(data.buffer)).toThrow(/^Face 1 repeats face 0.*2\.$/);
+    data.setFloat32(84 + 12, Number.NaN, true);
+    expect(() => HalfedgeMesh.parse(data.buffer)).toThrow(
+      'Byte 84: x of vertex 0 of triangle 0 is nan, expected a finite number.',
+    );
+  });
+
   const encoded = new TextEncoder().encode(triangle);
   const containers: [string, string | ArrayBuffer | Uint8Array][] = [
     ['a string', triangle],
@@ -84,7 +133,9 @@ describe('parse', () => {
     ['index-out-of-range', 'v 0 0 0\nf 1 2 9\n', /^Line 2: /],
     ['unknown-format', 'Dear Sir or Madam\n', /Dear/],
     ['unknown-format', '', /empty/],
-    ['unsupported-format', 'ply\nformat ascii 1.0\n', /PLY/],
+    ['parse-error', 'ply\nformat ascii 1.0\nend_header\n', /^Line 3: .*element vertex/],
+    ['truncated', 'solid\nfacet\nouter loop\nvertex 0 0', /^Line 4: .*z of vertex 0/],
+    ['unsupported-format', 'glTF', /GLB/],
     ['unsupported-format', '<!DOCTYPE html>', /HTML/],
     ['not-text', '\u0000\u0001\u0002', /Byte 0/],
   ];
@@ -122,7 +173,9 @@ describe('parse', () => {
     const parse = (options: unknown) => () => HalfedgeMesh.parse(triangle, options as never);
     expect(parse(null)).toThrow(new TypeError('options is null; expected an object.'));
     expect(parse({ format: 'gif' })).toThrow(RangeError);
-    expect(parse({ format: 'gif' })).toThrow(`options.format is "gif"; expected 'obj' or 'off'.`);
+    expect(parse({ format: 'gif' })).toThrow(
+      `options.format is "gif"; expected 'obj', 'off', 'ply' or 'stl'.`,
+    );
     expect(parse({ format: 3 })).toThrow(TypeError);
     expect(parse({ repair: 'yes' })).toThrow(`options.repair is "yes"; expected true or false.`);
   });
@@ -138,7 +191,7 @@ const data =
   process.env.HALFEDGE_DATA ?? new URL('../../../shared/data/', import.meta.url).pathname;
 const folder = (name: string): string[] => {
   try {
-    return readdirSync(`${data}/${name}`).filter((file) => /\.(obj|off)$/i.test(file));
+    return readdirSync(`${data}/${name}`).filter((file) => /\.(obj|off|ply|stl)$/i.test(file));
   } catch {
     console.log(
       `Skipped: there are no test meshes in ${data}/${name}; HALFEDGE_DATA names the folder.`,
@@ -148,22 +201,25 @@ const folder = (name: string): string[] => {
 };
 
 const good = folder('good');
-(good.length > 0 ? test : test.skip)('parse reads every good OBJ and OFF file there is', () => {
-  const refused: string[] = [];
-  for (const file of good) {
-    try {
-      const { mesh } = HalfedgeMesh.parse(readFileSync(`${data}/good/${file}`));
-      expect([file, mesh.validate().filter(({ severity }) => severity === 'error')]).toEqual([
-        file,
-        [],
-      ]);
-      mesh.dispose();
-    } catch (error) {
-      refused.push(`${file}: ${(error as HalfedgeError).code}`);
+(good.length > 0 ? test : test.skip)(
+  'parse reads every good OBJ, OFF, PLY and STL file there is',
+  () => {
+    const refused: string[] = [];
+    for (const file of good) {
+      try {
+        const { mesh } = HalfedgeMesh.parse(readFileSync(`${data}/good/${file}`));
+        expect([file, mesh.validate().filter(({ severity }) => severity === 'error')]).toEqual([
+          file,
+          [],
+        ]);
+        mesh.dispose();
+      } catch (error) {
+        refused.push(`${file}: ${(error as HalfedgeError).code}`);
+      }
     }
-  }
-  expect(refused).toEqual(['fairing-cross_binary_le.off: unsupported-format']);
-});
+    expect(refused).toEqual(['fairing-cross_binary_le.off: unsupported-format']);
+  },
+);
 
 const nasty = folder('nasty');
 (nasty.length > 0 ? test : test.skip)('parse reads or explains every nasty file there is', () => {

@@ -103,12 +103,14 @@ export class HalfedgeMesh extends Circulation {
   }
 
   /**
-   * The mesh in a file, whose content tells the format: Wavefront OBJ or Geomview OFF (text). Vertex i
-   * and face j of the mesh are the i-th vertex and the j-th face of the file. Text, or its bytes.
+   * The mesh in a file, whose content tells the format: Wavefront OBJ, Geomview OFF (text), PLY (text
+   * and binary) or STL (text and binary). Vertex i and face j of the mesh are the i-th vertex and the
+   * j-th face of the file. STL repeats its vertices: there, vertex i is the i-th position that differs
+   * from those before it. Text, or its bytes.
    *
-   * @throws HalfedgeError with the line and what was expected there (`parse-error`, `truncated`,
-   * `unknown-format`, `unsupported-format`, `not-text`, ...), or as {@link fromPolygons}, with the
-   * lines of the faces
+   * @throws HalfedgeError with the line, or the byte of a binary file, and what was expected there
+   * (`parse-error`, `truncated`, `unknown-format`, `unsupported-format`, `not-text`, ...), or as
+   * {@link fromPolygons}, with the lines of the faces
    */
   static parse(
     data: string | ArrayBuffer | Uint8Array,

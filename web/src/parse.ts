@@ -7,10 +7,10 @@ import { withInputs } from './memory.js';
 import { sentence, unwrap } from './reports.js';
 
 /** The file formats that can be read. */
-export type FileFormat = 'obj' | 'off';
+export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
 
 /** In the order of the enum Format in C++. */
-const FORMATS: readonly FileFormat[] = ['obj', 'off'];
+const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
 
 /** How to read a file. */
 export interface ParseOptions extends StorageOptions {
@@ -55,7 +55,7 @@ function claimedFormat({ format, repair }: ParseOptions): number {
   if (format === undefined) return -1;
   const claimed = FORMATS.indexOf(format);
   if (claimed >= 0) return claimed;
-  const sentence = `options.format is ${describe(format)}; expected 'obj' or 'off'.`;
+  const sentence = `options.format is ${describe(format)}; expected 'obj', 'off', 'ply' or 'stl'.`;
   throw typeof format === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }
 

@@ -19,14 +19,14 @@ export interface OpenFailure {
   readonly message: string;
 }
 
-const FORMATS = ['obj', 'off'] as const;
+const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
 
 export async function openSample(sample: Sample): Promise<MeshDocument> {
   const { name, start, view, id } = sample;
   return { name, mesh: await sample.load(), sample: id, start, view };
 }
 
-/** Reads an OBJ or OFF file; throws what `HalfedgeMesh.parse` throws. */
+/** Reads an OBJ, OFF, PLY or STL file; throws what `HalfedgeMesh.parse` throws. */
 export async function openFile(file: File): Promise<MeshDocument> {
   const extension = file.name.split('.').at(-1)?.toLowerCase();
   const format = FORMATS.find((known) => known === extension);

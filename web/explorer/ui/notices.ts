@@ -50,7 +50,11 @@ export function busyNotice(explorer: Explorer): HTMLElement {
 
 /** Takes files that are dropped anywhere on the page, and shows that it would. */
 export function dropTarget(explorer: Explorer): HTMLElement {
-  const target = h('div', { class: 'drop-target', hidden: true }, 'Drop an OBJ or OFF file');
+  const target = h(
+    'div',
+    { class: 'drop-target', hidden: true },
+    'Drop an OBJ, OFF, PLY or STL file',
+  );
   let depth = 0;
   const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragenter', (event) => {

@@ -7,7 +7,7 @@ import type { Theme } from './theme.js';
 export function topBar(explorer: Explorer, theme: Theme, openHelp: () => void): HTMLElement {
   const input = h('input', {
     type: 'file',
-    accept: '.obj,.off',
+    accept: '.obj,.off,.ply,.stl',
     hidden: true,
     'data-file': true,
     'aria-label': 'Mesh file',
