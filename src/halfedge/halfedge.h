@@ -13,5 +13,6 @@
 #include <halfedge/directed_edges/validate.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
+#include <halfedge/repair/repair.h>
 #include <halfedge/result.h>
 #include <halfedge/validate/validate.h>

@@ -13,8 +13,10 @@ namespace halfedge::sentence {
 
 /// "1 corner", "2 corners"; knows the plurals that occur.
 [[nodiscard]] inline std::string count_of(std::uint64_t count, std::string noun) {
-  if (count != 1) noun = noun == "vertex" ? "vertices" : noun + "s";
-  return std::to_string(count) + " " + noun;
+  if (count == 1) return "1 " + noun;
+  if (noun.ends_with("vertex"))
+    return std::to_string(count) + " " + noun.erase(noun.size() - 2) + "ices";
+  return std::to_string(count) + " " + noun + "s";
 }
 
 /// "3, 5, 9"; of a long list the first few and "...".

@@ -1,0 +1,193 @@
+#include <halfedge/build/sentence.h>
+#include <halfedge/repair/soup.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace halfedge::repair {
+
+namespace {
+
+using std::to_string;
+
+// Gives the fans of a vertex vertices of their own, where they can't share one.
+//
+// Copies of an edge must differ in a vertex, or they would be one edge again. They do, if their
+// fans differ at one end. Where the fans are the same at both ends, all copies but one are torn
+// out: their faces are separated from their neighbours. That makes fans only smaller, so nothing
+// else becomes wrong.
+class Splitter {
+ public:
+  Splitter(Surface& surface, const Crowds& crowds, const Faces& input, Log& log)
+      : surface_(surface), crowds_(crowds), input_(input), log_(log) {}
+
+  [[nodiscard]] bool run(Array<Index>& vertex_of, Array<Index>& copies) {
+    bool torn = true;
+    while (torn) {
+      if (!collect_fans() || !tear_out_clashes(torn)) return false;
+    }
+    return number_fans(copies) && number_corners(vertex_of);
+  }
+
+ private:
+  struct Fan {
+    Index vertex;
+    Index first;  // a corner
+    bool closed;
+  };
+
+  [[nodiscard]] bool collect_fans() {
+    fans_.clear();
+    fan_of_.clear();
+    const std::size_t corners = surface_.faces.corners.size();
+    if (!fan_of_.resize(corners, kNone)) return false;
+    for (Index c = 0; c < corners; ++c) {
+      if (fan_of_[c] != kNone) continue;
+      const Index fan = Index(fans_.size());
+      fan_of_[c] = fan;
+      const bool closed = walk(c, c, fan);
+      if (!closed) (void)walk(c, surface_.before(c), fan);
+      if (!fans_.push_back({surface_.faces.corners[c], c, closed})) return false;
+    }
+    return true;
+  }
+  // Marks the corners of a fan, leaving the face of `corner` by `side`. Whether it comes round.
+  [[nodiscard]] bool walk(Index corner, Index side, Index fan) {
+    const Index vertex = surface_.faces.corners[corner];
+    for (;;) {
+      const Index mate = surface_.mate[side];
+      if (mate == kNone) return false;
+      corner = surface_.corner_at(mate, vertex);
+      if (fan_of_[corner] != kNone) return true;
+      fan_of_[corner] = fan;
+      side = surface_.other_side(corner, mate);
+    }
+  }
+
+  // ---- copies of an edge between the same fans
+
+  struct Copy {
+    Index low_fan;
+    Index high_fan;
+    bool single;
+    Index side;
+  };
+
+  [[nodiscard]] bool tear_out_clashes(bool& torn) {
+    torn = false;
+    Array<Copy> copies;
+    Index begin = 0;
+    for (const Index end : crowds_.end) {
+      copies.clear();
+      for (Index i = begin; i < end; ++i) {
+        const Index side = crowds_.sides[i];
+        const Index mate = surface_.mate[side];
+        if (mate != kNone && mate < side) continue;  // is seen from there
+        if (!copies.push_back(copy_of(side))) return false;
+      }
+      begin = end;
+      std::sort(copies.begin(), copies.end(), [](const Copy& a, const Copy& b) {
+        return std::tie(a.low_fan, a.high_fan, a.single, a.side) <
+               std::tie(b.low_fan, b.high_fan, b.single, b.side);
+      });
+      for (std::size_t i = 1; i < copies.size(); ++i) {
+        if (copies[i - 1].low_fan != copies[i].low_fan ||
+            copies[i - 1].high_fan != copies[i].high_fan) {
+          continue;
+        }
+        torn = true;
+        const Index mate = surface_.mate[copies[i].side];
+        tear_out(surface_.face_of[copies[i].side]);
+        if (mate != kNone) tear_out(surface_.face_of[mate]);
+      }
+    }
+    return true;
+  }
+  [[nodiscard]] Copy copy_of(Index side) const {
+    const Index a = fan_of_[side];
+    const Index b = fan_of_[surface_.after(side)];
+    const bool up = surface_.from(side) < surface_.to(side);
+    return {up ? a : b, up ? b : a, surface_.mate[side] == kNone, side};
+  }
+  void tear_out(Index f) {
+    for (Index c = surface_.faces.first[f]; c < surface_.faces.first[f + 1]; ++c) {
+      surface_.cut(c);
+      surface_.split[surface_.faces.corners[c]] = true;
+    }
+  }
+
+  // ---- numbers
+
+  // Fans that may share their vertex do. The first fan, or all that share, keep the vertex.
+  [[nodiscard]] bool number_fans(Array<Index>& copies) {
+    const std::size_t vertices = surface_.vertex_count();
+    if (!count_.resize(vertices, 0) || !taken_.resize(vertices, false) ||
+        !pinched_.resize(vertices, false) || !shared_.resize(vertices, kNone) ||
+        !vertex_of_fan_.recreate(fans_.size())) {
+      return false;
+    }
+    for (const Fan& fan : fans_) ++count_[fan.vertex];
+    for (std::size_t i = 0; i < fans_.size(); ++i) {
+      const Fan& fan = fans_[i];
+      const Index v = fan.vertex;
+      const bool shares = !surface_.split[v] && !fan.closed;
+      if (shares && shared_[v] != kNone) {
+        vertex_of_fan_[i] = shared_[v];
+        continue;
+      }
+      vertex_of_fan_[i] = surface_.number[v];
+      if (taken_[v]) {
+        vertex_of_fan_[i] = Index(vertices + copies.size());
+        if (!copies.push_back(surface_.number[v])) return false;
+        if (!surface_.split[v] && !pinched_[v]) report_pinched(v);
+        pinched_[v] = true;
+      }
+      taken_[v] = true;
+      if (shares) shared_[v] = vertex_of_fan_[i];
+    }
+    return true;
+  }
+
+  void report_pinched(Index v) {
+    log_.add(RepairCode::kPinchedVertex, [&] {
+      Error error{{}, {}, {.vertices = {surface_.origin[v]}}};
+      for (const Fan& fan : fans_) {
+        if (fan.vertex != v) continue;
+        error.witness.faces.push_back(
+            input_.source[surface_.faces.source[surface_.face_of[fan.first]]]);
+      }
+      error.message = "Vertex " + to_string(surface_.origin[v]) + " joins " + to_string(count_[v]) +
+                      " separate fans of faces (beginning with faces " +
+                      sentence::list_of(error.witness.faces) + "): it was doubled.";
+      return error;
+    });
+  }
+
+  [[nodiscard]] bool number_corners(Array<Index>& vertex_of) const {
+    if (!vertex_of.recreate(fan_of_.size())) return false;
+    for (std::size_t c = 0; c < fan_of_.size(); ++c) vertex_of[c] = vertex_of_fan_[fan_of_[c]];
+    return true;
+  }
+
+  Surface& surface_;
+  const Crowds& crowds_;
+  const Faces& input_;
+  Log& log_;
+  Array<Fan> fans_;
+  Array<Index> fan_of_;         // by corner
+  Array<Index> vertex_of_fan_;  // by fan
+  Array<Index> count_;          // by vertex: its fans
+  Array<bool> taken_;           // by vertex: a fan has it
+  Array<bool> pinched_;         // by vertex: more than one has
+  Array<Index> shared_;         // by vertex: what its open fans share
+};
+
+}  // namespace
+
+bool split_vertices(Surface& surface, const Crowds& crowds, const Faces& faces, Log& log,
+                    Array<Index>& vertex_of, Array<Index>& copies) {
+  return Splitter(surface, crowds, faces, log).run(vertex_of, copies);
+}
+
+}  // namespace halfedge::repair

@@ -1,0 +1,264 @@
+#include <halfedge/repair/soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace halfedge::repair {
+
+namespace {
+
+bool is_finite(const float* p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
+  std::uint64_t h = (a ^ 0x9E37'79B9'7F4A'7C15U) * 0xD6E8'FEB8'6659'FD93U;
+  h ^= (h >> 32U) ^ b;
+  h *= 0xD6E8'FEB8'6659'FD93U;
+  return h ^ (h >> 32U);
+}
+
+std::uint64_t hash_of(const float* p) {
+  std::array<std::uint32_t, 3> bits{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float normal = p[i] + 0.0F;  // -0 becomes 0
+    std::memcpy(&bits[i], &normal, sizeof normal);
+  }
+  return mix(bits[0] | std::uint64_t{bits[1]} << 32U, bits[2]);
+}
+
+// Gives each different position a number, that of its first vertex in order.
+class ExactWelder {
+ public:
+  ExactWelder(std::span<const float> positions, Vertices& vertices)
+      : positions_(positions), vertices_(vertices) {}
+
+  [[nodiscard]] bool run() {
+    if (!slots_.resize(1024, kNone)) return false;
+    for (std::size_t v = 0; v < vertices_.of_input.size(); ++v) {
+      const float* p = &positions_[3 * v];
+      if (!is_finite(p)) continue;
+      Index& slot = find(p);
+      if (slot == kNone) {
+        slot = Index(vertices_.origin.size());
+        vertices_.of_input[v] = slot;
+        if (!vertices_.origin.push_back(Index(v))) return false;
+        if (2 * vertices_.origin.size() > slots_.size() && !grow()) return false;
+      } else {
+        vertices_.of_input[v] = slot;
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] Index& find(const float* p) {
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = std::size_t(hash_of(p)) & mask;
+    while (slots_[i] != kNone) {
+      const float* q = &positions_[3 * std::size_t{vertices_.origin[slots_[i]]}];
+      if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) break;
+      i = (i + 1) & mask;
+    }
+    return slots_[i];
+  }
+
+  [[nodiscard]] bool grow() {
+    const std::size_t size = 4 * slots_.size();
+    slots_.reset();
+    if (!slots_.resize(size, kNone)) return false;
+    for (Index i = 0; i < vertices_.origin.size(); ++i) {
+      find(&positions_[3 * std::size_t{vertices_.origin[i]}]) = i;
+    }
+    return true;
+  }
+
+  std::span<const float> positions_;
+  Vertices& vertices_;
+  Array<Index> slots_;
+};
+
+// Joins different positions that are closer than a tolerance, in groups around leaders, which are
+// hashed by cells of a grid. A cell is twice as wide as the tolerance, so what is near a position
+// lies in its cell and in those on its nearer sides, eight in all.
+class NearWelder {
+ public:
+  NearWelder(std::span<const float> positions, double tolerance, Vertices& vertices)
+      : positions_(positions),
+        square_(tolerance * tolerance),
+        cell_(2.000002 * tolerance),  // no rounding may hide a neighbour
+        vertices_(vertices) {}
+
+  [[nodiscard]] bool run() {
+    const std::size_t count = vertices_.size();
+    Array<Index> order;
+    std::size_t slots = 64;
+    while (slots < count) slots *= 2;
+    if (!order.recreate(count) || !leader_of_.recreate(count) ||
+        !next_in_group_.resize(count, kNone) || !slots_.resize(slots, kNone)) {
+      return false;
+    }
+    for (Index i = 0; i < count; ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [this](Index a, Index b) {
+      const float* p = at(a);
+      const float* q = at(b);
+      return std::lexicographical_compare(p, p + 3, q, q + 3);
+    });
+    for (const Index i : order) {
+      if (!place(i)) return false;
+    }
+    return renumber();
+  }
+
+ private:
+  struct Leader {
+    Index vertex;
+    Index next_in_slot;
+    Index members;
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+  };
+  using Cell = std::array<double, 3>;
+
+  // A group that has become larger is known by its box alone, and a position meets so many leaders:
+  // tolerances far too large cost time in proportion.
+  static constexpr Index kCompared = 32;
+  static constexpr int kMet = 256;
+
+  [[nodiscard]] const float* at(Index i) const {
+    return &positions_[3 * std::size_t{vertices_.origin[i]}];
+  }
+  [[nodiscard]] static double square_distance(const float* p, const float* q) {
+    const double x = double{p[0]} - double{q[0]};
+    const double y = double{p[1]} - double{q[1]};
+    const double z = double{p[2]} - double{q[2]};
+    return x * x + y * y + z * z;
+  }
+
+  [[nodiscard]] std::size_t slot_of(const Cell& cell) const {
+    std::array<std::uint64_t, 3> bits{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double normal = cell[i] + 0.0;
+      std::memcpy(&bits[i], &normal, sizeof normal);
+    }
+    return std::size_t(mix(mix(bits[0], bits[1]), bits[2])) & (slots_.size() - 1);
+  }
+
+  [[nodiscard]] bool place(Index i) {
+    const float* p = at(i);
+    Cell own{};
+    Cell near{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      own[k] = std::floor(double{p[k]} / cell_);
+      near[k] = own[k] + (double{p[k]} - own[k] * cell_ < cell_ / 2 ? -1 : 1);
+    }
+    Index best = kNone;
+    double nearest = square_;
+    int met = 0;
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Cell cell = {(corner & 1U) != 0 ? near[0] : own[0],
+                         (corner & 2U) != 0 ? near[1] : own[1],
+                         (corner & 4U) != 0 ? near[2] : own[2]};
+      for (Index l = slots_[slot_of(cell)]; l != kNone && met < kMet; ++met) {
+        const Leader& leader = leaders_[l];
+        const double square = square_distance(p, at(leader.vertex));
+        const bool is_better = square < nearest || (square == nearest && l < best);
+        if (square < square_ && is_better && fits(p, leader)) best = l, nearest = square;
+        l = leader.next_in_slot;
+      }
+    }
+    if (best != kNone) {
+      join(i, best);
+      return true;
+    }
+    leader_of_[i] = i;
+    Index& head = slots_[slot_of(own)];
+    const Leader leader{i, head, 1, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
+    head = Index(leaders_.size());
+    return leaders_.push_back(leader);
+  }
+
+  // Whether p is closer than the tolerance to all of a group.
+  [[nodiscard]] bool fits(const float* p, const Leader& leader) const {
+    if (leader.members <= kCompared) {
+      Index member = next_in_group_[leader.vertex];
+      while (member != kNone && square_distance(p, at(member)) < square_) {
+        member = next_in_group_[member];
+      }
+      return member == kNone;
+    }
+    std::array<float, 3> farthest{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool is_low =
+          double{p[k]} - double{leader.low[k]} > double{leader.high[k]} - double{p[k]};
+      farthest[k] = is_low ? leader.low[k] : leader.high[k];
+    }
+    return square_distance(p, farthest.data()) < square_;
+  }
+
+  void join(Index i, Index l) {
+    Leader& leader = leaders_[l];
+    leader_of_[i] = leader.vertex;
+    next_in_group_[i] = next_in_group_[leader.vertex];
+    next_in_group_[leader.vertex] = i;
+    ++leader.members;
+    const float* p = at(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      leader.low[k] = std::min(leader.low[k], p[k]);
+      leader.high[k] = std::max(leader.high[k], p[k]);
+    }
+  }
+
+  // Groups in the order of their first vertices, each at the position of its leader.
+  [[nodiscard]] bool renumber() {
+    Array<Index> origin;
+    Array<Index> number;
+    if (!origin.reserve(leaders_.size()) || !number.resize(vertices_.size(), kNone)) return false;
+    for (Index& own : vertices_.of_input) {
+      if (own == kNone) continue;
+      const Index leader = leader_of_[own];
+      if (number[leader] == kNone) {
+        number[leader] = Index(origin.size());
+        (void)origin.push_back(vertices_.origin[leader]);  // reserved above
+      }
+      own = number[leader];
+    }
+    vertices_.origin = std::move(origin);
+    return true;
+  }
+
+  std::span<const float> positions_;
+  double square_;
+  double cell_;
+  Vertices& vertices_;
+  Array<Index> slots_;
+  Array<Leader> leaders_;
+  Array<Index> leader_of_;
+  Array<Index> next_in_group_;
+};
+
+[[nodiscard]] bool keep_apart(std::span<const float> positions, Vertices& out) {
+  if (!out.origin.reserve(out.of_input.size())) return false;
+  for (std::size_t v = 0; v < out.of_input.size(); ++v) {
+    if (!is_finite(&positions[3 * v])) continue;
+    out.of_input[v] = Index(out.origin.size());
+    (void)out.origin.push_back(Index(v));  // reserved above
+  }
+  return true;
+}
+
+}  // namespace
+
+bool weld(std::span<const float> positions, std::optional<double> tolerance, Vertices& out) {
+  if (!out.of_input.resize(positions.size() / 3, kNone)) return false;
+  if (!tolerance) return keep_apart(positions, out);
+  if (!ExactWelder(positions, out).run()) return false;
+  // No two different floats are closer than this.
+  if (*tolerance <= double{std::numeric_limits<float>::denorm_min()}) return true;
+  return NearWelder(positions, *tolerance, out).run();
+}
+
+}  // namespace halfedge::repair
