@@ -284,6 +284,14 @@ describe('A range', () => {
       new RangeError('buffer has length 3; expected at least 4.'),
     );
     expect(() => mesh.vertexFaces(5).into(new Int32Array(0))).toThrow(RangeError);
+    for (const kind of [...aroundVertices, ...aroundEdges]) {
+      const lap = [...range(mesh, kind)(1)];
+      const items = mesh[kind](1);
+      expect(items.into(new Int32Array(lap.length))).toBe(lap.length);
+      expect(() => items.into(new Int32Array(lap.length - 1))).toThrow(
+        `buffer has length ${lap.length - 1}; expected at least ${lap.length}.`,
+      );
+    }
     for (const buffer of [
       null,
       4,
@@ -502,6 +510,34 @@ describe('The endless form', () => {
     changeConnectivity(mesh);
     expect(() => ring.current).toThrow('after the connectivity changed');
     expect(ring.moveTo(0).current).toBe(0);
+  });
+
+  test.each(['vertexOutgoingHalfedges', 'vertexFaces', 'faceVertices', 'edgeFaces'] as const)(
+    '%s moves on in the views of after a change, and of after growth of the memory',
+    (kind) => {
+      using mesh = build(quadGrid());
+      for (const direction of directions) {
+        const ring = mesh.circulate(kind, 0, { direction });
+        for (const disturb of [() => changeConnectivity(mesh), growMemory]) {
+          disturb();
+          for (const item of [5, 1, 8]) {
+            ring.moveTo(item);
+            const lap = [...range(mesh, kind)(item, direction)];
+            const items = lap.map((_, i) => (i === 0 ? ring.current : ring.next()));
+            expect([item, ...items]).toEqual([item, ...lap]);
+            disturb();
+            expect(() => ring.moveTo(48)).toThrow('expected a');
+          }
+        }
+      }
+    },
+  );
+
+  test('refuses an anchor that is out of range', () => {
+    using mesh = build(quadGrid());
+    mesh.connectivity.vertexHalfedge[5] = 999;
+    const ring = mesh.circulate('vertexOutgoingHalfedges', 1, { direction: 'cw' });
+    expect(() => ring.moveTo(5)).toThrow(expect.objectContaining({ code: 'corrupt-connectivity' }));
   });
 
   test('begins at a start', () => {

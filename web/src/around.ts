@@ -25,6 +25,10 @@ export const walkAround = (centre: Centre, direction: Direction): number => {
   return ccw ? LOOP_CCW : LOOP_CW;
 };
 
+/** Whether that way around ends at the anchor of the item, rather than begins there. */
+export const endsAtAnchor = (centre: Centre, walk: number): boolean =>
+  walk === ROTATE_CCW || (walk === LOOP_CW && centre === 'face');
+
 /** The halfedge where the lap ends, NONE around an isolated vertex. */
 export const lastAround = (
   links: Links,
@@ -162,8 +166,8 @@ const lastOf = (
     }
   } else if (first === NONE && centre === 'vertex') {
     return NONE;
-  } else if (walk === ROTATE_CCW || (walk === LOOP_CW && centre === 'face')) {
-    return first; // these directions end at the anchor
+  } else if (endsAtAnchor(centre, walk)) {
+    return first;
   }
   const last = step(links, reverse(walk), first);
   if (last >= 0) return last;

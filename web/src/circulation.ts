@@ -21,7 +21,7 @@ import type { RingKind } from './rings.js';
 // Constants of this module's own: see orbit.ts.
 const { linksOf } = navigation;
 const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
-const { Circulator } = circulator;
+const { Circulator, kindOf } = circulator;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = orbit;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number> = circulator.Circulator<Item>;
@@ -153,9 +153,13 @@ export abstract class Circulation extends BulkRings {
   circulate<Kind extends CirculatorKind>(
     kind: Kind,
     item: number,
-    options: CirculateOptions = {},
+    options?: CirculateOptions,
   ): Circulator<Shown<Kind>> {
-    const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
+    let direction: Direction = 'ccw';
+    let start: HalfedgeLike | undefined;
+    if (options !== undefined) {
+      ({ direction = 'ccw', start } = checkOptions(options) as CirculateOptions);
+    }
     const around = KINDS[kind] as circulator.Kind | undefined;
     if (around === undefined) throw noSuchKind(kind);
     return new Circulator<Shown<Kind>>(linksOf(this), around, direction).moveTo(item, start);
@@ -163,19 +167,19 @@ export abstract class Circulation extends BulkRings {
 }
 
 const KINDS: Record<CirculatorKind, circulator.Kind> = {
-  vertexVertices: { centre: 'vertex', view: TO_VERTEX },
-  vertexOutgoingHalfedges: { centre: 'vertex', view: ITSELF },
-  vertexIncomingHalfedges: { centre: 'vertex', view: OPPOSITE },
-  vertexEdges: { centre: 'vertex', view: EDGE },
-  vertexFaces: { centre: 'vertex', view: FACE },
-  faceVertices: { centre: 'face', view: TO_VERTEX },
-  faceHalfedges: { centre: 'face', view: ITSELF },
-  faceEdges: { centre: 'face', view: EDGE },
-  faceFaces: { centre: 'face', view: OPPOSITE_FACE },
-  edgeVertices: { centre: 'edge', view: TO_VERTEX },
-  edgeHalfedges: { centre: 'edge', view: ITSELF },
-  edgeFaces: { centre: 'edge', view: FACE },
-  halfedgeLoop: { centre: 'loop', view: ITSELF },
+  vertexVertices: kindOf('vertex', TO_VERTEX),
+  vertexOutgoingHalfedges: kindOf('vertex', ITSELF),
+  vertexIncomingHalfedges: kindOf('vertex', OPPOSITE),
+  vertexEdges: kindOf('vertex', EDGE),
+  vertexFaces: kindOf('vertex', FACE),
+  faceVertices: kindOf('face', TO_VERTEX),
+  faceHalfedges: kindOf('face', ITSELF),
+  faceEdges: kindOf('face', EDGE),
+  faceFaces: kindOf('face', OPPOSITE_FACE),
+  edgeVertices: kindOf('edge', TO_VERTEX),
+  edgeHalfedges: kindOf('edge', ITSELF),
+  edgeFaces: kindOf('edge', FACE),
+  halfedgeLoop: kindOf('loop', ITSELF),
 };
 
 Object.setPrototypeOf(KINDS, null); // `constructor` is no kind

@@ -5,14 +5,58 @@ import * as orbit from './orbit.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
-const { lastAround, walkAround } = around;
-const { reverse, shown, staleError, step } = orbit;
+const { endsAtAnchor, lastAround, walkAround } = around;
+const { ACROSS, SMALL_INDEX: SMALL, TO_VERTEX, recipe, reverse, shown, staleError, step } = orbit;
 type Centre = around.Centre;
 
-/** What a circulator goes around, and what it shows of each halfedge. */
-export interface Kind {
+/** Nothing to look up: what is read from it, undefined, leads to the slow path. */
+const NOTHING = new Int32Array(0);
+
+/**
+ * How one kind of circulator goes in one direction. A step is two look-ups and three exclusive ors, the
+ * same for all kinds that show a vertex or a face: `h = follow[h ^ before] ^ after` and
+ * `item = table[h ^ side]`. To decide at each step what to do would cost twice the time.
+ */
+export interface Course {
   readonly centre: Centre;
+  readonly walk: number;
   readonly view: number;
+  /** Whether it follows next, rather than prev. */
+  readonly alongNext: boolean;
+  readonly before: number;
+  readonly after: number;
+  readonly side: number;
+  /** What it shows where that needs no table is `(h ^ side) >> shift`; else NONE. */
+  readonly shift: number;
+  /** Whether it begins at the anchor of its item, rather than one step after it. */
+  readonly beginsAtAnchor: boolean;
+}
+
+/** The courses of one kind of circulator. */
+export interface Kind {
+  readonly ccw: Course;
+  readonly cw: Course;
+}
+
+/** What a circulator goes around, and what it shows of each halfedge. */
+export function kindOf(centre: Centre, view: number): Kind {
+  const course = (direction: Direction): Course => {
+    const walk = walkAround(centre, direction);
+    const beginsAtAnchor = !endsAtAnchor(centre, walk);
+    const { alongNext, before, after, side, shift } = recipe(walk, view);
+    return {
+      centre,
+      walk,
+      view,
+      alongNext,
+      before,
+      after,
+      side,
+      shift,
+      beginsAtAnchor,
+    };
+  };
+  return { ccw: course('ccw'), cw: course('cw') };
 }
 
 /**
@@ -24,11 +68,21 @@ export class Circulator<Item extends number = number> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly centre: Centre;
+  declare readonly course: Course;
+  /** @internal Copies of the course: where `circulate` is inlined, V8 takes these for constants. */
+  declare readonly before: number;
   /** @internal */
-  declare readonly walk: number;
+  declare readonly after: number;
   /** @internal */
-  declare readonly view: number;
+  declare readonly side: number;
+  /** @internal */
+  declare readonly shift: number;
+  /** @internal The views to look things up in: empty once detached, stale once the era is over. */
+  declare anchors: Int32Array;
+  /** @internal */
+  declare follow: Int32Array;
+  /** @internal */
+  declare table: Int32Array;
   /** @internal */
   declare era: Links['era'];
   /** @internal */
@@ -37,11 +91,18 @@ export class Circulator<Item extends number = number> {
   declare item: number;
 
   /** @internal */
-  constructor(links: Links, { centre, view }: Kind, direction: Direction) {
+  constructor(links: Links, { ccw, cw }: Kind, direction: Direction) {
+    const course = direction === 'ccw' || walkAround(ccw.centre, direction) === ccw.walk ? ccw : cw;
+    const { centre, view } = course;
     this.links = links;
-    this.centre = centre;
-    this.walk = walkAround(centre, direction);
-    this.view = view;
+    this.course = course;
+    this.before = course.before;
+    this.after = course.after;
+    this.side = course.side;
+    this.shift = course.shift;
+    this.anchors = anchorsOf(links, centre);
+    this.follow = followedBy(links, course);
+    this.table = view === TO_VERTEX ? links.toVertex : links.face;
     this.era = links.era;
     this.at = NONE;
     this.item = NONE;
@@ -49,7 +110,7 @@ export class Circulator<Item extends number = number> {
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.era.over) this.refuse();
+    if (this.era.over === true) this.refuse();
     return this.item as Item;
   }
 
@@ -58,40 +119,31 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.era.over) this.refuse();
+    if (this.era.over === true) this.refuse();
     return this.at as Halfedge;
   }
 
   /** Steps on, and returns what it shows there. */
   next(): Item {
-    return this.step(this.walk);
+    if (this.era.over === true) this.refuse();
+    const link = this.follow[this.at ^ this.before];
+    if (!(link >= 0)) return this.search(this.course.walk);
+    const h = (link ^ this.after) & SMALL;
+    const side = h ^ this.side;
+    const item = this.shift < 0 ? this.table[side] : side >> this.shift;
+    if (!(item >= 0)) return this.search(this.course.walk);
+    this.at = h;
+    this.item = item;
+    return item as Item;
   }
 
   /** Steps back, and returns what it shows there. */
   prev(): Item {
-    return this.step(reverse(this.walk));
-  }
-
-  /**
-   * Goes around another item of the same kind and in the same direction, as a new circulator would, but
-   * without making one.
-   */
-  moveTo(item: number, start?: HalfedgeLike): this {
-    const { links, walk, view } = this;
-    const last = lastAround(links, this.centre, item, walk, start, view);
-    this.era = links.era;
-    this.at = last;
-    this.item = NONE;
-    if (last >= 0) this.step(walk);
-    return this;
-  }
-
-  /** @internal */
-  step(walk: number): Item {
-    const { links } = this;
-    if (this.era.over) this.refuse();
+    if (this.era.over === true) this.refuse();
+    const { links, course } = this;
+    const walk = reverse(course.walk);
     const h = step(links, walk, this.at);
-    const item = shown(links, this.view, h);
+    const item = shown(links, course.view, h);
     if (!(item >= 0)) return this.search(walk);
     this.at = h;
     this.item = item;
@@ -99,18 +151,62 @@ export class Circulator<Item extends number = number> {
   }
 
   /**
+   * Goes around another item of the same kind and in the same direction, as a new circulator would, but
+   * without making one.
+   */
+  moveTo(item: number, start?: HalfedgeLike): this {
+    if (typeof item !== 'number' || start !== undefined || this.era.over === true) {
+      return this.moveSlowly(item, start);
+    }
+    const anchor = this.anchors[item];
+    if (!(anchor >= 0)) return this.moveSlowly(item, start);
+    let h = anchor;
+    if (this.course.beginsAtAnchor === false) {
+      const link = this.follow[anchor ^ this.before];
+      if (!(link >= 0)) return this.moveSlowly(item, start);
+      h = (link ^ this.after) & SMALL;
+    } else if (h >= this.follow.length) {
+      return this.moveSlowly(item, start);
+    }
+    const side = h ^ this.side;
+    const first = this.shift < 0 ? this.table[side] : side >> this.shift;
+    if (!(first >= 0)) return this.moveSlowly(item, start);
+    this.at = h;
+    this.item = first;
+    return this;
+  }
+
+  /**
+   * `moveTo` in all cases: an isolated vertex, a start, a first side without a face, views that are
+   * detached or stale, an argument that is wrong.
+   * @internal
+   */
+  moveSlowly(item: number, start: HalfedgeLike | undefined): this {
+    const { links, course } = this;
+    const { centre, walk, view } = course;
+    const last = lastAround(links, centre, item, walk, start, view);
+    this.era = links.era;
+    this.at = last;
+    this.item = NONE;
+    this.search(walk);
+    return this;
+  }
+
+  /**
    * Steps to the next halfedge that shows something, if there is one; mends detached views first.
    * @internal
    */
   search(walk: number): Item {
-    if (this.at === NONE) return NONE as Item;
     const { links } = this;
+    const { view } = this.course;
     links.revive();
+    this.lookAgain();
+    if (this.at === NONE) return NONE as Item;
     const begin = this.at;
     let h = begin;
     for (let left = links.halfedgeSlots; left > 0; left--) {
       h = step(links, walk, h);
-      const item = shown(links, this.view, h);
+      const item = shown(links, view, h);
       if (!(h >= 0 && item >= NONE)) break;
       if (item !== NONE || h === begin) {
         this.at = item === NONE ? NONE : h;
@@ -121,8 +217,29 @@ export class Circulator<Item extends number = number> {
     throw corrupt(`The orbit of halfedge ${begin} does not close`);
   }
 
+  /** Takes the views as they are now. */
+  private lookAgain(): void {
+    const { links } = this;
+    const { course } = this;
+    const { centre, view } = course;
+    this.anchors = anchorsOf(links, centre);
+    this.follow = followedBy(links, course);
+    this.table = view === TO_VERTEX ? links.toVertex : links.face;
+  }
+
   /** @internal */
   refuse(): never {
     throw staleError(this.links);
   }
+}
+
+/** By item, the halfedge where it begins or one step before; edges and loops have no such view. */
+function anchorsOf(links: Links, centre: Centre): Int32Array {
+  if (centre === 'vertex') return links.vertexHalfedge;
+  return centre === 'face' ? links.faceHalfedge : NOTHING;
+}
+
+function followedBy(links: Links, { walk, alongNext }: Course): Int32Array {
+  if (walk === ACROSS) return NOTHING;
+  return alongNext === true ? links.next : links.prev;
 }

@@ -60,6 +60,7 @@ export function reverse(walk: number): number {
  * with it tells the JIT that a number needs no check to fit in a tagged small integer.
  */
 const SMALL = 0x3fffffff;
+export const SMALL_INDEX = SMALL;
 
 /** What a step from `h` reads; undefined or negative where views are detached, or links corrupt. */
 const linkFrom = (links: Links, walk: number, h: number): number => {
@@ -95,6 +96,19 @@ export const shown = (links: Links, view: number, h: number): number => {
   if (view < SHOW_VERTEX) return side >> (view >> 1);
   return view < SHOW_FACE ? links.toVertex[side] : links.face[side];
 };
+
+/**
+ * The same for those that have no time to decide: a step of any walk but ACROSS is
+ * `(follow[h ^ before] ^ after) & SMALL_INDEX`, and a view shows `(h ^ side) >> shift`, or
+ * `table[h ^ side]` where shift is NONE.
+ */
+export const recipe = (walk: number, view: number) => ({
+  alongNext: (walk & FOLLOW_NEXT) !== 0,
+  before: (walk >> 1) & 1,
+  after: (walk >> 2) & 1,
+  side: view & SHOW_OPPOSITE,
+  shift: view < SHOW_VERTEX ? view >> 1 : NONE,
+});
 
 /** What `next` of an iterator returns: NONE at the end, because V8 is slow with "or undefined". */
 export type Result = IteratorResult<number, typeof NONE>;
@@ -168,30 +182,41 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     const room = roomIn(buffer);
     if (last < 0) return 0;
     if (links.next.length === 0) links.revive();
-    const follow = (walk & NOT_ALONG_PREV) === 0 ? links.prev : links.next;
+    // This loop decides as little as it can, and stops at whatever is not as usual.
+    const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
+    const before = (walk >> 1) & 1;
+    const after = (walk >> 2) & 1;
+    const side = view & SHOW_OPPOSITE;
     const table = view < SHOW_FACE ? links.toVertex : links.face;
+    const end = walk < FOLLOW_NOTHING ? room : 0;
     let h = last;
-    let count = 0;
-    if (this.needsSearch) {
-      for (const item of this) {
-        if (count < room) buffer[count] = item;
-        count += 1;
-      }
-      return count <= room ? count : tooSmall(room, count);
-    }
-    for (let left = links.halfedgeSlots; left > 0; left--) {
-      const link = walk >= FOLLOW_NOTHING ? h : follow[h ^ ((walk >> 1) & 1)];
+    let gaps = 0;
+    for (let count = 0; count < end; ) {
+      const link = follow[h ^ before];
       if (!(link >= 0)) break;
-      h = arrival(walk, link);
-      const side = h ^ (view & SHOW_OPPOSITE);
-      const item = view < SHOW_VERTEX ? side >> (view >> 1) : table[side];
+      h = (link ^ after) & SMALL;
+      const item = view < SHOW_VERTEX ? (h ^ side) >> (view >> 1) : table[h ^ side];
       if (item >= 0) {
-        buffer[count] = item; // ignored beyond its end
+        buffer[count] = item;
         count += 1;
-      } else if (item !== NONE || view < SHOW_FACE) break;
-      if (h === last) return count <= room ? count : tooSmall(room, count);
+      } else {
+        gaps += 1;
+        if (item !== NONE || gaps > end) break;
+      }
+      if (h === last) return count;
     }
-    return this.fail();
+    return this.intoSlowly(buffer);
+  }
+
+  /** `into` in all cases. */
+  private intoSlowly(buffer: Int32Array | Uint32Array): number {
+    const room = buffer.length;
+    let count = 0;
+    for (const item of this) {
+      if (count < room) buffer[count] = item;
+      count += 1;
+    }
+    return count <= room ? count : tooSmall(room, count);
   }
 
   /** Whether this walk goes along prev, which isn't stored. */
