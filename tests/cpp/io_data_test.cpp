@@ -59,9 +59,7 @@ const std::map<std::string, Counts> kOtherCounts = {
 const std::map<std::string, std::string> kErrors = {
     {"OutOfMemory.off", "truncated"},
     {"assimp_empty.ply", "unknown-format"},
-    {"beetle_binary_le.off", "unsupported-format"},
     {"box_UTF16BE.obj", "not-text"},
-    {"fairing-cross_binary_le.off", "unsupported-format"},
     {"fuzz_crash.ply", "parse-error"},
     {"invalid-relative-texture-index.obj", "index-out-of-range"},
     {"invalid_truncated.off", "parse-error"},

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 #include <halfedge/io/parse.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -142,9 +146,7 @@ TEST(Off, RefusesAMalformedHead) {
             "\"many\"");
 }
 
-TEST(Off, RefusesWhatItCannotReadYet) {
-  EXPECT_EQ(off_error("OFF BINARY\n\x01\x02"),
-            "unsupported-format: line 1: this OFF file is binary, expected one in text form");
+TEST(Off, RefusesAnotherDimension) {
   EXPECT_EQ(off_error("nOFF 4\n1 0 0\n1 2 3 4\n"),
             "unsupported-format: line 1: the vertices of this nOFF file have dimension \"4\", "
             "expected dimension 3");
@@ -219,6 +221,85 @@ TEST(Off, FindsTheLinesOfFaces) {
       std::string("OFF\n4 3 5\n") + kVertices + "\n4 0 1 2 3\r\n#\r3 0 1 2\n2 0 1";
   EXPECT_EQ(lines_of_faces(test::bytes_of(text), Format::kOff, std::vector<Index>{2, 0, 1, 3}),
             (std::vector<std::size_t>{11, 8, 10, 0}));
+}
+
+/// Words of a binary file: integers, or floats.
+class Words {
+ public:
+  explicit Words(bool big) : big_(big) {}
+  Words& ints(std::initializer_list<std::int32_t> values) {
+    for (const std::int32_t value : values) add(value);
+    return *this;
+  }
+  Words& floats(std::initializer_list<float> values) {
+    for (const float value : values) add(value);
+    return *this;
+  }
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class T>
+  void add(T value) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    if (big_) std::reverse(raw, raw + sizeof(T));
+    bytes_.append(raw, sizeof(T));
+  }
+
+  bool big_;
+  std::string bytes_;
+};
+
+TEST(OffBinary, ReadsBothByteOrdersWithColoursAndWithout) {
+  for (const bool big : {true, false}) {
+    for (const bool colours : {true, false}) {
+      Words words(big);
+      words.ints({4, 2, 0}).floats({0, 0, 0, 1, 0, 0, 1, 1, -0.0F, 0, 0.1F, 0});
+      words.ints({3, 0, 1, 2});
+      if (colours) words.ints({4}).floats({1, 0, 0, 1});
+      words.ints({4, 3, 2, 1, 0});
+      if (colours) words.ints({0});
+      const Parsed file = parse_off("OFF BINARY\n" + words.bytes());
+      EXPECT_EQ(file.error, "");
+      EXPECT_EQ(file.positions, (std::vector<float>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0.1F, 0}));
+      EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {3, 2, 1, 0}}));
+      EXPECT_TRUE(file.notes.empty());
+    }
+  }
+}
+
+TEST(OffBinary, ReadsThePrefixes) {
+  Words words(true);
+  words.ints({1, 1, 0}).floats({2, 4, 6, 2, /* normal */ 0, 0, 1, /* colour */ 1, 1, 1, 1});
+  words.floats({/* texture */ .5F, .5F}).ints({1, 0, 0});
+  const Parsed file = parse_off("STCN4OFF BINARY\r\n" + words.bytes() + "xy");
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.positions, (std::vector<float>{1, 2, 3}));
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0}}));
+  EXPECT_EQ(file.notes, std::vector<std::string>{"ignored the 2 bytes behind the last face"});
+}
+
+TEST(OffBinary, ExplainsWrongBytes) {
+  const std::string header = "OFF BINARY\n";
+  EXPECT_EQ(off_error(header + "1234"),
+            "truncated: byte 11: expected the numbers of vertices, faces and edges, found the end "
+            "of the file in 4 bytes");
+  EXPECT_EQ(off_error(header + Words(true).ints({2000000000, 5, 0}).bytes()),
+            "truncated: byte 11: the header promises 2000000000 vertices and 5 faces, but only 0 "
+            "bytes follow");
+  const std::string start = header + Words(true).ints({1, 1, 0}).floats({0, 0, 0}).bytes();
+  EXPECT_EQ(off_error(start + Words(true).ints({1, 1, 0}).bytes()),
+            "index-out-of-range: byte 39: corner 0 of face 0 is 1, expected a vertex from 0 to 0");
+  EXPECT_EQ(off_error(start + Words(true).ints({1, -5, 0}).bytes()),
+            "index-out-of-range: byte 39: corner 0 of face 0 is -5, expected a vertex from 0 to 0");
+  EXPECT_EQ(off_error(start + Words(true).ints({9, 0, 0}).bytes()),
+            "truncated: byte 35: the number of vertices of face 0 of 1 is 9, more than the rest of "
+            "the file can hold");
+  EXPECT_EQ(off_error("nOFF BINARY\n"),
+            "unsupported-format: line 1: this binary OFF file has vertices of any dimension "
+            "(nOFF), expected 3");
+  EXPECT_EQ(lines_of_faces(test::bytes_of(start), Format::kOff, std::vector<Index>{0}),
+            std::vector<std::size_t>{0});
 }
 
 }  // namespace

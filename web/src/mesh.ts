@@ -103,8 +103,8 @@ export class HalfedgeMesh extends Circulation {
   }
 
   /**
-   * The mesh in a file, whose content tells the format: Wavefront OBJ, Geomview OFF (text), PLY (text
-   * and binary) or STL (text and binary). Vertex i and face j of the mesh are the i-th vertex and the
+   * The mesh in a file, whose content tells the format: Wavefront OBJ, or Geomview OFF, PLY or STL in
+   * text or binary form. Vertex i and face j of the mesh are the i-th vertex and the
    * j-th face of the file. STL repeats its vertices: there, vertex i is the i-th position that differs
    * from those before it. Text, or its bytes.
    *

@@ -1,3 +1,4 @@
+#include <halfedge/io/off_binary.h>
 #include <halfedge/io/off_header.h>
 #include <halfedge/io/readers.h>
 
@@ -16,8 +17,9 @@ namespace {
 /// are records, which gives errors their place, unless there are too many or too few of them.
 class OffReader {
  public:
-  OffReader(std::span<const std::uint8_t> bytes, FacePositions* wanted)
-      : text_(bytes), data_(bytes), out_(wanted) {}
+  /// `text` is behind the header.
+  OffReader(const TextScanner& text, const OffHeader& header, FacePositions* wanted)
+      : text_(text), data_(text), out_(wanted), header_(header) {}
 
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return out_; }
@@ -50,10 +52,6 @@ class OffReader {
 };
 
 std::optional<Error> OffReader::read() {
-  const Result<OffHeader> header = read_off_header(text_);
-  if (!header) return header.error();
-  header_ = header.value();
-  data_ = text_;
   prepare();
   for (std::uint64_t i = 0; i < header_.vertices && !out_.out_of_memory(); ++i) {
     if (!read_vertex()) return error_;
@@ -167,7 +165,13 @@ std::vector<std::string> OffReader::notes() {
 }  // namespace
 
 Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, FacePositions* wanted) {
-  OffReader reader(bytes, wanted);
+  TextScanner text(bytes);
+  const Result<OffHeader> header = read_off_header(text);
+  if (!header) return header.error();
+  if (header.value().binary) {
+    return read_off_binary(bytes, bytes.size() - text.rest().size(), header.value());
+  }
+  OffReader reader(text, header.value(), wanted);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   return ParsedFile{Format::kOff, std::move(reader.out().soup()), reader.notes()};
 }

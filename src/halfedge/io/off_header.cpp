@@ -108,11 +108,16 @@ Result<OffHeader> read_off_header(TextScanner& text) {
   text.skip_to_token();
   const HeaderWord word = read_header_word(text).value_or(HeaderWord{});
   text.skip_blanks();
-  if (text.token() == "BINARY") {
-    return error_at(text, "unsupported-format",
-                    "this OFF file is binary, expected one in text form");
-  }
   OffHeader header = word.header;
+  if (text.token() == "BINARY") {
+    if (word.any_dimension) {
+      return error_at(text, "unsupported-format",
+                      "this binary OFF file has vertices of any dimension (nOFF), expected 3");
+    }
+    text.skip_line();
+    header.binary = true;
+    return header;
+  }
   if (word.any_dimension) {
     if (auto error = read_dimension(text)) return *error;
   }

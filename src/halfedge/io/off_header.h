@@ -15,10 +15,13 @@ struct OffHeader {
   int columns = 3;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
+  /// The rest is binary, the counts as well.
+  bool binary = false;
 };
 
 /// Reads the header word, if there is one, and the counts, and moves behind them. Counts that the
-/// rest of the file is too short for are refused, so that memory may be asked for by them.
+/// rest of the file is too short for are refused, so that memory may be asked for by them. Of a
+/// binary file it moves behind the line of the header word, and reads no counts.
 [[nodiscard]] Result<OffHeader> read_off_header(TextScanner& text);
 
 }  // namespace halfedge::io

@@ -53,9 +53,10 @@ struct ParsedFile {
 /// materials, points, lines, curves and unknown statements are ignored.
 [[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes);
 
-/// Reads a Geomview OFF file in text form: OFF with the prefixes ST, C, N, 4, n, or no header word
-/// at all; the number of edges may be left out; comments anywhere. Normals, colours and texture
-/// coordinates are ignored; 4OFF positions are divided by their fourth coordinate.
+/// Reads a Geomview OFF file, in text or binary form (of either byte order): OFF with the prefixes
+/// ST, C, N, 4, n, or no header word at all; the number of edges may be left out; comments
+/// anywhere. Normals, colours and texture coordinates are ignored; 4OFF positions are divided by
+/// their fourth coordinate.
 [[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes);
 
 /// Reads a PLY file, in text or in either binary form: elements and properties in any order, x, y

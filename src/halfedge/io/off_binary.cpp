@@ -1,0 +1,207 @@
+#include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/off_binary.h>
+#include <halfedge/io/soup_writer.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace halfedge::io {
+namespace {
+
+constexpr std::size_t kWord = 4;
+constexpr std::size_t kCounts = 3 * kWord;  // vertices, faces, edges
+
+std::size_t vertex_size(const OffHeader& header) {
+  return kWord * static_cast<std::size_t>(header.columns);
+}
+
+/// Reads the counts into the header, and compares them with the size of the file.
+template <ByteOrder kOrder>
+std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
+  const std::size_t start = bytes.offset();
+  if (bytes.left() < kCounts) {
+    return error_at_byte(start, "truncated",
+                         "expected the numbers of vertices, faces and edges, found the end of the "
+                         "file in " +
+                             std::to_string(bytes.left()) + " bytes");
+  }
+  header.vertices = bytes.take<std::uint32_t, kOrder>();
+  header.faces = bytes.take<std::uint32_t, kOrder>();
+  bytes.skip(kWord);
+  const std::uint64_t left = bytes.left();
+  if (header.vertices <= left / vertex_size(header) &&
+      header.faces <= (left - header.vertices * vertex_size(header)) / kWord) {
+    return std::nullopt;
+  }
+  return error_at_byte(start, "truncated",
+                       "the header promises " + std::to_string(header.vertices) + " vertices and " +
+                           std::to_string(header.faces) + " faces, but only " +
+                           std::to_string(left) + " bytes follow");
+}
+
+/// How many faces can be walked over as they stand, and whether they end where the file does.
+struct Fit {
+  std::uint64_t faces = 0;
+  bool exact = false;
+
+  [[nodiscard]] bool better_than(const Fit& other) const {
+    return faces != other.faces ? faces > other.faces : exact && !other.exact;
+  }
+};
+
+/// pre: read_counts() found nothing wrong
+template <ByteOrder kOrder>
+Fit fit_of(ByteScanner bytes, const OffHeader& header, bool colours) {
+  const auto skip_list = [&bytes] {
+    if (bytes.left() < kWord) return false;
+    const std::size_t length = bytes.take<std::uint32_t, kOrder>();
+    if (length > bytes.left() / kWord) return false;
+    bytes.skip(length * kWord);
+    return true;
+  };
+  bytes.skip(static_cast<std::size_t>(header.vertices) * vertex_size(header));
+  Fit fit;
+  while (fit.faces < header.faces && skip_list() && (!colours || skip_list())) ++fit.faces;
+  fit.exact = bytes.left() == 0;
+  return fit;
+}
+
+template <ByteOrder kOrder>
+class BinaryReader {
+ public:
+  /// pre: read_counts() found nothing wrong
+  BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours)
+      : bytes_(bytes), header_(header), colours_(colours), out_(nullptr) {}
+
+  [[nodiscard]] Result<ParsedFile> read();
+
+ private:
+  void read_vertex();
+  [[nodiscard]] bool read_face();
+  /// Reads how many words of a face follow. False, with an error, where there are not so many.
+  [[nodiscard]] bool read_length(std::uint32_t& length, const char* what);
+  [[nodiscard]] std::uint32_t take() { return bytes_.take<std::uint32_t, kOrder>(); }
+
+  ByteScanner bytes_;
+  const OffHeader& header_;
+  bool colours_;
+  SoupWriter out_;
+  Error error_;
+};
+
+template <ByteOrder kOrder>
+Result<ParsedFile> BinaryReader<kOrder>::read() {
+  out_.reserve(
+      static_cast<std::size_t>(header_.vertices),
+      static_cast<std::size_t>(std::min<std::uint64_t>(3 * header_.faces, bytes_.left() / kWord)));
+  for (std::uint64_t i = 0; i < header_.vertices && !out_.out_of_memory(); ++i) read_vertex();
+  for (std::uint64_t i = 0; i < header_.faces && !out_.out_of_memory(); ++i) {
+    if (!read_face()) return error_;
+  }
+  if (std::optional<Error> error = check_size(out_)) return *std::move(error);
+  ParsedFile file{Format::kOff, std::move(out_.soup()), {}, true};
+  if (bytes_.left() > 0) {
+    file.notes.push_back("ignored the " + std::to_string(bytes_.left()) +
+                         " bytes behind the last face");
+  }
+  return file;
+}
+
+template <ByteOrder kOrder>
+void BinaryReader<kOrder>::read_vertex() {
+  std::array<float, 4> p{0, 0, 0, 1};
+  const auto coordinates = static_cast<std::size_t>(header_.coordinates);
+  for (std::size_t i = 0; i < coordinates; ++i) p[i] = bytes_.take<float, kOrder>();
+  if (coordinates == 4) {
+    for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
+  }
+  out_.add_vertex(p[0], p[1], p[2]);
+  bytes_.skip(vertex_size(header_) - coordinates * kWord);
+}
+
+template <ByteOrder kOrder>
+bool BinaryReader<kOrder>::read_face() {
+  std::uint32_t degree = 0;
+  if (!read_length(degree, "the number of vertices")) return false;
+  for (std::uint32_t corner = 0; corner < degree; ++corner) {
+    const std::size_t offset = bytes_.offset();
+    const std::uint32_t vertex = take();
+    if (vertex < header_.vertices) {
+      out_.add_corner(vertex);
+      continue;
+    }
+    const std::size_t face = out_.face_count();
+    error_ = error_at_byte(offset, "index-out-of-range",
+                           "corner " + std::to_string(corner) + " of face " + std::to_string(face) +
+                               " is " + std::to_string(static_cast<std::int32_t>(vertex)) +
+                               (header_.vertices == 0 ? ", but the file has no vertices"
+                                                      : ", expected a vertex from 0 to " +
+                                                            std::to_string(header_.vertices - 1)));
+    error_.witness.faces = {static_cast<Index>(face)};
+    return false;
+  }
+  std::uint32_t components = 0;
+  if (colours_ && !read_length(components, "the number of colour components")) return false;
+  bytes_.skip(components * kWord);
+  out_.end_face();
+  return true;
+}
+
+template <ByteOrder kOrder>
+bool BinaryReader<kOrder>::read_length(std::uint32_t& length, const char* what) {
+  const std::size_t offset = bytes_.offset();
+  const std::string name = std::string(what) + " of face " + std::to_string(out_.face_count()) +
+                           " of " + std::to_string(header_.faces);
+  if (bytes_.left() < kWord) {
+    error_ = error_at_byte(offset, "truncated", "expected " + name + ", found the end of the file");
+    return false;
+  }
+  length = take();
+  if (length <= bytes_.left() / kWord) return true;
+  error_ = error_at_byte(
+      offset, "truncated",
+      name + " is " + std::to_string(length) + ", more than the rest of the file can hold");
+  return false;
+}
+
+/// A way in which programs write the file.
+struct Candidate {
+  ByteOrder order = ByteOrder::kBig;
+  bool colours = true;
+  Fit fit;
+};
+
+template <ByteOrder kOrder>
+Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours) {
+  if (auto error = read_counts<kOrder>(bytes, header)) return *error;
+  return BinaryReader<kOrder>(bytes, header, colours).read();
+}
+
+/// Tries one byte order, with and without colours.
+template <ByteOrder kOrder>
+void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best) {
+  if (read_counts<kOrder>(bytes, header)) return;
+  for (const bool colours : {true, false}) {
+    const Fit fit = fit_of<kOrder>(bytes, header, colours);
+    if (!best || fit.better_than(best->fit)) best = Candidate{kOrder, colours, fit};
+  }
+}
+
+}  // namespace
+
+Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes, std::size_t offset,
+                                   OffHeader header) {
+  const ByteScanner data(bytes, offset);
+  std::optional<Candidate> best;
+  compare<ByteOrder::kBig>(data, header, best);
+  compare<ByteOrder::kLittle>(data, header, best);
+  const Candidate chosen = best.value_or(Candidate{});
+  return chosen.order == ByteOrder::kBig
+             ? read_as<ByteOrder::kBig>(data, header, chosen.colours)
+             : read_as<ByteOrder::kLittle>(data, header, chosen.colours);
+}
+
+}  // namespace halfedge::io
