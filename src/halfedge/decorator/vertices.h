@@ -156,9 +156,7 @@ template <Editable Mesh>
   mesh.set_to_vertex(o, w);
   mesh.link(k, h);
   mesh.link(o, k_opposite);
-  if (is_tip) {
-    mesh.link(k_opposite, k);
-  } else {
+  if (!is_tip) {  // else k follows its opposite, as in every new edge
     mesh.link(before_h, k);
     mesh.link(k_opposite, after_o);
   }
