@@ -141,7 +141,7 @@ class Repair {
     }
     const Polygons polygons{mesh_.positions(), sizes_.span(),
                             renumbered ? corners.span() : faces_.corners.span()};
-    return connect(polygons, mesh_.mutable_links());
+    return connect<true>(polygons, mesh_.mutable_links());
   }
 
   // ---- the report
