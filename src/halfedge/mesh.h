@@ -34,6 +34,7 @@ class BasicMesh : public BasicConnectivity<kStored> {
   }
   void set_position(Vertex v, Point p) {
     float* stored = &positions_[3 * std::size_t{v.index()}];
+    if (this->history() != nullptr) note_position(v);
     stored[0] = p.x;
     stored[1] = p.y;
     stored[2] = p.z;
@@ -41,6 +42,7 @@ class BasicMesh : public BasicConnectivity<kStored> {
 
   /// 3 * vertex_slots() floats.
   [[nodiscard]] std::span<const float> positions() const { return positions_.span(); }
+  /// Writes through it are not part of history.
   [[nodiscard]] Array<float>& mutable_positions() { return positions_; }
 
   /// An isolated vertex at `p`; empty when memory is exhausted.
@@ -49,7 +51,7 @@ class BasicMesh : public BasicConnectivity<kStored> {
     if (3 * slots > positions_.capacity() && !positions_.reserve(4 * slots + 48)) return {};
     const Vertex v = Base::new_vertex();
     if (!v.valid()) return {};
-    (void)positions_.resize(3 * slots);  // reserved above
+    (void)positions_.resize(3 * slots, 0.0F);  // reserved above
     set_position(v, p);
     return v;
   }
@@ -72,7 +74,39 @@ class BasicMesh : public BasicConnectivity<kStored> {
     return false;
   }
 
+  /// As the connectivity's, with positions.
+  bool undo() {
+    return Base::undo([this](Journal::Write& write) { exchange(write); });
+  }
+  bool redo() {
+    return Base::redo([this](Journal::Write& write) { exchange(write); });
+  }
+
  private:
+  friend class Compaction;
+
+  void note_position(Vertex v) {
+    const float* stored = &positions_[3 * std::size_t{v.index()}];
+    this->note(Field::kPositionX, v.index(), __builtin_bit_cast(Index, stored[0]));
+    this->note(Field::kPositionY, v.index(), __builtin_bit_cast(Index, stored[1]));
+    this->note(Field::kPositionZ, v.index(), __builtin_bit_cast(Index, stored[2]));
+  }
+
+  void exchange(Journal::Write& write) {
+    if (write.field >= Field::kPositionX && write.field <= Field::kPositionZ) {
+      const auto axis = Index(write.field) - Index(Field::kPositionX);
+      float& stored = positions_[3 * std::size_t{write.index} + axis];
+      const float noted = __builtin_bit_cast(float, write.word);
+      write.word = __builtin_bit_cast(Index, stored);
+      stored = noted;
+      return;
+    }
+    if (write.field == Field::kVertexSlots) {
+      (void)positions_.resize(3 * std::size_t{write.word}, 0.0F);  // in room that was there before
+    }
+    Base::exchange(write);
+  }
+
   Array<float> positions_;
 };
 

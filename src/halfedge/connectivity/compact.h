@@ -35,6 +35,7 @@ class Compaction {
       return Error{"out-of-memory", "There is not enough memory for the maps of compact()."};
     }
     Links& links = mesh.links_;
+    if (mesh.history() != nullptr) note_all(mesh);
     const auto halfedge = [&](Index h) { return h == kNone ? kNone : maps(Halfedge(h)).index(); };
     const auto vertex = [&](Index v) { return maps.vertices[v]; };
     const auto face = [&](Index f) { return f == kNone ? kNone : maps.faces[f]; };
@@ -47,6 +48,11 @@ class Compaction {
     mesh.free_vertices_ = mesh.free_edges_ = mesh.free_faces_ = FreeList{};
     ++mesh.version_;
     return maps;
+  }
+
+  template <Storage kStored>
+  static void note_positions(BasicMesh<kStored>& mesh) {
+    for (Index v = 0; v < mesh.vertex_slots(); ++v) mesh.note_position(Vertex(v));
   }
 
   /// Moves the slots of `array`, `width` to an item, to where `map` says, never upwards.
@@ -65,6 +71,27 @@ class Compaction {
   }
 
  private:
+  // Sizes last: they are the first that undo restores.
+  template <Storage kStored>
+  static void note_all(BasicConnectivity<kStored>& mesh) {
+    const auto note_words = [&](Field field, const Array<Index>& array) {
+      for (Index i = 0; i < array.size(); ++i) mesh.note(field, i, array[i]);
+    };
+    const Links& links = mesh.links_;
+    note_words(Field::kNext, links.next);
+    note_words(Field::kPrev, links.prev);
+    note_words(Field::kToVertex, links.to_vertex);
+    note_words(Field::kFace, links.face);
+    note_words(Field::kVertexHalfedge, links.vertex_halfedge);
+    note_words(Field::kFaceHalfedge, links.face_halfedge);
+    mesh.note(Field::kFreeVertices, mesh.free_vertices_);
+    mesh.note(Field::kFreeEdges, mesh.free_edges_);
+    mesh.note(Field::kFreeFaces, mesh.free_faces_);
+    mesh.note(Field::kVertexSlots, 0, mesh.vertex_slots());
+    mesh.note(Field::kHalfedgeSlots, 0, mesh.halfedge_slots());
+    mesh.note(Field::kFaceSlots, 0, mesh.face_slots());
+  }
+
   template <class Item>
   [[nodiscard]] static bool number_live(const auto& mesh, Array<Index>& map) {
     if (!map.resize(mesh.slots(Item{}))) return false;
@@ -88,6 +115,7 @@ template <Storage kStored>
 /// The same with positions.
 template <Storage kStored>
 [[nodiscard]] Result<CompactMaps> compact(BasicMesh<kStored>& mesh) {
+  if (mesh.history() != nullptr) Compaction::note_positions(mesh);
   Result<CompactMaps> maps = Compaction::run(mesh);
   if (!maps) return maps.error();
   Compaction::move_down<3>(maps.value().vertices, mesh.mutable_positions(),

@@ -4,10 +4,13 @@
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
 #include <halfedge/connectivity/storage.h>
+#include <halfedge/history/journal.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -204,6 +207,32 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Becomes a copy of `other`, slot by slot. False when memory is exhausted; then it is empty.
   [[nodiscard]] bool assign(const BasicConnectivity& other);
 
+  // ---- history ------------------------------------------------------------------------------
+  // Off by default, and then it costs a test for each write. On, every change below is noted and
+  // can be taken back, exactly: after undoing all of them, all arrays are as they were. What
+  // replaces the whole mesh (assign, clear, mutable_links, a build) forgets history.
+
+  /// False when memory is exhausted. Limits say how far back it reaches.
+  [[nodiscard]] bool enable_history(HistoryLimits limits = {}) {
+    journal_.reset(new (std::nothrow) Journal(limits));
+    return journal_ != nullptr;
+  }
+  void disable_history() { journal_.reset(); }
+  /// How many steps there are, and what they take; null while history is off.
+  [[nodiscard]] const Journal* history() const { return journal_.get(); }
+
+  /// All changes since the last call are one step: undone and redone together.
+  void end_step() {
+    if (journal_ != nullptr) journal_->end_step();
+  }
+  /// Takes back the last step, or does again the one taken back last. False if there is none.
+  bool undo() {
+    return undo([this](Journal::Write& write) { exchange(write); });
+  }
+  bool redo() {
+    return redo([this](Journal::Write& write) { exchange(write); });
+  }
+
   // ---- low-level changes ----------------------------------------------------------------------
   // These keep no invariant by themselves; `validate` tells whether the result holds them. New
   // items take the most recently deleted slot, else a new one at the end; they are empty when
@@ -222,29 +251,29 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
-    links_.next[h.index()] = n.index();
-    if constexpr (kStorage.prev) links_.prev[n.index()] = h.index();
+    write(Field::kNext, links_.next, h.index(), n.index());
+    if constexpr (kStorage.prev) write(Field::kPrev, links_.prev, n.index(), h.index());
     ++version_;
   }
   void set_to_vertex(Halfedge h, Vertex v) {
-    links_.to_vertex[h.index()] = v.index();
+    write(Field::kToVertex, links_.to_vertex, h.index(), v.index());
     ++version_;
   }
   /// An empty `f` makes `h` a boundary halfedge.
   void set_face(Halfedge h, Face f) {
     static_assert(kStorage.face, HALFEDGE_NEEDS_FACES);
-    links_.face[h.index()] = f.index();
+    write(Field::kFace, links_.face, h.index(), f.index());
     ++version_;
   }
   /// Sets the anchor; an empty `h` makes `v` isolated.
   void set_vertex_halfedge(Vertex v, Halfedge h) {
     static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
-    links_.vertex_halfedge[v.index()] = h.index();
+    write(Field::kVertexHalfedge, links_.vertex_halfedge, v.index(), h.index());
     ++version_;
   }
   void set_face_halfedge(Face f, Halfedge h) {
     static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
-    links_.face_halfedge[f.index()] = h.index();
+    write(Field::kFaceHalfedge, links_.face_halfedge, f.index(), h.index());
     ++version_;
   }
 
@@ -260,8 +289,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
   /// The arrays themselves, for bulk code: readers never need the mutable form.
   [[nodiscard]] const Links& links() const { return links_; }
-  /// For code that writes whole arrays (builder, bindings). Counts as a change of connectivity.
+  /// For code that writes whole arrays (builder, bindings). Counts as a change of connectivity, and
+  /// history is forgotten.
   [[nodiscard]] Links& mutable_links() {
+    forget_history();
     ++version_;
     return links_;
   }
@@ -270,11 +301,47 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] const FreeList& free_edges() const { return free_edges_; }
   [[nodiscard]] const FreeList& free_faces() const { return free_faces_; }
 
+ protected:
+  /// Notes that a word is about to be replaced.
+  void note(Field field, Index index, Index word) {
+    if (journal_ != nullptr) journal_->record(field, index, word);
+  }
+  /// Exchanges a word of the mesh with the one noted. Classes built on this one add their fields.
+  void exchange(Journal::Write& write);
+  /// undo and redo, with the `exchange` of a class built on this one.
+  template <class Exchange>
+  bool undo(const Exchange& exchange) {
+    if (journal_ == nullptr || !journal_->undo(exchange)) return false;
+    ++version_;
+    return true;
+  }
+  template <class Exchange>
+  bool redo(const Exchange& exchange) {
+    if (journal_ == nullptr || !journal_->redo(exchange)) return false;
+    ++version_;
+    return true;
+  }
+  void forget_history() {
+    if (journal_ != nullptr) journal_->forget();
+  }
+
  private:
   template <Storage kOther>
   friend class BasicConnectivity;
   friend class LinkConversion;
   friend class Compaction;
+
+  void write(Field field, Array<Index>& array, Index i, Index word) {
+    note(field, i, array[i]);
+    array[i] = word;
+  }
+  void note(Field field, const FreeList& list) {
+    note(field, 0, list.head);
+    note(field, 1, list.count);
+  }
+
+  void push_free(Field field, FreeList& list, Index slot);
+  [[nodiscard]] Index pop_free(Field field, FreeList& list, Index next_free);
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.
   [[nodiscard]] Halfedge find_prev(Halfedge h) const {
@@ -297,6 +364,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   Index bare_vertices_ = 0;  // how many there are, where no array tells
   Index bare_faces_ = 0;
   std::uint64_t version_ = 0;
+  std::unique_ptr<Journal> journal_;  // null while history is off
 };
 
 using Connectivity = BasicConnectivity<kEverything>;

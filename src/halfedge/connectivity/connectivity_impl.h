@@ -14,19 +14,6 @@ constexpr Index encode_free_slot(Index next_free) {
   return next_free == kNone ? kDeleted : kDeleted - 1 - next_free;
 }
 
-inline void push_free(FreeList& list, Index slot, Index& link) {
-  link = encode_free_slot(list.head);
-  list.head = slot;
-  ++list.count;
-}
-
-inline Index pop_free(FreeList& list, const Array<Index>& links, Index stride) {
-  const Index slot = list.head;
-  list.head = next_free_slot(links[std::size_t{slot} * stride]);
-  --list.count;
-  return slot;
-}
-
 // Grows by half, so that a sequence of single additions is amortised O(1).
 inline bool make_room(Array<Index>& array, std::size_t count) {
   if (count <= array.capacity()) return true;
@@ -53,6 +40,7 @@ BasicConnectivity<kStored>& BasicConnectivity<kStored>::operator=(
   free_faces_ = std::exchange(other.free_faces_, {});
   bare_vertices_ = std::exchange(other.bare_vertices_, 0);
   bare_faces_ = std::exchange(other.bare_faces_, 0);
+  journal_ = std::move(other.journal_);
   // Not the version of `other`, which a circulator of this mesh may remember by chance.
   version_ = std::max(version_, other.version_) + 1;
   ++other.version_;
@@ -78,12 +66,14 @@ void BasicConnectivity<kStored>::clear() {
   links_.face_halfedge.clear();
   free_vertices_ = free_edges_ = free_faces_ = FreeList{};
   bare_vertices_ = bare_faces_ = 0;
+  forget_history();
   ++version_;
 }
 
 template <Storage kStored>
 bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
   if (this == &other) return true;
+  forget_history();
   const Links& from = other.links_;
   const bool fits = links_.next.assign(from.next.span()) && links_.prev.assign(from.prev.span()) &&
                     links_.to_vertex.assign(from.to_vertex.span()) &&
@@ -104,19 +94,33 @@ bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
 }
 
 template <Storage kStored>
+void BasicConnectivity<kStored>::push_free(Field field, FreeList& list, Index slot) {
+  note(field, list);
+  list.head = slot;
+  ++list.count;
+}
+
+template <Storage kStored>
+Index BasicConnectivity<kStored>::pop_free(Field field, FreeList& list, Index next_free) {
+  note(field, list);
+  --list.count;
+  return std::exchange(list.head, next_free);
+}
+
+template <Storage kStored>
 Vertex BasicConnectivity<kStored>::new_vertex() {
   if (vertex_count() >= kMaxSlots) return {};
-  if constexpr (!kStorage.vertex_halfedge) {
-    ++version_;
-    return Vertex(bare_vertices_++);
-  }
-  Array<Index>& anchors = links_.vertex_halfedge;
   Vertex v(vertex_slots());
-  if (free_vertices_.count > 0) {
-    v = Vertex(internal::pop_free(free_vertices_, anchors, 1));
-    anchors[v.index()] = kNone;
+  if constexpr (!kStorage.vertex_halfedge) {
+    note(Field::kVertexSlots, 0, bare_vertices_++);
+  } else if (free_vertices_.count > 0) {
+    const Index next_free = next_free_slot(links_.vertex_halfedge[free_vertices_.head]);
+    v = Vertex(pop_free(Field::kFreeVertices, free_vertices_, next_free));
+    set_vertex_halfedge(v, Halfedge{});
   } else {
+    Array<Index>& anchors = links_.vertex_halfedge;
     if (!internal::make_room(anchors, anchors.size() + 1)) return {};
+    note(Field::kVertexSlots, 0, v.index());
     (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
   }
   ++version_;
@@ -127,15 +131,15 @@ template <Storage kStored>
 Halfedge BasicConnectivity<kStored>::new_edge(Vertex from, Vertex to) {
   Halfedge h(halfedge_slots());
   if (free_edges_.count > 0) {
-    h = edge_halfedge(Edge(internal::pop_free(free_edges_, links_.next, 2)));
+    const Index next_free = next_free_slot(links_.next[2 * std::size_t{free_edges_.head}]);
+    h = edge_halfedge(Edge(pop_free(Field::kFreeEdges, free_edges_, next_free)));
   } else {
     const std::size_t count = links_.next.size() + 2;
     const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
-    const auto resize = [&](Array<Index>& array) { return array.resize(count); };
-    if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room) ||
-        !internal::for_halfedge_arrays<kStored>(links_, resize)) {
-      return {};
-    }
+    const auto resize = [&](Array<Index>& array) { return array.resize(count, kNone); };
+    if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room)) return {};
+    note(Field::kHalfedgeSlots, 0, h.index());
+    (void)internal::for_halfedge_arrays<kStored>(links_, resize);  // in the room made above
   }
   const Halfedge o = opposite(h);
   link(h, o);
@@ -153,19 +157,20 @@ template <Storage kStored>
 Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
   static_assert(kStorage.face, HALFEDGE_NEEDS_FACES);
   if (face_count() >= kMaxSlots) return {};
-  if constexpr (!kStorage.face_halfedge) {
-    ++version_;
-    return Face(bare_faces_++);
-  }
-  Array<Index>& firsts = links_.face_halfedge;
   Face f(face_slots());
-  if (free_faces_.count > 0) {
-    f = Face(internal::pop_free(free_faces_, firsts, 1));
+  if constexpr (!kStorage.face_halfedge) {
+    note(Field::kFaceSlots, 0, bare_faces_++);
+  } else if (free_faces_.count > 0) {
+    const Index next_free = next_free_slot(links_.face_halfedge[free_faces_.head]);
+    f = Face(pop_free(Field::kFreeFaces, free_faces_, next_free));
+    set_face_halfedge(f, h);
   } else {
+    Array<Index>& firsts = links_.face_halfedge;
     if (!internal::make_room(firsts, firsts.size() + 1)) return {};
-    (void)firsts.resize(firsts.size() + 1);  // in the room made above
+    note(Field::kFaceSlots, 0, f.index());
+    (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
+    set_face_halfedge(f, h);
   }
-  links_.face_halfedge[f.index()] = h.index();
   ++version_;
   return f;
 }
@@ -184,8 +189,8 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::release(Vertex v) {
   static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
   assert(is_live(v));
-  internal::push_free(free_vertices_, v.index(), links_.vertex_halfedge[v.index()]);
-  ++version_;
+  set_vertex_halfedge(v, Halfedge(internal::encode_free_slot(free_vertices_.head)));
+  push_free(Field::kFreeVertices, free_vertices_, v.index());
 }
 
 template <Storage kStored>
@@ -193,12 +198,13 @@ void BasicConnectivity<kStored>::release(Edge e) {
   assert(is_live(e));
   for (const Index side : {0U, 1U}) {
     const Index h = edge_halfedge(e, side).index();
-    (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
-      array[h] = kDeleted;
-      return true;
-    });
+    const Index link = side == 0 ? internal::encode_free_slot(free_edges_.head) : kDeleted;
+    write(Field::kNext, links_.next, h, link);
+    write(Field::kToVertex, links_.to_vertex, h, kDeleted);
+    if constexpr (kStorage.prev) write(Field::kPrev, links_.prev, h, kDeleted);
+    if constexpr (kStorage.face) write(Field::kFace, links_.face, h, kDeleted);
   }
-  internal::push_free(free_edges_, e.index(), links_.next[edge_halfedge(e).index()]);
+  push_free(Field::kFreeEdges, free_edges_, e.index());
   ++version_;
 }
 
@@ -206,8 +212,58 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::release(Face f) {
   static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
   assert(is_live(f));
-  internal::push_free(free_faces_, f.index(), links_.face_halfedge[f.index()]);
-  ++version_;
+  set_face_halfedge(f, Halfedge(internal::encode_free_slot(free_faces_.head)));
+  push_free(Field::kFreeFaces, free_faces_, f.index());
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
+  const auto exchange_word = [&](Array<Index>& array) {
+    std::swap(array[write.index], write.word);
+  };
+  const auto exchange_free = [&](FreeList& list) {
+    std::swap(write.index == 0 ? list.head : list.count, write.word);
+  };
+  // Shrinks, or grows in room that was there before.
+  const auto exchange_size = [&](bool is_stored, Array<Index>& array, Index& bare) {
+    if (!is_stored) return std::swap(bare, write.word);
+    const Index size = Index(array.size());
+    (void)array.resize(write.word, kNone);
+    write.word = size;
+  };
+  switch (write.field) {
+    case Field::kNext:
+      return exchange_word(links_.next);
+    case Field::kPrev:
+      return exchange_word(links_.prev);
+    case Field::kToVertex:
+      return exchange_word(links_.to_vertex);
+    case Field::kFace:
+      return exchange_word(links_.face);
+    case Field::kVertexHalfedge:
+      return exchange_word(links_.vertex_halfedge);
+    case Field::kFaceHalfedge:
+      return exchange_word(links_.face_halfedge);
+    case Field::kVertexSlots:
+      return exchange_size(kStorage.vertex_halfedge, links_.vertex_halfedge, bare_vertices_);
+    case Field::kFaceSlots:
+      return exchange_size(kStorage.face_halfedge, links_.face_halfedge, bare_faces_);
+    case Field::kHalfedgeSlots: {
+      const Index size = halfedge_slots();
+      (void)internal::for_halfedge_arrays<kStored>(
+          links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
+      write.word = size;
+      return;
+    }
+    case Field::kFreeVertices:
+      return exchange_free(free_vertices_);
+    case Field::kFreeEdges:
+      return exchange_free(free_edges_);
+    case Field::kFreeFaces:
+      return exchange_free(free_faces_);
+    default:
+      assert(false && "a field of a class built on this one");
+  }
 }
 
 }  // namespace halfedge
