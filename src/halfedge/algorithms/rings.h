@@ -53,7 +53,9 @@ class RawLinks {
     return is_deleted_link(vertex_halfedge_[v.index()]);
   }
   [[nodiscard]] bool is_deleted(Face f) const { return is_deleted_link(face_halfedge_[f.index()]); }
-  [[nodiscard]] bool is_deleted(Edge e) const { return is_deleted_link(next_[2 * e.index()]); }
+  [[nodiscard]] bool is_deleted(Edge e) const {
+    return is_deleted_link(next_[2 * std::size_t{e.index()}]);
+  }
   template <class Item>
   [[nodiscard]] bool is_live(Item item) const {
     return item.index() < slots(Item{}) && !is_deleted(item);

@@ -303,7 +303,8 @@ class TriangleConnector {
   Index groups_end_ = 0;
   std::array<Index, 2> not_upward_{};
   Index matched_ = 0;
-  std::array<Side, 3 * kFacesTogether> downward_;  // of the faces that are being matched
+  std::array<Side, std::size_t{3} * kFacesTogether>
+      downward_;  // of the faces that are being matched
   Index downward_count_ = 0;
   bool is_fresh_ = false;
 };

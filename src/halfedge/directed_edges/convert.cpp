@@ -69,7 +69,8 @@ Error out_of_memory(Index halfedges) {
     const Index anchor = from.vertex_halfedge[v];
     to.vertex_halfedge[v] = anchor == kNone ? kNone : numbers[anchor];
   }
-  for (Index f = 0; f < to.face_halfedge.size(); ++f) to.face_halfedge[f] = numbers[3 * f];
+  for (Index f = 0; f < to.face_halfedge.size(); ++f)
+    to.face_halfedge[f] = numbers[3 * std::size_t{f}];
   return true;
 }
 
