@@ -1,0 +1,16 @@
+#pragma once
+
+#include <halfedge/connectivity/handle.h>
+
+namespace halfedge::io {
+
+/// The most that either of these writes.
+inline constexpr int kMaxNumberLength = 24;
+
+/// Writes a decimal number of so few digits that no shorter one reads as the same float, at most
+/// nine; nan, inf and -inf where it is none. Returns the end.
+/// pre: room for kMaxNumberLength characters
+[[nodiscard]] char* write_float(char* out, float value);
+[[nodiscard]] char* write_index(char* out, Index value);
+
+}  // namespace halfedge::io
