@@ -21,6 +21,7 @@
 #include <halfedge/decorator/complexes.h>
 #include <halfedge/halfedge.h>
 #include <halfedge/io/parse.h>
+#include <halfedge/io/write.h>
 #include <halfedge/validate/validate.h>
 
 #include <array>
@@ -147,6 +148,16 @@ val parse_file(Address address, std::size_t count, int claimed, bool stores_prev
   return result;
 }
 
+/// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
+val write_file(Address mesh, int format, int encoding) {
+  WriteOptions options;
+  if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
+  Result<Array<std::uint8_t>> bytes = visit_mesh(
+      mesh, [&](const auto& m) { return write(m, static_cast<Format>(format), options); });
+  if (!bytes) return failure(bytes.error());
+  return success("bytes", hand_over(bytes.value()));
+}
+
 // ---- questions about a whole mesh ------------------------------------------------------------
 
 val validate_mesh(Address mesh, int level) {
@@ -231,6 +242,7 @@ EMSCRIPTEN_BINDINGS(halfedge) {
   function("makeSegment", &make_segment);
   function("build", &build);
   function("parse", &parse_file);
+  function("write", &write_file);
 
   function("validate", &validate_mesh);
   function("eulerCharacteristic", &euler);

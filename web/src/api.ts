@@ -24,3 +24,4 @@ export type { Orbit } from './orbit.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
 export type { RingKind, Rows } from './rings.js';
 export type { Component } from './topology.js';
+export type { FileEncoding, WriteOptions } from './write.js';

@@ -60,6 +60,15 @@ export interface RawCore {
     cornerCount: number,
     storesPrev: boolean,
   ): { mesh: number } | RawFailure;
+  /**
+   * `format` and `encoding` are values of the enums Format and Encoding in C++; an encoding of -1 is
+   * left open. The bytes are JavaScript's to copy and to free.
+   */
+  write(
+    mesh: number,
+    format: number,
+    encoding: number,
+  ): { bytes: { address: number; count: number } } | RawFailure;
   /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
   parse(
     bytes: number,

@@ -18,7 +18,7 @@ import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
-import { type ParseOptions, type ParseReport, parseFile } from './parse.js';
+import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
 import { unwrap } from './reports.js';
 import {
   boundaryLoopsOf,
@@ -28,6 +28,7 @@ import {
   problemsOf,
   trianglesOf,
 } from './topology.js';
+import { type WriteOptions, writeFile } from './write.js';
 
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
@@ -118,6 +119,27 @@ export class HalfedgeMesh extends Circulation {
   ): { mesh: HalfedgeMesh; report: ParseReport } {
     const { links, report } = parseFile(data, options);
     return { mesh: new HalfedgeMesh(links), report };
+  }
+
+  /**
+   * A file of this mesh: its live vertices and faces, each in the order of their indices. Reading it
+   * gives the same polygons and the same bits of each position, also from text, whose numbers have
+   * as many digits as that takes. In STL, which has triangles alone, a polygon becomes a fan around its
+   * first vertex, and isolated vertices are left out.
+   *
+   * @returns text where the encoding is `'text'`, as by default that of OBJ and OFF; else the bytes
+   * @throws HalfedgeError `unsupported-format` (an encoding that the format doesn't have),
+   * `non-finite-position` (in STL), `corrupt-connectivity`, `out-of-memory`
+   */
+  write(format: 'obj', options?: WriteOptions): string;
+  write(format: FileFormat, options: WriteOptions & { encoding: 'text' }): string;
+  write(
+    format: FileFormat,
+    options: WriteOptions & { encoding: 'binary' | 'binary-big-endian' },
+  ): Uint8Array;
+  write(format: FileFormat, options?: WriteOptions): string | Uint8Array;
+  write(format: FileFormat, options: WriteOptions = {}): string | Uint8Array {
+    return writeFile(linksOf(this), format, options);
   }
 
   /** A copy of this mesh with the same indices, of its own memory. */

@@ -6,7 +6,7 @@ import { core } from './loader.js';
 import { withInputs } from './memory.js';
 import { sentence, unwrap } from './reports.js';
 
-/** The file formats that can be read. */
+/** The file formats that can be read and written. */
 export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
 
 /** In the order of the enum Format in C++. */
@@ -52,10 +52,14 @@ function claimedFormat({ format, repair }: ParseOptions): number {
   if (repair !== undefined && typeof repair !== 'boolean') {
     throw new TypeError(`options.repair is ${describe(repair)}; expected true or false.`);
   }
-  if (format === undefined) return -1;
-  const claimed = FORMATS.indexOf(format);
-  if (claimed >= 0) return claimed;
-  const sentence = `options.format is ${describe(format)}; expected 'obj', 'off', 'ply' or 'stl'.`;
+  return format === undefined ? -1 : formatIndex('options.format', format);
+}
+
+/** The value of the enum Format in C++. */
+export function formatIndex(argument: string, format: unknown): number {
+  const index = FORMATS.indexOf(format as FileFormat);
+  if (index >= 0) return index;
+  const sentence = `${argument} is ${describe(format)}; expected 'obj', 'off', 'ply' or 'stl'.`;
   throw typeof format === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }
 

@@ -1,0 +1,92 @@
+import { type FileFormat, HalfedgeError, HalfedgeMesh, init, type WriteOptions } from 'halfedge';
+
+beforeAll(() => init());
+
+const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.1, 2, -1e-7, 7, 8, 9]);
+const faces = [
+  [2, 3, 0, 1],
+  [3, 2, 4],
+];
+const facesOf = (mesh: HalfedgeMesh) => {
+  const { sizes, corners } = mesh.toPolygons();
+  let at = 0;
+  return Array.from(sizes, (size) => {
+    at += size;
+    return Array.from(corners.subarray(at - size, at));
+  });
+};
+
+let mesh: HalfedgeMesh;
+beforeEach(() => {
+  mesh = HalfedgeMesh.fromPolygons(positions, faces);
+});
+afterEach(() => mesh.dispose());
+
+describe('write', () => {
+  test('writes text as a string', () => {
+    expect(mesh.write('obj')).toBe(
+      'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.1 2 -1e-7\nv 7 8 9\nf 3 4 1 2\nf 4 3 5\n',
+    );
+    expect(mesh.write('off')).toMatch(/^OFF\n6 2 0\n0 0 0\n/);
+    expect(mesh.write('stl', { encoding: 'text' })).toMatch(/^solid\nfacet normal 0 0 1\n/);
+  });
+
+  const forms: [FileFormat, WriteOptions][] = [
+    ['obj', {}],
+    ['off', {}],
+    ['off', { encoding: 'binary' }],
+    ['ply', { encoding: 'text' }],
+    ['ply', {}],
+    ['ply', { encoding: 'binary-big-endian' }],
+  ];
+  test.each(forms)('%s %p reads back as the same mesh', (format, options) => {
+    const data = mesh.write(format, options);
+    const { mesh: again, report } = HalfedgeMesh.parse(data);
+    expect(report).toMatchObject({ format, problems: [] });
+    expect(Array.from(again.positions)).toEqual(Array.from(positions));
+    expect(facesOf(again)).toEqual(faces);
+    again.dispose();
+  });
+
+  test('writes fans of triangles in STL', () => {
+    const bytes = mesh.write('stl', { encoding: 'binary' });
+    expect(bytes).toBeInstanceOf(Uint8Array);
+    expect(bytes).toHaveLength(84 + 3 * 50);
+    const { mesh: again } = HalfedgeMesh.parse(bytes);
+    expect([again.vertexCount, again.faceCount]).toEqual([5, 3]);
+    again.dispose();
+  });
+
+  test('takes the bytes of a mesh without prev', () => {
+    const other = HalfedgeMesh.fromPolygons(positions, faces, { storePrev: false });
+    expect(other.write('ply')).toEqual(mesh.write('ply'));
+    other.dispose();
+  });
+
+  test('refuses what a format does not have', () => {
+    const writing = (format: string, options?: object) => () =>
+      mesh.write(format as FileFormat, options as WriteOptions);
+    expect(writing('gif')).toThrow(
+      new RangeError(`format is "gif"; expected 'obj', 'off', 'ply' or 'stl'.`),
+    );
+    expect(writing('ply', { encoding: 'ascii' })).toThrow(
+      `options.encoding is "ascii"; expected 'text', 'binary' or 'binary-big-endian'.`,
+    );
+    expect(writing('obj', { encoding: 'binary' })).toThrow(
+      new HalfedgeError('unsupported-format', 'OBJ has no binary form, expected text.'),
+    );
+    expect(writing('ply', null as never)).toThrow(TypeError);
+    mesh.positions[0] = Number.NaN;
+    expect(writing('stl')).toThrow(expect.objectContaining({ code: 'non-finite-position' }));
+    expect(mesh.write('off')).toContain('\nnan 0 0\n');
+  });
+
+  test('refuses a corrupt mesh, and a disposed one', () => {
+    mesh.connectivity.toVertex.fill(1000);
+    expect(() => mesh.write('obj')).toThrow(
+      expect.objectContaining({ code: 'corrupt-connectivity' }),
+    );
+    mesh.dispose();
+    expect(() => mesh.write('obj')).toThrow(/disposed/);
+  });
+});
