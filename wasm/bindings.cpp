@@ -33,6 +33,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "repair_bindings.h"
+
 namespace {
 
 using namespace halfedge;
@@ -125,7 +127,7 @@ void add_lines(std::vector<Error>& problems, std::span<const std::uint8_t> bytes
 }
 
 /// `claimed` is what the user says the format is: a value of Format, or -1.
-val parse_file(Address address, std::size_t count, int claimed, bool stores_prev) {
+val parse_file(Address address, std::size_t count, int claimed, bool repair, bool stores_prev) {
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   Result<ParsedFile> file =
       parse(bytes, claimed < 0 ? std::nullopt : std::optional(static_cast<Format>(claimed)));
@@ -133,18 +135,22 @@ val parse_file(Address address, std::size_t count, int claimed, bool stores_prev
   const Format format = file.value().format;
   NewMesh mesh(stores_prev);
   if (!mesh) return failure(no_room_for_a_mesh());
-  BuildReport report;
-  if (!build_any(*mesh, file.value().soup.view(), report)) {
-    file.value().soup = {};
-    if (!file.value().binary) add_lines(report.problems, bytes, format);
-    return failure(report.problems, report.problem_count);
-  }
+  BuildReport strict;
+  RepairReport repaired;
+  std::vector<Error>& problems = repair ? repaired.problems : strict.problems;
+  const Polygons polygons = file.value().soup.view();
+  const bool is_built = repair ? build_any_from_soup(*mesh, polygons, {}, repaired)
+                               : build_any(*mesh, polygons, strict);
+  file.value().soup = {};
+  if (!file.value().binary) add_lines(problems, bytes, format);
+  if (!is_built) return failure(problems, repair ? problems.size() : strict.problem_count);
   const RoomForReport room;
   val notes = val::array();
   for (const std::string& note : file.value().notes) notes.call<void>("push", note);
   val result = success("mesh", val(mesh.release()));
   result.set("format", static_cast<int>(format));
   result.set("notes", notes);
+  if (repair) add_repair(result, repaired);
   return result;
 }
 

@@ -35,8 +35,9 @@ describe('After dispose', () => {
     ['broken files', () => refused(() => HalfedgeMesh.parse('v 0 0 x'))],
     [
       'files that make no mesh',
-      () => refused(() => HalfedgeMesh.parse('v 0 0 0\nf 1 1 1\nf 1 1 1\n')),
+      () => refused(() => HalfedgeMesh.parse('v 0 0 0\nf 1 1 1\nf 1 1 1\n', { repair: false })),
     ],
+    ['files that are repaired', () => HalfedgeMesh.parse('v 0 0 0\nf 1 1 1\nf 1 1 1\n').mesh],
     ['files of no known format', () => refused(() => HalfedgeMesh.parse(Uint8Array.of(1, 2, 3)))],
     [
       'a mesh asked everything',

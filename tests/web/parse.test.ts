@@ -39,6 +39,11 @@ describe('parse', () => {
     expect(report).toEqual({
       format: 'off',
       problems: [],
+      counts: {},
+      verdicts: [],
+      vertexMap: Int32Array.of(0, 1, 2),
+      vertexOrigin: Uint32Array.of(0, 1, 2),
+      faceMap: Int32Array.of(0),
       summary: 'OFF: 3 vertices, 3 edges, 1 face.',
     });
     expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
@@ -76,7 +81,8 @@ describe('parse', () => {
     expect(report.summary).toBe('STL: 4 vertices, 5 edges, 2 faces.');
     expect(mesh.boundaryLoops()).toHaveLength(1);
     mesh.dispose();
-    expect(() => HalfedgeMesh.parse(`solid\n${square}${square}endsolid\n`)).toThrow(/Line/);
+    const twice = `solid\n${square}${square}endsolid\n`;
+    expect(() => HalfedgeMesh.parse(twice, { repair: false })).toThrow(/Line/);
   });
 
   test('names faces, and no lines, of a binary file that makes no manifold', () => {
@@ -87,7 +93,8 @@ describe('parse', () => {
         data.setFloat32(triangle + 12 + 4 * i, x, true);
       });
     }
-    expect(() => HalfedgeMesh.parse(data.buffer)).toThrow(/^Face 1 repeats face 0.*2\.$/);
+    const strict = () => HalfedgeMesh.parse(data.buffer, { repair: false });
+    expect(strict).toThrow(/^Face 1 repeats face 0.*2\.$/);
     data.setFloat32(84 + 12, Number.NaN, true);
     expect(() => HalfedgeMesh.parse(data.buffer)).toThrow(
       'Byte 84: x of vertex 0 of triangle 0 is nan, expected a finite number.',
@@ -154,8 +161,9 @@ describe('parse', () => {
   test('names the lines of the faces that make no manifold', () => {
     const vertices = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 2\n';
     const faces = 'f 1 2 3\n\nf 2 1 4\n# two are enough\nf 1 2 5\n';
-    expect(() => HalfedgeMesh.parse(vertices + faces)).toThrow(/\(Lines 6, 8, 10\)/);
-    expect(() => HalfedgeMesh.parse(`${vertices}f 1 2 2\n`)).toThrow(/\(Line 6\)/);
+    const strict = (data: string) => () => HalfedgeMesh.parse(data, { repair: false });
+    expect(strict(vertices + faces)).toThrow(/\(Lines 6, 8, 10\)/);
+    expect(strict(`${vertices}f 1 2 2\n`)).toThrow(/\(Line 6\)/);
   });
 
   test.each([

@@ -22,6 +22,7 @@ export { HalfedgeMesh } from './mesh.js';
 export type { ConnectivityViews } from './navigation.js';
 export type { Orbit } from './orbit.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
+export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';
 export type { RingKind, Rows } from './rings.js';
 export type { Component } from './topology.js';
 export type { FileEncoding, WriteOptions } from './write.js';

@@ -31,6 +31,19 @@ export interface RawRows {
   items: RawWords;
 }
 
+/** What a repair has done. */
+export interface RawRepair {
+  repairs: RawProblem[];
+  /** By value of the enum RepairCode in C++. */
+  counts: number[];
+  summary: string;
+  /** Each is two words: a face; whether it is kept, and in the upper half a bit for each code. */
+  verdicts: RawWords;
+  vertexMap: RawWords;
+  vertexOrigin: RawWords;
+  faceMap: RawWords;
+}
+
 export interface RawCore {
   /** Aligned bytes; 0 when memory is exhausted. */
   allocate(bytes: number): number;
@@ -74,8 +87,21 @@ export interface RawCore {
     bytes: number,
     count: number,
     claimed: number,
+    repair: boolean,
     storesPrev: boolean,
-  ): { mesh: number; format: number; notes: string[] } | RawFailure;
+  ): ({ mesh: number; format: number; notes: string[] } & Partial<RawRepair>) | RawFailure;
+  /** A negative tolerance keeps vertices apart. */
+  buildFromSoup(
+    positions: number,
+    positionCount: number,
+    sizes: number,
+    sizeCount: number,
+    corners: number,
+    cornerCount: number,
+    tolerance: number,
+    dropIsolated: boolean,
+    storesPrev: boolean,
+  ): ({ mesh: number } & RawRepair) | RawFailure;
 
   validate(
     mesh: number,

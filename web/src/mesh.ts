@@ -19,6 +19,7 @@ import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
 import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
+import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
 import { unwrap } from './reports.js';
 import {
   boundaryLoopsOf,
@@ -104,14 +105,46 @@ export class HalfedgeMesh extends Circulation {
   }
 
   /**
+   * The mesh of any polygons at all: what {@link fromPolygons} would refuse is mended, and reported.
+   * Polygons that need no repair give the same mesh. Faces and vertices keep their order; copies of
+   * vertices come last. The mesh is valid at level 4, and its shape does not depend on the order of
+   * the faces.
+   *
+   * Faces that are none are left out, duplicates kept once; faces are turned to agree with most of
+   * their component, and one-sided surfaces cut; edges with more than two faces and pinched vertices
+   * are doubled; vertices are welded if asked for.
+   *
+   * ```ts
+   * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: true });
+   * console.log(report.summary); // 3 duplicate faces left out, 12 faces turned over.
+   * ```
+   *
+   * @param faces as `fromPolygons` takes them, or an index buffer of triangles
+   * @throws HalfedgeError `bad-size`, `too-large`, `out-of-memory`; TypeError or RangeError for what
+   * is no such array
+   */
+  static fromSoup(
+    positions: ArrayLike<number>,
+    faces: ArrayLike<number> | ArrayLike<ArrayLike<number>> | Polygons,
+    options: SoupOptions = {},
+  ): { mesh: HalfedgeMesh; report: RepairReport } {
+    const { links, report } = soupLinks(positions, faces, options);
+    return { mesh: new HalfedgeMesh(links), report };
+  }
+
+  /**
    * The mesh in a file, whose content tells the format: Wavefront OBJ, or Geomview OFF, PLY or STL in
-   * text or binary form. Vertex i and face j of the mesh are the i-th vertex and the
-   * j-th face of the file. STL repeats its vertices: there, vertex i is the i-th position that differs
-   * from those before it. Text, or its bytes.
+   * text or binary form. Vertex i and face j of the mesh are the i-th vertex and the j-th face of the
+   * file. STL repeats its vertices: there, vertex i is the i-th position that differs from those before
+   * it. Text, or its bytes.
+   *
+   * Faces that make no manifold are mended as {@link fromSoup} does, and the report says so, with the
+   * lines of the faces; with `repair: false` they are an error. A file that needs no repair gives the
+   * same mesh in both ways.
    *
    * @throws HalfedgeError with the line, or the byte of a binary file, and what was expected there
-   * (`parse-error`, `truncated`, `unknown-format`, `unsupported-format`, `not-text`, ...), or as
-   * {@link fromPolygons}, with the lines of the faces
+   * (`parse-error`, `truncated`, `unknown-format`, `unsupported-format`, `not-text`, ...), or with
+   * `repair: false` as {@link fromPolygons}, with the lines of the faces
    */
   static parse(
     data: string | ArrayBuffer | Uint8Array,

@@ -1,9 +1,11 @@
 import { bytesOf, describe } from './arguments.js';
 import { type StorageOptions, storesPrev } from './build.js';
+import type { RawRepair } from './core.mjs';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
+import { type RepairReport, repairReport, untouched } from './repair.js';
 import { sentence, unwrap } from './reports.js';
 
 /** The file formats that can be read and written. */
@@ -17,42 +19,43 @@ export interface ParseOptions extends StorageOptions {
   /** Decides where the content leaves the format open. The content is believed first. */
   format?: FileFormat;
   /**
-   * Whether faces that make no manifold may be mended. Nothing is mended yet: they are an error, as in
-   * a strict build, whatever is said here.
+   * Whether faces that make no manifold are mended, as {@link HalfedgeMesh.fromSoup} does, and
+   * reported; otherwise they are an error, as in a strict build. Files that need no repair give the
+   * same mesh in both ways. Default: true.
    */
   repair?: boolean;
 }
 
-/** What reading a file has found. */
-export interface ParseReport {
+/** What reading a file has found: what was repaired, and after that what was ignored. */
+export interface ParseReport extends RepairReport {
   /** The format of the content. */
   readonly format: FileFormat;
-  /** What was ignored or is worth knowing; nothing that stood in the way of the mesh. */
-  readonly problems: readonly Problem[];
-  /** All of it in one readable line. */
-  readonly summary: string;
 }
 
 /** The mesh in a file. */
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
   const withPrev = storesPrev(options);
-  const claimed = claimedFormat(options as ParseOptions);
+  const { claimed, repair } = checkParseOptions(options as ParseOptions);
   const bytes = contentOf(data);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('data', bytes);
-    return wasm.parse(address, count, claimed, withPrev);
+    return wasm.parse(address, count, claimed, repair, withPrev);
   });
-  const { mesh, format, notes } = unwrap(raw);
-  const links = new Links(wasm, mesh);
-  return { links, report: reportOf(links, FORMATS[format], notes.map(sentence)) };
+  const done = unwrap(raw);
+  const links = new Links(wasm, done.mesh);
+  const found = repair
+    ? repairReport(wasm, done as RawRepair)
+    : untouched(links.vertexCount, links.faceCount);
+  return { links, report: reportOf(links, FORMATS[done.format], found, done.notes.map(sentence)) };
 }
 
-function claimedFormat({ format, repair }: ParseOptions): number {
-  if (repair !== undefined && typeof repair !== 'boolean') {
+function checkParseOptions(options: ParseOptions): { claimed: number; repair: boolean } {
+  const { format, repair = true } = options;
+  if (typeof repair !== 'boolean') {
     throw new TypeError(`options.repair is ${describe(repair)}; expected true or false.`);
   }
-  return format === undefined ? -1 : formatIndex('options.format', format);
+  return { claimed: format === undefined ? -1 : formatIndex('options.format', format), repair };
 }
 
 /** The value of the enum Format in C++. */
@@ -72,8 +75,13 @@ function contentOf(data: unknown): Uint8Array {
   );
 }
 
-function reportOf(links: Links, format: FileFormat, notes: string[]): ParseReport {
-  const problems = notes.map((message): Problem => {
+function reportOf(
+  links: Links,
+  format: FileFormat,
+  found: RepairReport,
+  notes: string[],
+): ParseReport {
+  const ignored = notes.map((message): Problem => {
     return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
   });
   const counts = [
@@ -81,8 +89,14 @@ function reportOf(links: Links, format: FileFormat, notes: string[]): ParseRepor
     counted(links.edgeCount, 'edge', 'edges'),
     counted(links.faceCount, 'face', 'faces'),
   ];
-  const found = `${format.toUpperCase()}: ${counts.join(', ')}.`;
-  return { format, problems, summary: [found, ...notes].join(' ') };
+  const content = `${format.toUpperCase()}: ${counts.join(', ')}.`;
+  const repairs = found.problems.length > 0 ? [found.summary] : [];
+  return {
+    ...found,
+    format,
+    problems: [...found.problems, ...ignored],
+    summary: [content, ...repairs, ...notes].join(' '),
+  };
 }
 
 const counted = (count: number, one: string, many: string) =>

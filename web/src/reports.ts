@@ -4,7 +4,7 @@ import { HalfedgeError, NO_WITNESS, type Problem, type Witness } from './errors.
 /** The result of a call into the core; throws what it failed of. */
 export function unwrap<T extends object>(raw: T | RawFailure): T {
   if (!('problems' in raw)) return raw;
-  const problems = raw.problems.map(problemOf);
+  const problems = raw.problems.map((problem) => problemOf(problem, 'error'));
   const first = problems[0];
   const more = raw.problemCount - 1;
   const others = more === 0 ? '' : ` And ${more} more ${more === 1 ? 'problem' : 'problems'}.`;
@@ -14,14 +14,18 @@ export function unwrap<T extends object>(raw: T | RawFailure): T {
   });
 }
 
-function problemOf({ code, message, ...items }: RawProblem): Problem {
+/** A problem as the package shows it. */
+export function problemOf(
+  { code, message, ...items }: RawProblem,
+  severity: Problem['severity'],
+): Problem {
   const witness: Witness = {
     vertices: Array.from(items.vertices),
     halfedges: Array.from(items.halfedges),
     edges: Array.from(items.edges),
     faces: Array.from(items.faces),
   };
-  return { code, severity: 'error', ...subjectOf(witness), message: sentence(message), witness };
+  return { code, severity, ...subjectOf(witness), message: sentence(message), witness };
 }
 
 /** What a problem with an input is about: a face or a vertex if it names one, else its first face. */

@@ -4,7 +4,6 @@
 #include <halfedge/connectivity/handle.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -15,9 +14,7 @@ namespace halfedge::io {
 /// Welds: the index of each distinct position, in the order in which they came. Positions are equal
 /// if all bits are, but for the sign of zero.
 ///
-/// An open-addressing table of indices, at most half full, behind a small one of those seen last:
-/// neighbours in a mesh are mostly neighbours in the file, and the large table is out of the cache.
-/// Expected O(1) a look-up.
+/// An open-addressing table of indices, at most half full. Expected O(1) a look-up.
 class PositionTable {
  public:
   /// Room for so many, so that the table need not grow. False when memory is exhausted.
@@ -30,20 +27,15 @@ class PositionTable {
     const std::size_t count = positions.size() / 3;
     if (2 * (count + 1) > slots_.size() && !grow(positions, 2 * count)) return false;
     const Key key(xyz);
-    const std::size_t hash = key.hash();
-    Index& recent = recent_[hash % recent_.size()];
-    if (recent < count && Key(&positions[3 * std::size_t{recent}]) == key) {
-      found = recent;
-      return true;
-    }
-    for (std::size_t i = hash & mask();; i = (i + 1) & mask()) {
-      found = slots_[i];
-      if (found == kNone) {
-        recent = slots_[i] = static_cast<Index>(count);
+    for (std::size_t i = key.hash() & mask();; i = (i + 1) & mask()) {
+      const Index v = slots_[i];
+      if (v == kNone) {
+        slots_[i] = static_cast<Index>(count);
+        found = kNone;
         return true;
       }
-      if (Key(&positions[3 * std::size_t{found}]) == key) {
-        recent = found;
+      if (Key(&positions[3 * std::size_t{v}]) == key) {
+        found = v;
         return true;
       }
     }
@@ -83,7 +75,6 @@ class PositionTable {
   }
 
   Array<Index> slots_;  // a power of two
-  std::array<Index, 4096> recent_ = {};
 };
 
 }  // namespace halfedge::io

@@ -1,6 +1,7 @@
 #include <halfedge/build/connect.h>
 #include <halfedge/build/diagnose.h>
 #include <halfedge/build/sentence.h>
+#include <halfedge/build/strict.h>
 #include <halfedge/repair/repair.h>
 #include <halfedge/repair/soup.h>
 
@@ -34,6 +35,10 @@ class Repair {
       : mesh_(mesh), input_(input), options_(options), report_(report), log_(report) {}
 
   [[nodiscard]] ConnectResult run() {
+    if (!options_.weld) {
+      const ConnectResult result = take_as_it_is();
+      if (result != ConnectResult::kNotManifold) return result;
+    }
     if (!log_.begin(input_.face_count()) ||
         !repair::weld(input_.positions, options_.weld, vertices_))
       return ConnectResult::kOutOfMemory;
@@ -59,6 +64,34 @@ class Repair {
   // The vertex of the input whose position a vertex has.
   [[nodiscard]] Index origin(Index v) const {
     return vertices_.origin[v < vertices_.size() ? v : copies_[v - vertices_.size()]];
+  }
+
+  // Most input needs no repair: this is the strict builder, without its reasons.
+  [[nodiscard]] ConnectResult take_as_it_is() {
+    if (!can_be_connected(input_)) return ConnectResult::kNotManifold;
+    ConnectResult result = connect<true>(input_, mesh_.mutable_links());
+    if (result == ConnectResult::kDone) {
+      result = copy_positions(input_.positions, mesh_.mutable_positions());
+    }
+    if (result != ConnectResult::kDone) return result;
+    const Array<Index>& anchors = mesh_.links().vertex_halfedge;
+    isolated_ = std::size_t(std::count(anchors.begin(), anchors.end(), kNone));
+    if (isolated_ > 0 && options_.drop_isolated) return ConnectResult::kNotManifold;
+    std::vector<Index> first;
+    for (Index v = 0; v < anchors.size() && first.size() < std::min(isolated_, kWitnesses); ++v) {
+      if (anchors[v] == kNone) first.push_back(v);
+    }
+    report_isolated(first);
+    const bool fits = fill_with_identity(report_.vertex_map, input_.vertex_count()) &&
+                      fill_with_identity(report_.vertex_origin, input_.vertex_count()) &&
+                      fill_with_identity(report_.face_map, input_.face_count()) &&
+                      log_.finish(options_, 0);
+    return fits ? ConnectResult::kDone : ConnectResult::kOutOfMemory;
+  }
+  [[nodiscard]] static bool fill_with_identity(Array<Index>& map, std::size_t size) {
+    if (!map.recreate(size)) return false;
+    for (Index i = 0; i < size; ++i) map[i] = i;
+    return true;
   }
 
   // Makes the faces a manifold: afterwards faces_ has those that are left, over all the vertices.
@@ -172,11 +205,14 @@ class Repair {
   }
 
   void report_isolated() {
-    if (isolated_ == 0) return;
     std::vector<Index> first;
-    for (Index v = 0; v < vertex_count() && first.size() < kWitnesses; ++v) {
+    for (Index v = 0; v < vertex_count() && first.size() < std::min(isolated_, kWitnesses); ++v) {
       if (is_isolated(v)) first.push_back(origin(v));
     }
+    report_isolated(first);
+  }
+  void report_isolated(const std::vector<Index>& first) {
+    if (isolated_ == 0) return;
     log_.add(RepairCode::kIsolatedVertex, [&] {
       return Error{{},
                    count_of(isolated_, "vertex") + (isolated_ == 1 ? " has" : " have") +

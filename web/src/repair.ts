@@ -1,0 +1,255 @@
+import {
+  checkOptions,
+  describe,
+  indices,
+  lengthOf,
+  lengthOfArrayLike,
+  type NumberArray,
+  newArray,
+  numbers,
+  refuseIndex,
+  typedArrayName,
+} from './arguments.js';
+import { type Polygons, type StorageOptions, storesPrev } from './build.js';
+import type { RawRepair } from './core.mjs';
+import type { Problem } from './errors.js';
+import { Links } from './links.js';
+import { type Core, core } from './loader.js';
+import { withInputs } from './memory.js';
+import { problemOf, unwrap } from './reports.js';
+import { take } from './rings.js';
+
+/** In the order of the enum RepairCode in C++. */
+const CODES = [
+  'non-finite-position',
+  'index-out-of-range',
+  'degree-below-three',
+  'repeated-vertex',
+  'coincident-position',
+  'duplicate-face',
+  'edge-with-many-faces',
+  'opposite-orientation',
+  'non-orientable',
+  'pinched-vertex',
+  'isolated-vertex',
+] as const;
+
+/** What a repair can find. */
+export type RepairCode = (typeof CODES)[number];
+
+/** Worth knowing, but no defect. */
+const HARMLESS: readonly string[] = ['coincident-position', 'isolated-vertex'];
+
+/** How to make a mesh of a soup. */
+export interface SoupOptions extends StorageOptions {
+  /**
+   * Joins vertices: `true` or 0 those at the same position, a number those closer than that. Two
+   * vertices that are joined are always closer than the tolerance; a chain of vertices that is longer
+   * is cut. Default: false.
+   */
+  weld?: boolean | number;
+  /** Leaves out the vertices without faces. Default: false. */
+  dropIsolated?: boolean;
+}
+
+/** What became of a face of the input that was touched. */
+export interface FaceVerdict {
+  readonly face: number;
+  /** Whether it is a face of the mesh. */
+  readonly kept: boolean;
+  /** Why it was left out, or what was done to it. */
+  readonly codes: readonly RepairCode[];
+}
+
+/** What a repair has done. */
+export interface RepairReport {
+  /** One sentence each; at most 100 of each code. Indices are those of the input. */
+  readonly problems: readonly Problem[];
+  /** How many faces, edges or vertices each code was found of, listed or not. */
+  readonly counts: Readonly<Partial<Record<RepairCode, number>>>;
+  /** The faces that were touched, in order. All others are as in the input. */
+  readonly verdicts: readonly FaceVerdict[];
+  /** By vertex of the input: its (first) vertex in the mesh, or -1. */
+  readonly vertexMap: Int32Array;
+  /** By vertex of the mesh: the vertex of the input that it was, or is a copy of. */
+  readonly vertexOrigin: Uint32Array;
+  /** By face of the input: the face of the mesh, or -1. */
+  readonly faceMap: Int32Array;
+  /** All of it in one readable line. */
+  readonly summary: string;
+}
+
+/** A mesh of whatever polygons there are. */
+export function soupLinks(
+  positions: unknown,
+  faces: unknown,
+  options: unknown,
+): { links: Links; report: RepairReport } {
+  const withPrev = storesPrev(options);
+  const { weld, dropIsolated } = soupOptions(options);
+  const points = numbers('positions', positions);
+  if (lengthOf(points) % 3 !== 0) {
+    throw new RangeError(
+      `positions has ${lengthOf(points)} elements; expected a multiple of 3, x, y and z of each vertex.`,
+    );
+  }
+  const { sizes, corners } = faceArrays(faces);
+  const wasm = core();
+  const raw = withInputs(wasm, (inputs) => {
+    const at = inputs.floats('positions', points);
+    const lengths = sizes === undefined ? { address: 0, count: 0 } : inputs.indices('sizes', sizes);
+    const vertices = inputs.indices('faces', corners);
+    return wasm.buildFromSoup(
+      at.address,
+      at.count,
+      lengths.address,
+      lengths.count,
+      vertices.address,
+      vertices.count,
+      weld,
+      dropIsolated,
+      withPrev,
+    );
+  });
+  const done = unwrap(raw);
+  const links = new Links(wasm, done.mesh);
+  return { links, report: repairReport(wasm, done) };
+}
+
+/** The report of the core, whose arrays are freed. */
+export function repairReport(wasm: Core, raw: RawRepair): RepairReport {
+  const words = { ...raw.verdicts, count: 2 * raw.verdicts.count };
+  const [verdicts, vertexMap, vertexOrigin, faceMap] = take(
+    wasm,
+    words,
+    raw.vertexMap,
+    raw.vertexOrigin,
+    raw.faceMap,
+  );
+  return {
+    problems: raw.repairs.map((problem) =>
+      problemOf(problem, HARMLESS.includes(problem.code) ? 'info' : 'warning'),
+    ),
+    counts: Object.fromEntries(
+      CODES.map((code, i) => [code, raw.counts[i]] as const).filter(([, count]) => count > 0),
+    ),
+    verdicts: verdictsOf(verdicts),
+    vertexMap: new Int32Array(vertexMap.buffer),
+    vertexOrigin,
+    faceMap: new Int32Array(faceMap.buffer),
+    summary: raw.summary,
+  };
+}
+
+/** The report of a strict build: nothing was done. */
+export function untouched(vertices: number, faces: number): RepairReport {
+  const identity = (length: number) => newArray('a map', Int32Array, length).map((_, i) => i);
+  const vertexMap = identity(vertices);
+  return {
+    problems: [],
+    counts: {},
+    verdicts: [],
+    vertexMap,
+    vertexOrigin: new Uint32Array(vertexMap),
+    faceMap: identity(faces),
+    summary: '',
+  };
+}
+
+/** Two words for each: the face; whether it is kept, and in the upper half its codes. */
+function verdictsOf(words: Uint32Array): FaceVerdict[] {
+  const lists = new Map<number, readonly RepairCode[]>();
+  const verdicts: FaceVerdict[] = [];
+  for (let i = 0; i < words.length; i += 2) {
+    const mask = words[i + 1] >>> 16;
+    let codes = lists.get(mask);
+    if (codes === undefined) {
+      codes = Object.freeze(CODES.filter((_, code) => (mask & (1 << code)) !== 0));
+      lists.set(mask, codes);
+    }
+    verdicts.push({ face: words[i], kept: (words[i + 1] & 0xff) !== 0, codes });
+  }
+  return verdicts;
+}
+
+/** A tolerance, negative where vertices stay apart. */
+function soupOptions(options: unknown): { weld: number; dropIsolated: boolean } {
+  const { weld = false, dropIsolated = false } = checkOptions(options) as SoupOptions;
+  if (typeof dropIsolated !== 'boolean') {
+    throw new TypeError(
+      `options.dropIsolated is ${describe(dropIsolated)}; expected true or false.`,
+    );
+  }
+  if (typeof weld === 'boolean') return { weld: weld ? 0 : -1, dropIsolated };
+  const sentence = `options.weld is ${describe(weld)}; expected true, false or a finite distance from 0.`;
+  if (typeof weld !== 'number') throw new TypeError(sentence);
+  if (!(weld >= 0 && weld < Number.POSITIVE_INFINITY)) throw new RangeError(sentence);
+  return { weld, dropIsolated };
+}
+
+/** Faces in any of the three forms. */
+function faceArrays(faces: unknown): { sizes?: NumberArray; corners: NumberArray } {
+  if (typeof faces === 'object' && faces !== null && !('length' in faces) && 'corners' in faces) {
+    const { sizes, corners } = faces as Polygons;
+    const lengths = indices('faces.sizes', sizes);
+    const vertices = anyIntegers('faces.corners', corners);
+    if (lengthOf(lengths) === 0 && lengthOf(vertices) > 0) {
+      throw new RangeError(
+        `faces.sizes is empty, but faces.corners has ${lengthOf(vertices)} elements; expected a size for each face.`,
+      );
+    }
+    return { sizes: lengths, corners: vertices };
+  }
+  const form = 'an array of faces, an index buffer or { sizes, corners }';
+  const count = lengthOfArrayLike('faces', faces, form);
+  if (typedArrayName(faces) === undefined && typeof (faces as ArrayLike<unknown>)[0] !== 'number') {
+    return flatten(faces as ArrayLike<unknown>, count);
+  }
+  if (count % 3 !== 0) {
+    throw new RangeError(
+      `faces has ${count} numbers; expected a multiple of 3, three vertices for each triangle.`,
+    );
+  }
+  return { corners: anyIntegers('faces', faces) };
+}
+
+/** An array for each face, in a row. */
+function flatten(
+  faces: ArrayLike<unknown>,
+  count: number,
+): { sizes: NumberArray; corners: NumberArray } {
+  if (count > 0) lengthOfArrayLike(`faces[${count - 1}]`, faces[count - 1]); // or a lying length costs memory
+  const sizes = newArray('faces', Uint32Array, count);
+  let total = 0;
+  for (let f = 0; f < count; f++) {
+    sizes[f] = lengthOfArrayLike(`faces[${f}]`, faces[f]);
+    total += sizes[f];
+  }
+  const corners = newArray('faces', Uint32Array, total);
+  let at = 0;
+  for (let f = 0; f < count; f++) {
+    const face = faces[f] as ArrayLike<unknown>;
+    for (let i = 0; i < sizes[f]; i++) corners[at++] = anyInteger(`faces[${f}]`, i, face[i]);
+  }
+  return { sizes, corners };
+}
+
+/** Vertices of corners: whatever is no index of a vertex is the core's to report, with its face. */
+function anyIntegers(argument: string, source: unknown): NumberArray {
+  const name = typedArrayName(source);
+  if (name !== undefined && !name.startsWith('Float')) return indices(argument, source);
+  const count = lengthOfArrayLike(argument, source);
+  const from = source as ArrayLike<unknown>;
+  if (count > 0) anyInteger(argument, count - 1, from[count - 1]); // or a lying length costs memory
+  const to = newArray(argument, Uint32Array, count);
+  for (let i = 0; i < count; i++) to[i] = anyInteger(argument, i, from[i]);
+  return to;
+}
+
+function anyInteger(argument: string, i: number, value: unknown): number {
+  if (typeof value !== 'number' || !Number.isInteger(value)) refuseIndex(argument, i, value);
+  return value >= -(2 ** 31) && value < 2 ** 32 ? value : NO_VERTEX;
+}
+
+/** An index that no mesh has. */
+const NO_VERTEX = 2 ** 32 - 1;
