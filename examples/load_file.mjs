@@ -1,4 +1,5 @@
-// Reads an OBJ or OFF file and tells what is in it: counts, topology, validity.
+// Reads an OBJ, OFF, PLY or STL file and tells what is in it: counts, topology, validity, and what had
+// to be repaired.
 //
 //   node examples/load_file.mjs model.obj
 
@@ -26,14 +27,16 @@ function describe(mesh) {
 async function main(path) {
   if (path === undefined) return 'Usage: node examples/load_file.mjs <OBJ, OFF, PLY or STL file>';
   await init();
-  let mesh;
+  let read;
   try {
-    mesh = HalfedgeMesh.parse(await readFile(path)).mesh;
+    read = HalfedgeMesh.parse(await readFile(path));
   } catch (error) {
     if (error instanceof HalfedgeError) return `${path}: ${error.message}`;
     return `${path} can't be read: ${error.message}.`;
   }
+  const { mesh, report } = read;
   describe(mesh);
+  for (const { message } of report.problems) console.log(`noticed: ${message}`);
   mesh.dispose();
   return undefined;
 }

@@ -65,19 +65,30 @@ describe('A file', () => {
     expect(await explorer.state('mesh')).toBe('Icosahedron');
     await explorer.press('.');
     expect(await explorer.visited()).toHaveLength(1);
-    await explorer.page.click('[aria-label=Dismiss]');
+    await explorer.page.click('[role=alert] [aria-label=Dismiss]');
     expect(await explorer.page.isVisible('[role=alert]')).toBe(false);
     await explorer.drop('tetrahedron.off', TETRAHEDRON);
     await explorer.ready('tetrahedron.off');
   });
 
-  test('whose faces make no manifold is refused, naming an edge', async () => {
+  test('whose faces make no manifold opens repaired, and says what was mended', async () => {
     const third = TETRAHEDRON.replace('4 4 6', '4 5 6').concat('3 0 1 2\n');
-    await explorer.drop('fin.off', third);
-    await notice();
-    expect(await message()).toMatch(/[Ff]ace/);
-    expect(await message()).not.toContain('undefined');
-    expect(await explorer.state('mesh')).toBe('Icosahedron');
+    await explorer.drop('twice.off', third);
+    await explorer.ready('twice.off');
+    expect(await explorer.page.textContent('.counts')).toContain('Vertices4Edges6Faces4');
+    const mended = '.notice[role=status]';
+    expect(await explorer.page.textContent(mended)).toContain('“twice.off” was repaired');
+    expect(await explorer.page.textContent(`${mended} [data-message]`)).toContain(
+      '1 duplicate face left out.',
+    );
+    await explorer.screenshot('repaired-1280-light');
+    await explorer.page.click(`${mended} [aria-label=Dismiss]`);
+    expect(await explorer.page.isVisible(mended)).toBe(false);
+    await explorer.drop('twice.off', third);
+    await explorer.page.waitForSelector(`${mended}:not([hidden])`);
+    await explorer.drop('tetrahedron.off', TETRAHEDRON);
+    await explorer.ready('tetrahedron.off');
+    expect(await explorer.page.isVisible(mended)).toBe(false);
   });
 
   test.each([

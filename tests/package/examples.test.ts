@@ -84,15 +84,16 @@ valid                 yes`,
     );
   });
 
+  test('tells what it repaired', async () => {
+    expect(await node(folder, 'examples/load_file.mjs', 'clashing.off')).toMatch(
+      /valid {17}yes\nnoticed: Face \d was turned over, to agree with its neighbours\. \(Line \d\)$/,
+    );
+  });
+
   test.each([
     ['without a file', [], /^Usage: /],
     ['for a file that is not there', ['nowhere.obj'], /^nowhere\.obj can't be read: ENOENT/],
     ['for a broken file, with the line', ['broken.off'], /^broken\.off: Line 5: .*\bone\b/],
-    [
-      'for a mesh that is none',
-      ['clashing.off'],
-      /^clashing\.off: Faces 0 and 1 both run from vertex 0 to vertex 1;/,
-    ],
   ])('ends with one sentence %s', async (_, args, sentence) => {
     const { ok, output } = await tryNode(folder, 'examples/load_file.mjs', ...args);
     expect(ok).toBe(false);

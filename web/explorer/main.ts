@@ -15,7 +15,7 @@ import { Explorer } from './app/explorer.js';
 import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
 import { listenToKeys } from './ui/keyboard.js';
-import { busyNotice, dropTarget, failureNotice, helpDialog } from './ui/notices.js';
+import { busyNotice, dropTarget, failureNotice, helpDialog, repairNotice } from './ui/notices.js';
 import { panel } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { listenToPointer } from './ui/pointer.js';
@@ -45,6 +45,7 @@ async function start(): Promise<void> {
     pickBar(explorer, () => view.focus()),
     side,
     failureNotice(explorer),
+    repairNotice(explorer),
     busyNotice(explorer),
     dropTarget(explorer),
     help,

@@ -3,12 +3,43 @@ import { h, icon } from './dom.js';
 
 /** The sentence about a file that could not be opened. */
 export function failureNotice(explorer: Explorer): HTMLElement {
+  const { notice, tell } = noticeCard('alert', () => {
+    explorer.failure.value = null;
+  });
+  explorer.failure.subscribe((failure) => {
+    notice.hidden = failure === null;
+    if (!failure) return;
+    const shown = explorer.document.value?.name;
+    const calm = shown ? `${shown} is still open.` : 'Choose another mesh above.';
+    tell(failure.title, failure.message, calm);
+  });
+  return notice;
+}
+
+/** What was mended in the file on show. */
+export function repairNotice(explorer: Explorer): HTMLElement {
+  const { notice, tell } = noticeCard('status', () => {
+    notice.hidden = true;
+  });
+  notice.classList.add('mended');
+  explorer.document.subscribe((document) => {
+    notice.hidden = !document?.repairs;
+    if (!document?.repairs) return;
+    tell(`“${document.name}” was repaired`, document.repairs, 'The file itself is unchanged.');
+  });
+  explorer.failure.subscribe((failure) => {
+    if (failure) notice.hidden = true;
+  });
+  return notice;
+}
+
+function noticeCard(role: 'alert' | 'status', dismiss: () => void) {
   const title = h('h2');
   const message = h('p', { 'data-message': true });
   const calm = h('p', { class: 'calm' });
   const notice = h(
     'div',
-    { class: 'notice card', role: 'alert', hidden: true },
+    { class: 'notice card', role, hidden: true },
     icon('warning'),
     title,
     message,
@@ -19,22 +50,17 @@ export function failureNotice(explorer: Explorer): HTMLElement {
         type: 'button',
         class: 'button square quiet',
         'aria-label': 'Dismiss',
-        onclick: () => {
-          explorer.failure.value = null;
-        },
+        onclick: dismiss,
       },
       icon('close'),
     ),
   );
-  explorer.failure.subscribe((failure) => {
-    notice.hidden = failure === null;
-    if (!failure) return;
-    title.textContent = failure.title;
-    message.textContent = failure.message;
-    const shown = explorer.document.value?.name;
-    calm.textContent = shown ? `${shown} is still open.` : 'Choose another mesh above.';
-  });
-  return notice;
+  const tell = (...texts: [string, string, string]) => {
+    [title, message, calm].forEach((part, i) => {
+      part.textContent = texts[i];
+    });
+  };
+  return { notice, tell };
 }
 
 /** What is being opened. */
