@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
 #include <halfedge/io/parse.h>
+#include <halfedge/io/write.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 #include "support/limited_memory.h"
@@ -31,6 +35,18 @@ namespace {
   }
 }
 
+[[noreturn]] void write_with_more_and_more_memory(const Mesh& mesh, Format format) {
+  constexpr std::size_t kStep = std::size_t{1} << 18U;
+  const std::size_t in_use = address_space_in_use();
+  for (int failures = 0;; ++failures) {
+    if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
+    const auto bytes = write(mesh, format);
+    if (bytes) std::_Exit(failures > 4 ? 0 : 5);
+    if (bytes.error().code != "out-of-memory") std::_Exit(3);
+    if (bytes.error().message.find("memory") == std::string::npos) std::_Exit(4);
+  }
+}
+
 // Vertices, triangles, and with the first quad the sizes as well.
 std::string large_obj() {
   std::string text;
@@ -52,6 +68,49 @@ TEST(ParseMemoryDeathTest, WhereverMemoryEndsReadingOffEndsInAnError) {
   for (int i = 0; i < 200000; ++i) text += "3 0 1 2\n";
   EXPECT_EXIT(parse_with_more_and_more_memory(text + "4 0 1 2 3\n", ""), testing::ExitedWithCode(0),
               "");
+}
+
+TEST(ParseMemoryDeathTest, WhereverMemoryEndsReadingPlyEndsInAnError) {
+  std::string text;
+  text.reserve(std::size_t{1} << 22U);  // or what it grows out of is there for the reader
+  text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 100000\nproperty float x\n"
+      "property float y\nproperty float z\nelement face 200001\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  text.append(1200000, '\0');
+  for (int i = 0; i < 200000; ++i) text += '\3' + std::string(12, '\0');
+  text += '\4' + std::string(16, '\0');
+  EXPECT_EXIT(parse_with_more_and_more_memory(text, ""), testing::ExitedWithCode(0), "");
+}
+
+TEST(ParseMemoryDeathTest, WhereverMemoryEndsReadingStlEndsInAnError) {
+  constexpr std::uint32_t kTriangles = 100000;
+  std::string text(80, ' ');
+  text.append(reinterpret_cast<const char*>(&kTriangles), sizeof(kTriangles));
+  text.resize(84 + 50 * std::size_t{kTriangles});
+  for (std::size_t i = 0; i < 3 * std::size_t{kTriangles}; ++i) {  // no two corners are the same
+    const auto x = static_cast<float>(i);
+    std::memcpy(&text[84 + 50 * (i / 3) + 12 + 12 * (i % 3)], &x, sizeof(x));
+  }
+  EXPECT_EXIT(parse_with_more_and_more_memory(text, ""), testing::ExitedWithCode(0), "");
+}
+
+TEST(ParseMemoryDeathTest, WhereverMemoryEndsWritingEndsInAnError) {
+  std::string text = "OFF\n100000 33333\n";
+  for (int i = 0; i < 100000; ++i) text += std::to_string(i) + " 0.5 0\n";
+  for (int i = 0; i < 33333; ++i) {
+    text += '3';
+    for (int c = 0; c < 3; ++c) text += ' ' + std::to_string(3 * i + c);
+    text += '\n';
+  }
+  const Result<ParsedFile> file = parse(bytes_of(text));
+  ASSERT_TRUE(file);
+  Mesh mesh;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(mesh, file.value().soup.view(), report));
+  for (const Format format : {Format::kObj, Format::kOff, Format::kPly, Format::kStl}) {
+    EXPECT_EXIT(write_with_more_and_more_memory(mesh, format), testing::ExitedWithCode(0), "");
+  }
 }
 
 #else
