@@ -54,8 +54,9 @@ class Orienter {
     component_.clear();
     reach(seed);
     surface_.flipped[seed] = false;
-    for (std::size_t i = 0; i < component_.size(); ++i) {
-      for_each_side(component_[i], [&](Index side) {
+    std::size_t done = 0;
+    while (done < component_.size()) {  // it grows on the way
+      for_each_side(component_[done++], [&](Index side) {
         const Index mate = surface_.mate[side];
         if (mate == kNone) return;
         const Index next = surface_.face_of[mate];
