@@ -215,6 +215,11 @@ TEST(Ply, RefusesCountsBeyondTheFile) {
                       kRows)
                 .substr(0, 11),
             "truncated: ");
+  // Each of the two would fit alone.
+  const std::string faces = "element face 30\nproperty list uchar int vertex_index\n";
+  EXPECT_EQ(
+      ply_error(header("binary_little_endian", kVertices + faces) + std::string(40, '\0')),
+      "truncated: line 9: the header promises 30 elements \"face\", but only 40 bytes follow");
 }
 
 TEST(Ply, ExplainsAWrongRow) {
