@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+#include <halfedge/repair/repair.h>
+
+#include <algorithm>
+#include <ctime>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/repairing.h"
+#include "support/shapes.h"
+
+namespace halfedge::test {
+namespace {
+
+// As for builds: a quadratic step takes a hundred times as long for ten times the input.
+constexpr double kFarFromQuadratic = 50;
+
+double fastest_of_two(const Shape& shape, const RepairOptions& options) {
+  double fastest = 1e30;
+  for (int round = 0; round < 2; ++round) {
+    const std::clock_t start = std::clock();
+    const Repaired result(shape.polygons(), options);
+    fastest = std::min(fastest, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    if (round == 0) expect_sound(shape.polygons(), result);
+  }
+  return fastest;
+}
+
+template <class MakeShape>
+void expect_no_quadratic_step(const MakeShape& make, Index large_size,
+                              const RepairOptions& options = {}) {
+  const double small = fastest_of_two(make(large_size / 10), options);
+  const double large = fastest_of_two(make(large_size), options);
+  EXPECT_LT(large, kFarFromQuadratic * small) << small << " s, " << large << " s";
+}
+
+using Lists = std::vector<std::vector<Index>>;
+
+TEST(RepairScale, FacesOnOneEdge) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        Lists faces;
+        for (Index i = 0; i < n; ++i) {
+          faces.push_back(i % 3 == 0 ? std::vector<Index>{1, 0, 2 + i}
+                                     : std::vector<Index>{0, 1, 2 + i});
+        }
+        return Shape{"faces on one edge", n + 2, faces};
+      },
+      20'000);
+}
+
+TEST(RepairScale, ClosedFansAtOneVertex) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        Lists faces;
+        for (Index a = 1; a < 3 * n; a += 3) {
+          faces.insert(faces.end(),
+                       {{0, a, a + 1}, {0, a + 1, a + 2}, {0, a + 2, a}, {a, a + 2, a + 1}});
+        }
+        return Shape{"closed fans", 3 * n + 1, faces};
+      },
+      10'000);
+}
+
+TEST(RepairScale, AVertexOfHighValenceWithFins) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        Lists faces = disk(n).faces;
+        for (Index i = 0; i < n; ++i) faces.push_back({0, 1 + i, n + 1 + i});
+        for (Index i = 0; i < n; i += 3) std::swap(faces[i][0], faces[i][1]);
+        return Shape{"fan with fins", 2 * n + 1, faces};
+      },
+      20'000);
+}
+
+TEST(RepairScale, DuplicatesOfOneFace) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        return Shape{"duplicates", 3, Lists(n, {2, 0, 1})};
+      },
+      50'000);
+}
+
+TEST(RepairScale, LargeFaces) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        std::vector<Index> face(n);
+        std::iota(face.begin(), face.end(), 0U);
+        std::vector<Index> twice = face;
+        twice.insert(twice.end(), face.begin(), face.end());
+        std::vector<Index> there_and_back = face;
+        there_and_back.insert(there_and_back.end(), face.rbegin(), face.rend());
+        return Shape{"large faces", n, {face, face, twice, there_and_back, std::vector<Index>(n)}};
+      },
+      100'000);
+}
+
+TEST(RepairScale, AOneSidedStrip) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        Lists faces;
+        for (Index i = 0; i + 1 < n; ++i) {
+          faces.push_back({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+          if (i % 5 < 2) std::reverse(faces.back().begin(), faces.back().end());
+        }
+        faces.push_back({2 * n - 2, 1, 0, 2 * n - 1});
+        return Shape{"Moebius strip", 2 * n, faces};
+      },
+      20'000);
+}
+
+// All in one cell, all at one position, and in a line with cells of one vertex or of many.
+TEST(RepairScale, WeldingAtAnyTolerance) {
+  const auto line = [](Index n) { return Shape{"line", n, {}}; };
+  const auto cloud = [](Index n) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> coordinate(0, 1);
+    Shape shape("cloud", n, {});
+    for (float& x : shape.positions) x = coordinate(random);
+    return shape;
+  };
+  for (const double tolerance : {0.0, 1e-5, 1e-2, 0.3, 1e10}) {
+    SCOPED_TRACE(tolerance);
+    expect_no_quadratic_step(line, 20'000, {.weld = tolerance});
+    expect_no_quadratic_step(cloud, 20'000, {.weld = tolerance});
+  }
+  expect_no_quadratic_step(
+      [](Index n) {
+        Shape shape("one position", n, {});
+        std::fill(shape.positions.begin(), shape.positions.end(), 1.0F);
+        return shape;
+      },
+      50'000, {.weld = 0});
+}
+
+}  // namespace
+}  // namespace halfedge::test
