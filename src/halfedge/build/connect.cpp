@@ -118,11 +118,12 @@ class FaceConnector {
   [[nodiscard]] bool grow() {
     is_fresh_ = true;
     const std::size_t count = capacity_ + capacity_ / 8 + 64;
+    bool fits = true;
     for (Array<Index>* array : halfedge_arrays()) {
-      if (!array->resize(std::max(count, array->size()))) return false;
+      fits = fits && array->resize(std::max(count, array->size()));
     }
-    use_arrays();
-    return true;
+    use_arrays();  // also where it doesn't fit: some have moved, and the faces that are left follow
+    return fits;
   }
 
   void use_arrays() {

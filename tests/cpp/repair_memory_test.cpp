@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+#include <halfedge/repair/repair.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
+
+#include "support/limited_memory.h"
+#include "support/shapes.h"
+
+namespace halfedge::test {
+namespace {
+
+#if defined(HALFEDGE_CAN_LIMIT_MEMORY)
+
+// A soup with something for every step.
+Shape damaged_grid() {
+  Shape grid = triangle_grid(150, 150);
+  for (std::size_t f = 0; f < grid.faces.size(); f += 7) {
+    std::swap(grid.faces[f][0], grid.faces[f][1]);
+  }
+  for (std::size_t f = 0; f < 20'000; f += 11) grid.faces.push_back(grid.faces[f]);
+  for (Index v = 0; v + 1000 < grid.vertices; v += 13) grid.faces.push_back({v, v + 1, v + 900});
+  return {"damaged grid", grid.vertices, grid.faces};
+}
+
+[[noreturn]] void repair_with_more_and_more_memory() {
+  const Shape shape = damaged_grid();
+  constexpr std::size_t kStep = std::size_t{256} << 10U;
+  const std::size_t in_use = address_space_in_use();
+  for (int failures = 0;; ++failures) {
+    if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
+    Mesh mesh;
+    RepairReport report;
+    if (build_from_soup(mesh, shape.polygons(), {.weld = 1e-9}, report)) {
+      std::_Exit(failures > 20 ? 0 : 3);
+    }
+    if (report.problems.size() != 1 || report.problems[0].code != "out-of-memory") std::_Exit(4);
+    if (mesh.vertex_slots() != 0 || !report.face_map.empty()) std::_Exit(5);
+  }
+}
+
+TEST(RepairMemoryDeathTest, WhereverMemoryEndsTheRepairEndsInAnError) {
+  EXPECT_EXIT(repair_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
+}
+
+#else
+
+TEST(RepairMemoryDeathTest, WhereverMemoryEndsTheRepairEndsInAnError) {
+  GTEST_SKIP() << "memory can be limited on Linux only, and not under AddressSanitizer";
+}
+
+#endif
+
+}  // namespace
+}  // namespace halfedge::test
