@@ -3,6 +3,9 @@
 export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
 export type { CirculateOptions, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
+export { DirectedEdgesMesh } from './directed-edges.js';
+export type { DirectedEdgesViews } from './directed-edges-navigation.js';
+export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges-orbit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export {
   type Direction,

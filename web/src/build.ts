@@ -12,6 +12,7 @@ import {
   numbers,
   refuseIndex,
 } from './arguments.js';
+import type { RawFailure } from './core.mjs';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { type Block, withInputs } from './memory.js';
@@ -52,6 +53,23 @@ export function storesPrev(options: unknown): boolean {
 /** The mesh of an index buffer. */
 export function triangleLinks(positions: unknown, triangles: unknown, options: unknown): Links {
   const withPrev = storesPrev(options);
+  const { points, corners } = triangleArrays(positions, triangles);
+  return buildLinks(points, undefined, corners, 'indices', withPrev);
+}
+
+/** Directed Edges of an index buffer: their address. */
+export function buildDirectedEdges(positions: unknown, triangles: unknown): number {
+  const { points, corners } = triangleArrays(positions, triangles);
+  const wasm = core();
+  return build(points, undefined, corners, 'indices', (at, _, vertices) =>
+    wasm.buildDirectedEdges(at.address, at.count, vertices.address, vertices.count),
+  );
+}
+
+function triangleArrays(
+  positions: unknown,
+  triangles: unknown,
+): { points: NumberArray; corners: NumberArray } {
   const points = positionArray(positions);
   const corners = indices('indices', triangles);
   const count = lengthOf(corners);
@@ -60,7 +78,7 @@ export function triangleLinks(positions: unknown, triangles: unknown, options: u
       `indices has ${count} elements; expected a multiple of 3, three vertices for each triangle.`,
     );
   }
-  return buildLinks(points, undefined, corners, 'indices', withPrev);
+  return { points, corners };
 }
 
 /** The mesh of polygons in either form. */
@@ -104,11 +122,8 @@ function buildLinks(
   withPrev: boolean,
 ): Links {
   const wasm = core();
-  const raw = withInputs(wasm, (inputs) => {
-    const points = inputs.floats('positions', positions);
-    const lengths = sizes === undefined ? NOTHING : inputs.indices('sizes', sizes);
-    const vertices = inputs.indices(name, corners);
-    return wasm.build(
+  const address = build(positions, sizes, corners, name, (points, lengths, vertices) =>
+    wasm.build(
       points.address,
       points.count,
       lengths.address,
@@ -116,7 +131,23 @@ function buildLinks(
       vertices.address,
       vertices.count,
       withPrev,
-    );
+    ),
+  );
+  return new Links(wasm, address);
+}
+
+/** Calls a builder of the core with copies of its inputs; throws what it refuses. */
+function build(
+  positions: NumberArray,
+  sizes: NumberArray | undefined,
+  corners: NumberArray,
+  name: string,
+  builder: (points: Block, lengths: Block, vertices: Block) => { mesh: number } | RawFailure,
+): number {
+  const raw = withInputs(core(), (inputs) => {
+    const points = inputs.floats('positions', positions);
+    const lengths = sizes === undefined ? NOTHING : inputs.indices('sizes', sizes);
+    return builder(points, lengths, inputs.indices(name, corners));
   });
   if ('problems' in raw) {
     // The core saw unsigned and 32-bit numbers: say what was really given.
@@ -124,7 +155,7 @@ function buildLinks(
     if (sizes !== undefined) checkNotNegative('sizes', sizes);
     checkFloats('positions', positions);
   }
-  return new Links(wasm, unwrap(raw).mesh);
+  return unwrap(raw).mesh;
 }
 
 const NOTHING: Block = { address: 0, count: 0 };

@@ -19,6 +19,15 @@ export interface RawProblem {
   faces: Uint32Array;
 }
 
+/** One finding of a validation. */
+export interface RawFinding {
+  code: string;
+  severity: string;
+  kind: string;
+  index: number;
+  message: string;
+}
+
 /** 32-bit words that are JavaScript's to copy and to free. */
 export interface RawWords {
   address: number;
@@ -103,10 +112,7 @@ export interface RawCore {
     storesPrev: boolean,
   ): ({ mesh: number } & RawRepair) | RawFailure;
 
-  validate(
-    mesh: number,
-    level: number,
-  ): { code: string; severity: string; kind: string; index: number; message: string }[];
+  validate(mesh: number, level: number): RawFinding[];
   eulerCharacteristic(mesh: number): number;
   genus(mesh: number): { genus: number } | RawFailure;
   boundaryLoops(mesh: number): { halfedges: RawWords } | RawFailure;
@@ -120,6 +126,21 @@ export interface RawCore {
     centres: number,
     count: number,
   ): RawRows | RawFailure;
+
+  // Directed Edges (directed_edges_bindings.cpp): `directed` is the address of such a mesh.
+
+  buildDirectedEdges(
+    positions: number,
+    positionCount: number,
+    corners: number,
+    cornerCount: number,
+  ): { mesh: number } | RawFailure;
+  directedEdgesFromMesh(mesh: number): { mesh: number } | RawFailure;
+  directedEdgesToMesh(directed: number): { mesh: number } | RawFailure;
+  destroyDirectedEdges(directed: number): void;
+  /** Where the arrays lie: 9 words, in the order that `DirectedLinks.refresh` reads them. */
+  directedEdgesLayout(directed: number): number;
+  validateDirectedEdges(directed: number, level: number): RawFinding[];
 }
 
 export interface CoreOptions {

@@ -179,12 +179,7 @@ export class Links {
 
   /** Throws if the mesh is disposed. */
   checkAlive(): void {
-    if (this.disposed) {
-      throw new HalfedgeError(
-        'disposed',
-        'This mesh was disposed: its memory is freed, and nothing can be asked of it any more.',
-      );
-    }
+    if (this.disposed) throw disposedError();
   }
 
   /** Throws a sentence unless `v` is a live vertex; mends detached views on the way. */
@@ -213,16 +208,29 @@ export class Links {
 
   #check(kind: ItemKind, slots: number, index: number, argument: string): void {
     this.revive();
-    const article = kind === 'edge' ? 'an' : 'a';
-    if (typeof index !== 'number') {
-      throw new TypeError(
-        `${argument} is ${describe(index)}; expected ${article} ${kind}, which is an integer.`,
-      );
-    }
-    if (Number.isInteger(index) && index >= 0 && index < slots) return;
-    const range = slots === 0 ? ', but this mesh has none' : ` from 0 to ${slots - 1}`;
-    throw new RangeError(`${argument} is ${describe(index)}; expected ${article} ${kind}${range}.`);
+    checkIndex(kind, slots, index, argument);
   }
+}
+
+/** Throws a sentence unless `index` is an integer from 0 that is less than `slots`. */
+export function checkIndex(kind: ItemKind, slots: number, index: number, argument: string): void {
+  const article = kind === 'edge' ? 'an' : 'a';
+  if (typeof index !== 'number') {
+    throw new TypeError(
+      `${argument} is ${describe(index)}; expected ${article} ${kind}, which is an integer.`,
+    );
+  }
+  if (Number.isInteger(index) && index >= 0 && index < slots) return;
+  const range = slots === 0 ? ', but this mesh has none' : ` from 0 to ${slots - 1}`;
+  throw new RangeError(`${argument} is ${describe(index)}; expected ${article} ${kind}${range}.`);
+}
+
+/** The error for any use of a mesh after `dispose()`. */
+export function disposedError(): HalfedgeError {
+  return new HalfedgeError(
+    'disposed',
+    'This mesh was disposed: its memory is freed, and nothing can be asked of it any more.',
+  );
 }
 
 function deleted(kind: ItemKind, index: number, argument: string): RangeError {

@@ -1,4 +1,5 @@
 import { describe } from './arguments.js';
+import type { RawFinding } from './core.mjs';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
 import type { Links } from './links.js';
@@ -20,15 +21,23 @@ export interface Component {
 
 /** What is wrong with the mesh, up to a level. */
 export function problemsOf(links: Links, level: unknown): Problem[] {
+  return findings(links.core.validate(links.address, checkLevel(level)));
+}
+
+/** What a validation has found, in sentences. */
+export function findings(raw: RawFinding[]): Problem[] {
+  return raw.map(({ message, ...rest }) => ({ ...rest, message: sentence(message) }) as Problem);
+}
+
+/** `level`, if `validate` knows it. */
+export function checkLevel(level: unknown): number {
   if (typeof level !== 'number') {
     throw new TypeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
   }
   if (!Number.isInteger(level) || level < 0 || level > 4) {
     throw new RangeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
   }
-  return links.core.validate(links.address, level).map(({ message, ...rest }) => {
-    return { ...rest, message: sentence(message) } as Problem;
-  });
+  return level;
 }
 
 /** One halfedge of each boundary loop. */

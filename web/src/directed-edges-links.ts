@@ -1,0 +1,177 @@
+import { HalfedgeError } from './errors.js';
+import { NONE } from './items.js';
+import { checkIndex, disposedError } from './links.js';
+import type { Core } from './loader.js';
+
+/** Frees what was forgotten rather than disposed of; see links.ts. */
+const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
+  core.destroyDirectedEdges(address),
+);
+/** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
+const owners = new WeakMap<object, DirectedLinks>();
+
+const NO_LINKS = new Int32Array(0);
+const NO_POSITIONS = new Float32Array(0);
+
+/**
+ * Live typed-array views of Directed Edges in WebAssembly memory; what `Links` is to a full mesh,
+ * and apart from it, so that the code that reads either of them meets one kind of object only.
+ *
+ * Where a view was detached by growth of the memory, or where links are corrupt, `after`, `before`
+ * and the views give undefined or something negative, and never throw. Whoever gets that calls
+ * `revive()` or `checkHalfedge(h)` and reads again.
+ */
+export class DirectedLinks {
+  opposite: Int32Array = NO_LINKS;
+  toVertex: Int32Array = NO_LINKS;
+  boundaryNext: Int32Array = NO_LINKS;
+  boundaryPrev: Int32Array = NO_LINKS;
+  vertexHalfedge: Int32Array = NO_LINKS;
+  positions: Float32Array = NO_POSITIONS;
+
+  vertices = 0;
+  halfedges = 0;
+  /** Three for each face: halfedges from here on are boundary halfedges. */
+  sides = 0;
+
+  /** Over once the mesh is disposed of: nothing else changes it. */
+  readonly era = { over: false };
+  disposed = false;
+
+  /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
+  onRefresh: (() => void) | undefined;
+
+  readonly #core: Core;
+  readonly #address: number;
+
+  /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
+  constructor(core: Core, address: number) {
+    this.#core = core;
+    this.#address = address;
+    forgotten.register(this, { core, address }, this);
+    this.refresh();
+  }
+
+  /** Makes fresh views. Throws if disposed. */
+  refresh(): void {
+    this.checkAlive();
+    const { memory } = this.#core;
+    const at = this.#core.directedEdgesLayout(this.#address) >>> 2;
+    const words = new Uint32Array(memory.buffer);
+    const [vertices, halfedges, sides] = [words[at + 6], words[at + 7], words[at + 8]];
+    const owned = <View extends object>(view: View): View => {
+      owners.set(view, this);
+      return view;
+    };
+    const view = (field: number, length: number) =>
+      length === 0 ? NO_LINKS : owned(new Int32Array(memory.buffer, words[at + field], length));
+    this.opposite = view(0, halfedges);
+    this.toVertex = view(1, halfedges);
+    this.boundaryNext = view(2, halfedges - sides);
+    this.boundaryPrev = view(3, halfedges - sides);
+    this.vertexHalfedge = view(4, vertices);
+    this.positions =
+      vertices === 0
+        ? NO_POSITIONS
+        : owned(new Float32Array(memory.buffer, words[at + 5], 3 * vertices));
+    this.vertices = vertices;
+    this.halfedges = halfedges;
+    this.sides = sides;
+    this.onRefresh?.();
+  }
+
+  /** A view of the part of `toVertex` that is the index buffer of the faces. */
+  indices(): Uint32Array {
+    const { buffer, byteOffset } = this.toVertex;
+    const view = new Uint32Array(buffer, byteOffset, this.sides);
+    owners.set(view, this);
+    return view;
+  }
+
+  /** Whether growth of the memory has detached the views; never true of an empty mesh. */
+  get detached(): boolean {
+    return this.vertexHalfedge.length !== this.vertices || this.opposite.length !== this.halfedges;
+  }
+
+  /** `refresh()` if the views are detached. Throws if the mesh is disposed. */
+  revive(): void {
+    this.checkAlive();
+    if (this.detached) this.refresh();
+  }
+
+  /** Frees the memory of the mesh; every later use but this throws. */
+  dispose(): void {
+    if (this.disposed) return;
+    forgotten.unregister(this);
+    this.#core.destroyDirectedEdges(this.#address);
+    this.opposite = this.toVertex = this.boundaryNext = this.boundaryPrev = NO_LINKS;
+    this.vertexHalfedge = NO_LINKS;
+    this.positions = NO_POSITIONS;
+    this.vertices = this.halfedges = this.sides = 0;
+    this.disposed = true;
+    this.era.over = true;
+    this.onRefresh?.();
+  }
+
+  /** The address of the mesh for calls into the core. Throws if disposed. */
+  get address(): number {
+    this.checkAlive();
+    return this.#address;
+  }
+
+  get core(): Core {
+    return this.#core;
+  }
+
+  /** Throws if the mesh is disposed. */
+  checkAlive(): void {
+    if (this.disposed) throw disposedError();
+  }
+
+  /** These throw a sentence unless there is such an item, and mend detached views on the way. */
+  checkVertex(v: number, argument = 'v'): void {
+    this.revive();
+    checkIndex('vertex', this.vertices, v, argument);
+  }
+  checkHalfedge(h: number, argument = 'h'): void {
+    this.revive();
+    checkIndex('halfedge', this.halfedges, h, argument);
+  }
+  checkFace(f: number, argument = 'f'): void {
+    this.revive();
+    checkIndex('face', this.sides / 3, f, argument);
+  }
+  checkEdge(e: number, argument = 'e'): void {
+    this.revive();
+    checkIndex('edge', this.sides, e, argument);
+    const opposite = this.opposite[e];
+    if (opposite >= 0 && opposite < e) {
+      throw new RangeError(
+        `${argument} is ${e}, which is no edge; expected the smaller of its two halfedges, ${opposite}.`,
+      );
+    }
+  }
+}
+
+/** The halfedge after `h` in its face loop or boundary loop; undefined for what is no halfedge. */
+export const after = (links: DirectedLinks, h: number): number =>
+  h >>> 0 < links.sides ? (h % 3 === 2 ? h - 2 : h + 1) : links.boundaryNext[h - links.sides];
+
+/** The halfedge before `h`; undefined for what is no halfedge. */
+export const before = (links: DirectedLinks, h: number): number =>
+  h >>> 0 < links.sides ? (h % 3 === 0 ? h + 2 : h - 1) : links.boundaryPrev[h - links.sides];
+
+/** The face of `h`, NONE for a boundary halfedge. */
+export const faceOf = (links: DirectedLinks, h: number): number =>
+  h >>> 0 < links.sides ? (h / 3) | 0 : NONE;
+
+/** The edge of `h`: the smaller of it and its opposite. */
+export const edgeOf = (links: DirectedLinks, h: number): number => {
+  return Math.min(links.opposite[h], h);
+};
+
+/** The error for use after `dispose()`. */
+export function staleError(links: DirectedLinks): HalfedgeError {
+  links.checkAlive();
+  return new HalfedgeError('stale-circulator', 'This circulator is stale; expected a new one.');
+}

@@ -1,0 +1,306 @@
+// Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
+/// <reference lib="esnext.disposable" preserve="true" />
+
+import { checkOptions, describe } from './arguments.js';
+import { buildDirectedEdges } from './build.js';
+import type { CirculateOptions, CirculatorKind } from './circulation.js';
+import { after, DirectedLinks } from './directed-edges-links.js';
+import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
+import {
+  DirectedCirculator,
+  DirectedItems,
+  type DirectedOrbit,
+  type Kind,
+  lapAround,
+} from './directed-edges-orbit.js';
+import type { Problem } from './errors.js';
+import type {
+  Direction,
+  Edge,
+  EdgeLike,
+  Face,
+  FaceLike,
+  Halfedge,
+  HalfedgeLike,
+  Vertex,
+  VertexLike,
+} from './items.js';
+import { corrupt, Links } from './links.js';
+import { core } from './loader.js';
+import { HalfedgeMesh } from './mesh.js';
+import { linksOf } from './navigation.js';
+import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './orbit.js';
+import { unwrap } from './reports.js';
+import { checkLevel, findings } from './topology.js';
+
+const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/** What a circulator shows. */
+type Shown<Name extends CirculatorKind> =
+  ReturnType<DirectedEdgesMesh[Name]> extends DirectedOrbit<infer Item> ? Item : never;
+
+const KINDS: Record<CirculatorKind, Kind> = {
+  vertexVertices: { centre: 'vertex', view: TO_VERTEX },
+  vertexOutgoingHalfedges: { centre: 'vertex', view: ITSELF },
+  vertexIncomingHalfedges: { centre: 'vertex', view: OPPOSITE },
+  vertexEdges: { centre: 'vertex', view: EDGE },
+  vertexFaces: { centre: 'vertex', view: FACE },
+  faceVertices: { centre: 'face', view: TO_VERTEX },
+  faceHalfedges: { centre: 'face', view: ITSELF },
+  faceEdges: { centre: 'face', view: EDGE },
+  faceFaces: { centre: 'face', view: OPPOSITE_FACE },
+  edgeVertices: { centre: 'edge', view: TO_VERTEX },
+  edgeHalfedges: { centre: 'edge', view: ITSELF },
+  edgeFaces: { centre: 'edge', view: FACE },
+  halfedgeLoop: { centre: 'loop', view: ITSELF },
+};
+Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
+
+/**
+ * A triangle mesh in about half the memory: Directed Edges (Campagna, Kobbelt, Seidel 1998), 64 bytes to a
+ * vertex of a closed mesh, positions included. The three halfedges of face f are 3 f, 3 f + 1, 3 f + 2, so
+ * that `next`, `prev` and `face` are arithmetic; boundary halfedges come after those of all faces.
+ *
+ * Everything is asked as of a {@link HalfedgeMesh}, in the same order, with the same errors. What differs:
+ * it is not edited (convert it with {@link toMesh} for that); `opposite(h)` is not `h ^ 1`; and an edge has
+ * the index of the smaller of its two halfedges, so that the indices of edges have gaps.
+ *
+ * ```ts
+ * await init();
+ * using mesh = DirectedEdgesMesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]);
+ * for (const w of mesh.vertexVertices(0)) console.log(w);
+ * geometry.setIndex(new BufferAttribute(mesh.indices, 1)); // no copy
+ * ```
+ */
+export class DirectedEdgesMesh extends DirectedEdgesNavigation {
+  /** @internal */
+  constructor(links: DirectedLinks) {
+    super(links);
+  }
+
+  /**
+   * The mesh of an index buffer; takes and refuses what {@link HalfedgeMesh.fromTriangles} does. Vertex i
+   * and face j are vertex i and face j of the input, which is copied.
+   *
+   * @param positions x, y, z of each vertex
+   * @param indices three vertices of each face, counter-clockwise
+   * @throws HalfedgeError, TypeError, RangeError as there
+   */
+  static fromTriangles(
+    positions: ArrayLike<number>,
+    indices: ArrayLike<number>,
+  ): DirectedEdgesMesh {
+    return adopt(buildDirectedEdges(positions, indices));
+  }
+
+  /**
+   * The Directed Edges of a mesh: the same vertices, faces and positions, and every circulator begins where
+   * it does there.
+   *
+   * @throws HalfedgeError `not-a-triangle` for the first face of other than three corners,
+   * `deleted-item` for a mesh that is not compact, `corrupt-connectivity`, `out-of-memory`
+   */
+  static fromMesh(mesh: HalfedgeMesh): DirectedEdgesMesh {
+    if (!(mesh instanceof HalfedgeMesh)) {
+      throw new TypeError(`mesh is ${describe(mesh)}; expected a HalfedgeMesh.`);
+    }
+    const links = linksOf(mesh);
+    return adopt(unwrap(links.core.directedEdgesFromMesh(links.address)).mesh);
+  }
+
+  /**
+   * The full mesh: the same vertices, faces and positions; edges as {@link HalfedgeMesh.fromTriangles}
+   * numbers them. The inverse of {@link fromMesh}.
+   *
+   * @throws HalfedgeError `corrupt-connectivity`, `out-of-memory`
+   */
+  toMesh(): HalfedgeMesh {
+    const { core, address } = directedLinksOf(this);
+    return new HalfedgeMesh(new Links(core, unwrap(core.directedEdgesToMesh(address)).mesh));
+  }
+
+  /** The one-ring: the vertices that share an edge with `v`. */
+  vertexVertices(
+    v: VertexLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Vertex> {
+    return lapAround(directedLinksOf(this), KINDS.vertexVertices, v, direction, start);
+  }
+
+  /** The halfedges that leave `v`. */
+  vertexOutgoingHalfedges(
+    v: VertexLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Halfedge> {
+    return lapAround(directedLinksOf(this), KINDS.vertexOutgoingHalfedges, v, direction, start);
+  }
+
+  /** The halfedges that arrive at `v`. */
+  vertexIncomingHalfedges(
+    v: VertexLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Halfedge> {
+    return lapAround(directedLinksOf(this), KINDS.vertexIncomingHalfedges, v, direction, start);
+  }
+
+  /** The edges at `v`. */
+  vertexEdges(
+    v: VertexLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Edge> {
+    return lapAround(directedLinksOf(this), KINDS.vertexEdges, v, direction, start);
+  }
+
+  /** The faces at `v`. */
+  vertexFaces(
+    v: VertexLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Face> {
+    return lapAround(directedLinksOf(this), KINDS.vertexFaces, v, direction, start);
+  }
+
+  /** The corners of `f`. */
+  faceVertices(
+    f: FaceLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Vertex> {
+    return lapAround(directedLinksOf(this), KINDS.faceVertices, f, direction, start);
+  }
+
+  /** The halfedges of `f`. */
+  faceHalfedges(
+    f: FaceLike,
+    direction: Direction = 'ccw',
+    start?: HalfedgeLike,
+  ): DirectedOrbit<Halfedge> {
+    return lapAround(directedLinksOf(this), KINDS.faceHalfedges, f, direction, start);
+  }
+
+  /** The edges of `f`. */
+  faceEdges(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): DirectedOrbit<Edge> {
+    return lapAround(directedLinksOf(this), KINDS.faceEdges, f, direction, start);
+  }
+
+  /** The neighbour across each edge of `f`: one that shares several edges comes as often. */
+  faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): DirectedOrbit<Face> {
+    return lapAround(directedLinksOf(this), KINDS.faceFaces, f, direction, start);
+  }
+
+  /** The two ends of `e`, side 0 first. */
+  edgeVertices(e: EdgeLike): DirectedOrbit<Vertex> {
+    return lapAround(directedLinksOf(this), KINDS.edgeVertices, e, 'ccw', undefined);
+  }
+
+  /** The two halfedges of `e`, side 0 first. */
+  edgeHalfedges(e: EdgeLike): DirectedOrbit<Halfedge> {
+    return lapAround(directedLinksOf(this), KINDS.edgeHalfedges, e, 'ccw', undefined);
+  }
+
+  /** The one or two faces of `e`, side 0 first. */
+  edgeFaces(e: EdgeLike): DirectedOrbit<Face> {
+    return lapAround(directedLinksOf(this), KINDS.edgeFaces, e, 'ccw', undefined);
+  }
+
+  /** The face loop or boundary loop through `h`, beginning at `h`. */
+  halfedgeLoop(h: HalfedgeLike, direction: Direction = 'ccw'): DirectedOrbit<Halfedge> {
+    return lapAround(directedLinksOf(this), KINDS.halfedgeLoop, h, direction, undefined);
+  }
+
+  /** All vertices, in index order. */
+  vertices(): DirectedItems<Vertex> {
+    return new DirectedItems(directedLinksOf(this), this.vertexCount, false);
+  }
+
+  /** All halfedges, in index order. */
+  halfedges(): DirectedItems<Halfedge> {
+    return new DirectedItems(directedLinksOf(this), this.halfedgeCount, false);
+  }
+
+  /** All edges, in index order; their indices have gaps. */
+  edges(): DirectedItems<Edge> {
+    return new DirectedItems(directedLinksOf(this), this.edgeSlots, true);
+  }
+
+  /** All faces, in index order. */
+  faces(): DirectedItems<Face> {
+    return new DirectedItems(directedLinksOf(this), this.faceCount, false);
+  }
+
+  /**
+   * An endless circulator around one item; `kind` is the name of one of the methods above. It begins
+   * where a lap of that method does.
+   */
+  circulate<Name extends CirculatorKind>(
+    kind: Name,
+    item: number,
+    options: CirculateOptions = {},
+  ): DirectedCirculator<Shown<Name>> {
+    const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
+    const around = KINDS[kind] as Kind | undefined;
+    if (around === undefined) throw noSuchKind(kind);
+    const links = directedLinksOf(this);
+    return new DirectedCirculator<Shown<Name>>(links, around, direction).moveTo(item, start);
+  }
+
+  /** One halfedge of each boundary loop, in ascending order. O(boundary). */
+  boundaryLoops(): Halfedge[] {
+    const links = directedLinksOf(this);
+    links.revive();
+    const { sides, halfedges } = links;
+    const seen = new Uint8Array(halfedges - sides);
+    const firsts: Halfedge[] = [];
+    for (let first = sides; first < halfedges; first++) {
+      if (seen[first - sides] === 1) continue;
+      firsts.push(first as Halfedge);
+      for (let h = first; seen[h - sides] !== 1; h = after(links, h)) {
+        if (!(h >= sides && h < halfedges)) {
+          throw corrupt(`The loop of halfedge ${first} does not close`);
+        }
+        seen[h - sides] = 1;
+      }
+    }
+    return firsts;
+  }
+
+  /** Vertices - edges + faces. */
+  eulerCharacteristic(): number {
+    return this.vertexCount - this.edgeCount + this.faceCount;
+  }
+
+  /** Checks the invariants, as {@link HalfedgeMesh.validate} does: an empty list means valid. */
+  validate(level = 4): Problem[] {
+    const { core, address } = directedLinksOf(this);
+    return findings(core.validateDirectedEdges(address, checkLevel(level)));
+  }
+
+  /** Frees the memory of this mesh at once. Any later use throws; disposing twice does nothing. */
+  dispose(): void {
+    directedLinksOf(this).dispose();
+  }
+
+  /** Whether `dispose()` was called. */
+  get disposed(): boolean {
+    return directedLinksOf(this).disposed;
+  }
+
+  /** `dispose()`, at the end of the block that declares `using mesh = ...`. */
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+function adopt(address: number): DirectedEdgesMesh {
+  return new DirectedEdgesMesh(new DirectedLinks(core(), address));
+}
+
+function noSuchKind(kind: unknown): Error {
+  const kinds = Object.keys(KINDS).join(', ');
+  const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
+  return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
