@@ -22,6 +22,7 @@ export interface WriteOptions {
 
 /** The bytes of the file, or its text. */
 export function writeFile(links: Links, format: unknown, options: unknown): string | Uint8Array {
+  links.checkAlive();
   const index = formatIndex('format', format);
   const encoding = encodingOf(checkOptions(options), format as FileFormat);
   const { core } = links;
