@@ -17,6 +17,7 @@ namespace {
 
 Mesh with_history(const Shape& shape, HistoryLimits limits = {}) {
   Mesh mesh = reference_build(shape);
+  add_attributes_of_all_kinds(mesh);
   EXPECT_TRUE(mesh.enable_history(limits));
   return mesh;
 }

@@ -15,6 +15,9 @@ bool build(BasicMesh<kStored>& mesh, const Polygons& polygons, BuildReport& repo
   if (result == ConnectResult::kDone) {
     result = copy_positions(polygons.positions, mesh.mutable_positions());
   }
+  if (result == ConnectResult::kDone && !mesh.fit_attributes()) {
+    result = ConnectResult::kOutOfMemory;
+  }
   if (result != ConnectResult::kDone) mesh.clear();
   return explain(result, polygons, report);
 }

@@ -45,6 +45,11 @@ class Compaction {
     move_down<2>(maps.edges, links.face, face);
     move_down<2>(maps.edges, links.prev, halfedge);
     move_down<2>(maps.edges, links.next, halfedge);
+    mesh.attributes_.compact(ItemKind::kVertex, maps.vertices);
+    mesh.attributes_.compact(ItemKind::kHalfedge, maps.edges);
+    mesh.attributes_.compact(ItemKind::kEdge, maps.edges);
+    mesh.attributes_.compact(ItemKind::kFace, maps.faces);
+    mesh.attributes_.end_all_generations();
     mesh.free_vertices_ = mesh.free_edges_ = mesh.free_faces_ = FreeList{};
     ++mesh.version_;
     return maps;
@@ -84,6 +89,7 @@ class Compaction {
     note_words(Field::kFace, links.face);
     note_words(Field::kVertexHalfedge, links.vertex_halfedge);
     note_words(Field::kFaceHalfedge, links.face_halfedge);
+    mesh.attributes_.note_all(*mesh.journal_);
     mesh.note(Field::kFreeVertices, mesh.free_vertices_);
     mesh.note(Field::kFreeEdges, mesh.free_edges_);
     mesh.note(Field::kFreeFaces, mesh.free_faces_);

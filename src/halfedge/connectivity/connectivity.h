@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/attributes/attributes.h>
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -74,6 +76,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] Index slots(Halfedge) const { return halfedge_slots(); }
   [[nodiscard]] Index slots(Edge) const { return edge_slots(); }
   [[nodiscard]] Index slots(Face) const { return face_slots(); }
+  [[nodiscard]] Index slots(ItemKind kind) const {
+    if (kind == ItemKind::kVertex) return vertex_slots();
+    if (kind == ItemKind::kHalfedge) return halfedge_slots();
+    return kind == ItemKind::kEdge ? edge_slots() : face_slots();
+  }
 
   /// Vertices and faces can be deleted where they store a halfedge.
   [[nodiscard]] bool is_deleted([[maybe_unused]] Vertex v) const {
@@ -206,6 +213,68 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
   /// Becomes a copy of `other`, slot by slot. False when memory is exhausted; then it is empty.
   [[nodiscard]] bool assign(const BasicConnectivity& other);
+
+  // ---- attributes ---------------------------------------------------------------------------
+  // Named columns that grow and shrink with the mesh. Operations give new items the values that the
+  // policy of each column asks for; the low-level changes below give them its default.
+
+  /// A column of one value, the default, for each slot. The pointer is good until it is removed.
+  /// errors: attribute-exists, bad-attribute, out-of-memory
+  [[nodiscard]] Result<Attribute*> add_attribute(ItemKind kind, std::string_view name,
+                                                 const AttributeOptions& options = {}) {
+    if (journal_ != nullptr) journal_->forget_redo();  // in which the column has no part
+    return attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
+  }
+  bool remove_attribute(ItemKind kind, std::string_view name) {
+    return attributes_.remove(kind, name);
+  }
+  [[nodiscard]] Attribute* find_attribute(ItemKind kind, std::string_view name) {
+    return attributes_.find(kind, name);
+  }
+  [[nodiscard]] const Attributes& attributes() const { return attributes_; }
+
+  /// Sets one number, noted by history.
+  template <class Item>
+  void set_attribute(Attribute& attribute, Item item, Index component, double value) {
+    assert(attribute.kind() == kind_of(item) && is_live(item));
+    attribute.set(item.index(), component, value, journal_.get());
+  }
+  /// The values of an item become those of another, of a mean of two, (1 - t) a + t b, or of the
+  /// mean of several (see Attributes).
+  template <class Item>
+  void copy_attributes(Item to, Item from) {
+    attributes_.copy(kind_of(to), to.index(), from.index(), journal_.get());
+  }
+  template <class Item>
+  void blend_attributes(Item to, Item a, Item b, double t) {
+    attributes_.blend(kind_of(to), to.index(), a.index(), b.index(), t, journal_.get());
+  }
+  /// The same of the values that belong to the corner where a halfedge ends: those that
+  /// interpolate.
+  void copy_corner(Halfedge to, Halfedge from) {
+    attributes_.copy_corner(to.index(), from.index(), journal_.get());
+  }
+  void blend_corners(Halfedge to, Halfedge a, Halfedge b, double t) {
+    attributes_.blend_corners(to.index(), a.index(), b.index(), t, journal_.get());
+  }
+  /// `items` is called with a function to be called with the index of each item.
+  template <class Item, class Items>
+  void average_attributes(Item to, const Items& items) {
+    attributes_.average(kind_of(to), to.index(), items, journal_.get());
+  }
+  /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
+  /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
+  /// was kept with the stamp of its item can be told from one to its successor. `compact` and
+  /// `clear` end all generations. 4 bytes an item. errors: attribute-exists, out-of-memory
+  [[nodiscard]] Result<void> enable_generations();
+  /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
+  [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }
+  [[nodiscard]] Index generation(Halfedge h) const { return generation_of(edge(h)); }
+  [[nodiscard]] Index generation(Edge e) const { return generation_of(e); }
+  [[nodiscard]] Index generation(Face f) const { return generation_of(f); }
+  /// Gives the columns as many slots as the mesh has, after code that wrote whole arrays. False
+  /// when memory is exhausted.
+  [[nodiscard]] bool fit_attributes();
 
   // ---- history ------------------------------------------------------------------------------
   // Off by default, and then it costs a test for each write. On, every change below is noted and
@@ -340,6 +409,12 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     note(field, 1, list.count);
   }
 
+  template <class Item>
+  [[nodiscard]] Index generation_of(Item item) const {
+    const Attribute* stamps = attributes_.find(kind_of(item), "generation");
+    return stamps == nullptr || !stamps->is_generation() ? 0 : Index(stamps->get(item.index(), 0));
+  }
+
   void push_free(Field field, FreeList& list, Index slot);
   [[nodiscard]] Index pop_free(Field field, FreeList& list, Index next_free);
 
@@ -358,6 +433,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
 
   Links links_;
+  Attributes attributes_;
   FreeList free_vertices_;
   FreeList free_edges_;
   FreeList free_faces_;

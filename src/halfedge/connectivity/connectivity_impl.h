@@ -35,6 +35,7 @@ BasicConnectivity<kStored>& BasicConnectivity<kStored>::operator=(
     BasicConnectivity&& other) noexcept {
   if (this == &other) return *this;
   links_ = std::move(other.links_);
+  attributes_ = std::exchange(other.attributes_, {});
   free_vertices_ = std::exchange(other.free_vertices_, {});
   free_edges_ = std::exchange(other.free_edges_, {});
   free_faces_ = std::exchange(other.free_faces_, {});
@@ -52,6 +53,12 @@ bool BasicConnectivity<kStored>::reserve(Index vertices, Index edges, Index face
   const std::size_t halfedges = 2 * std::size_t{edges};
   if (kStorage.vertex_halfedge && !links_.vertex_halfedge.reserve(vertices)) return false;
   if (kStorage.face_halfedge && !links_.face_halfedge.reserve(faces)) return false;
+  if (!attributes_.reserve(ItemKind::kVertex, vertices) ||
+      !attributes_.reserve(ItemKind::kHalfedge, halfedges) ||
+      !attributes_.reserve(ItemKind::kEdge, edges) ||
+      !attributes_.reserve(ItemKind::kFace, faces)) {
+    return false;
+  }
   return internal::for_halfedge_arrays<kStored>(
       links_, [&](Array<Index>& array) { return array.reserve(halfedges); });
 }
@@ -66,8 +73,36 @@ void BasicConnectivity<kStored>::clear() {
   links_.face_halfedge.clear();
   free_vertices_ = free_edges_ = free_faces_ = FreeList{};
   bare_vertices_ = bare_faces_ = 0;
+  (void)fit_attributes();  // to nothing
+  attributes_.end_all_generations();
   forget_history();
   ++version_;
+}
+
+template <Storage kStored>
+bool BasicConnectivity<kStored>::fit_attributes() {
+  for (const ItemKind kind :
+       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    if (!attributes_.reserve(kind, slots(kind))) return false;
+    attributes_.resize(kind, slots(kind));
+  }
+  return true;
+}
+
+template <Storage kStored>
+Result<void> BasicConnectivity<kStored>::enable_generations() {
+  constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
+  for (const ItemKind kind : kKinds) {
+    const Result<Attribute*> added = add_attribute(
+        kind, "generation",
+        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
+    if (added) continue;
+    for (const ItemKind done : kKinds) {
+      if (done == kind) return added.error();
+      remove_attribute(done, "generation");
+    }
+  }
+  return {};
 }
 
 template <Storage kStored>
@@ -79,7 +114,8 @@ bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
                     links_.to_vertex.assign(from.to_vertex.span()) &&
                     links_.face.assign(from.face.span()) &&
                     links_.vertex_halfedge.assign(from.vertex_halfedge.span()) &&
-                    links_.face_halfedge.assign(from.face_halfedge.span());
+                    links_.face_halfedge.assign(from.face_halfedge.span()) &&
+                    attributes_.assign(other.attributes_);
   if (!fits) {
     clear();
     return false;
@@ -111,17 +147,22 @@ template <Storage kStored>
 Vertex BasicConnectivity<kStored>::new_vertex() {
   if (vertex_count() >= kMaxSlots) return {};
   Vertex v(vertex_slots());
-  if constexpr (!kStorage.vertex_halfedge) {
-    note(Field::kVertexSlots, 0, bare_vertices_++);
-  } else if (free_vertices_.count > 0) {
+  if (kStorage.vertex_halfedge && free_vertices_.count > 0) {
     const Index next_free = next_free_slot(links_.vertex_halfedge[free_vertices_.head]);
     v = Vertex(pop_free(Field::kFreeVertices, free_vertices_, next_free));
-    set_vertex_halfedge(v, Halfedge{});
+    write(Field::kVertexHalfedge, links_.vertex_halfedge, v.index(), kNone);
+    attributes_.set_default(ItemKind::kVertex, v.index(), journal_.get());
   } else {
-    Array<Index>& anchors = links_.vertex_halfedge;
-    if (!internal::make_room(anchors, anchors.size() + 1)) return {};
-    note(Field::kVertexSlots, 0, v.index());
-    (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
+    if (!attributes_.reserve(ItemKind::kVertex, std::size_t{v.index()} + 1)) return {};
+    if constexpr (!kStorage.vertex_halfedge) {
+      note(Field::kVertexSlots, 0, bare_vertices_++);
+    } else {
+      Array<Index>& anchors = links_.vertex_halfedge;
+      if (!internal::make_room(anchors, anchors.size() + 1)) return {};
+      note(Field::kVertexSlots, 0, v.index());
+      (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
+    }
+    attributes_.resize(ItemKind::kVertex, v.index() + 1);
   }
   ++version_;
   return v;
@@ -133,13 +174,22 @@ Halfedge BasicConnectivity<kStored>::new_edge(Vertex from, Vertex to) {
   if (free_edges_.count > 0) {
     const Index next_free = next_free_slot(links_.next[2 * std::size_t{free_edges_.head}]);
     h = edge_halfedge(Edge(pop_free(Field::kFreeEdges, free_edges_, next_free)));
+    attributes_.set_default(ItemKind::kEdge, edge(h).index(), journal_.get());
+    attributes_.set_default(ItemKind::kHalfedge, h.index(), journal_.get());
+    attributes_.set_default(ItemKind::kHalfedge, opposite(h).index(), journal_.get());
   } else {
     const std::size_t count = links_.next.size() + 2;
     const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
     const auto resize = [&](Array<Index>& array) { return array.resize(count, kNone); };
-    if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room)) return {};
+    if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room) ||
+        !attributes_.reserve(ItemKind::kEdge, count / 2) ||
+        !attributes_.reserve(ItemKind::kHalfedge, count)) {
+      return {};
+    }
     note(Field::kHalfedgeSlots, 0, h.index());
     (void)internal::for_halfedge_arrays<kStored>(links_, resize);  // in the room made above
+    attributes_.resize(ItemKind::kEdge, Index(count / 2));
+    attributes_.resize(ItemKind::kHalfedge, Index(count));
   }
   const Halfedge o = opposite(h);
   link(h, o);
@@ -158,19 +208,23 @@ Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
   static_assert(kStorage.face, HALFEDGE_NEEDS_FACES);
   if (face_count() >= kMaxSlots) return {};
   Face f(face_slots());
-  if constexpr (!kStorage.face_halfedge) {
-    note(Field::kFaceSlots, 0, bare_faces_++);
-  } else if (free_faces_.count > 0) {
+  if (kStorage.face_halfedge && free_faces_.count > 0) {
     const Index next_free = next_free_slot(links_.face_halfedge[free_faces_.head]);
     f = Face(pop_free(Field::kFreeFaces, free_faces_, next_free));
-    set_face_halfedge(f, h);
+    attributes_.set_default(ItemKind::kFace, f.index(), journal_.get());
   } else {
-    Array<Index>& firsts = links_.face_halfedge;
-    if (!internal::make_room(firsts, firsts.size() + 1)) return {};
-    note(Field::kFaceSlots, 0, f.index());
-    (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
-    set_face_halfedge(f, h);
+    if (!attributes_.reserve(ItemKind::kFace, std::size_t{f.index()} + 1)) return {};
+    if constexpr (!kStorage.face_halfedge) {
+      note(Field::kFaceSlots, 0, bare_faces_++);
+    } else {
+      Array<Index>& firsts = links_.face_halfedge;
+      if (!internal::make_room(firsts, firsts.size() + 1)) return {};
+      note(Field::kFaceSlots, 0, f.index());
+      (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
+    }
+    attributes_.resize(ItemKind::kFace, f.index() + 1);
   }
+  if constexpr (kStorage.face_halfedge) set_face_halfedge(f, h);
   ++version_;
   return f;
 }
@@ -189,6 +243,7 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::release(Vertex v) {
   static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
   assert(is_live(v));
+  attributes_.end_generation(ItemKind::kVertex, v.index(), journal_.get());
   set_vertex_halfedge(v, Halfedge(internal::encode_free_slot(free_vertices_.head)));
   push_free(Field::kFreeVertices, free_vertices_, v.index());
 }
@@ -196,6 +251,7 @@ void BasicConnectivity<kStored>::release(Vertex v) {
 template <Storage kStored>
 void BasicConnectivity<kStored>::release(Edge e) {
   assert(is_live(e));
+  attributes_.end_generation(ItemKind::kEdge, e.index(), journal_.get());
   for (const Index side : {0U, 1U}) {
     const Index h = edge_halfedge(e, side).index();
     const Index link = side == 0 ? internal::encode_free_slot(free_edges_.head) : kDeleted;
@@ -212,6 +268,7 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::release(Face f) {
   static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
   assert(is_live(f));
+  attributes_.end_generation(ItemKind::kFace, f.index(), journal_.get());
   set_face_halfedge(f, Halfedge(internal::encode_free_slot(free_faces_.head)));
   push_free(Field::kFreeFaces, free_faces_, f.index());
 }
@@ -225,7 +282,8 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
     std::swap(write.index == 0 ? list.head : list.count, write.word);
   };
   // Shrinks, or grows in room that was there before.
-  const auto exchange_size = [&](bool is_stored, Array<Index>& array, Index& bare) {
+  const auto exchange_size = [&](ItemKind kind, bool is_stored, Array<Index>& array, Index& bare) {
+    attributes_.resize(kind, write.word);
     if (!is_stored) return std::swap(bare, write.word);
     const Index size = Index(array.size());
     (void)array.resize(write.word, kNone);
@@ -245,13 +303,17 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
     case Field::kFaceHalfedge:
       return exchange_word(links_.face_halfedge);
     case Field::kVertexSlots:
-      return exchange_size(kStorage.vertex_halfedge, links_.vertex_halfedge, bare_vertices_);
+      return exchange_size(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
+                           bare_vertices_);
     case Field::kFaceSlots:
-      return exchange_size(kStorage.face_halfedge, links_.face_halfedge, bare_faces_);
+      return exchange_size(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
+                           bare_faces_);
     case Field::kHalfedgeSlots: {
       const Index size = halfedge_slots();
       (void)internal::for_halfedge_arrays<kStored>(
           links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
+      attributes_.resize(ItemKind::kEdge, write.word / 2);
+      attributes_.resize(ItemKind::kHalfedge, write.word);
       write.word = size;
       return;
     }
@@ -262,7 +324,8 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
     case Field::kFreeFaces:
       return exchange_free(free_faces_);
     default:
-      assert(false && "a field of a class built on this one");
+      assert(write.field >= Field::kFirstAttribute && "a field of a class built on this one");
+      attributes_.exchange(write);
   }
 }
 

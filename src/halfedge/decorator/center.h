@@ -43,7 +43,8 @@ template <Editable Mesh>
 ///
 /// pre: h has a face
 /// returns: k, from to_vertex(h) to the new vertex c, which is at the mean of the corners. The
-///          triangle of h and k keeps the face, n - 1 faces are new.
+///          triangle of h and k keeps the face, n - 1 faces are new and have its attributes. The
+///          attributes of c and of its corners are means too.
 /// cost: O(degree). inverse: erase_center_vertex(k), which returns h
 /// errors: those of check_create_center_vertex, out-of-memory
 template <Editable Mesh>
@@ -57,14 +58,20 @@ template <Editable Mesh>
   const Face f = face_of(mesh, h);
   const Vertex c = mesh.new_vertex();
   if constexpr (HasPositions<Mesh>) mesh.set_position(c, centroid(mesh, h));
+  mesh.average_attributes(c, [&](const auto& add) {
+    for (const Halfedge on_loop : mesh.loop_ccw(h)) add(mesh.to_vertex(on_loop).index());
+  });
   const Halfedge k = mesh.new_edge(mesh.to_vertex(h), c);
+  mesh.average_attributes(k, [&](const auto& add) {
+    for (const Halfedge on_loop : mesh.loop_ccw(h)) add(on_loop.index());
+  });
   insert_tip(mesh, mesh.opposite(k), h);  // k -> opposite(k) still holds
   set_anchor(mesh, c, mesh.opposite(k));
   for (Halfedge side = mesh.next(mesh.opposite(k)); side != h;) {
     const Halfedge spoke = mesh.new_edge(mesh.to_vertex(side), c);
     insert_tip(mesh, spoke, k);
     insert_tip(mesh, mesh.opposite(spoke), side);
-    make_face(mesh, side);
+    make_face(mesh, side, f);
     side = mesh.next(mesh.opposite(spoke));
   }
   set_face_of_loop(mesh, h, f);

@@ -28,16 +28,17 @@ concept HasPositions = requires(const Mesh& mesh, Vertex v) {
 };
 
 /// The steps of which the operations consist. A link that the mesh type doesn't store is empty when
-/// read and not written. What a step costs is O(1), but for the search for a prev that isn't
-/// stored.
+/// read and not written. New items get the attributes of those that they are made of, as far as the
+/// steps say; else the default, as all that is new. What a step costs is O(1), but for the search
+/// for a prev that isn't stored.
 namespace internal {
 
 // ---- checks ---------------------------------------------------------------------------------
 
-template <class Mesh>
-[[nodiscard]] Result<void> check_live(const Mesh& mesh, Halfedge h) {
-  if (mesh.is_live(h)) return {};
-  return not_live(h, mesh.halfedge_slots());
+template <class Mesh, class Item>
+[[nodiscard]] Result<void> check_live(const Mesh& mesh, Item item) {
+  if (mesh.is_live(item)) return {};
+  return not_live(kind_of(item), item.index(), mesh.slots(item));
 }
 
 template <class Mesh>
@@ -123,10 +124,15 @@ void set_face_of_loop(Mesh& mesh, Halfedge h, Face f) {
   }
 }
 
-/// The loop of `h` becomes a new face. pre: there is room for it
+/// The loop of `h` becomes a new face, with the attributes of `like` if that is not empty.
+/// pre: there is room for it
 template <class Mesh>
-void make_face(Mesh& mesh, Halfedge h) {
-  if constexpr (StoresFaces<Mesh>) set_face_of_loop(mesh, h, mesh.new_face(h));
+void make_face(Mesh& mesh, Halfedge h, [[maybe_unused]] Face like = {}) {
+  if constexpr (StoresFaces<Mesh>) {
+    const Face f = mesh.new_face(h);
+    if (like.valid()) mesh.copy_attributes(f, like);
+    set_face_of_loop(mesh, h, f);
+  }
 }
 
 template <class Mesh>
@@ -191,38 +197,64 @@ void mend_anchors_of_loop(Mesh& mesh, Halfedge h) {
   } while (on_loop != h);
 }
 
-/// A new vertex, where `v` is if vertices have positions. pre: there is room for it
+/// A new vertex with the attributes of `v`, where that is if vertices have positions.
+/// pre: there is room for it
 template <class Mesh>
-[[nodiscard]] Vertex copy_vertex(Mesh& mesh, [[maybe_unused]] Vertex v) {
-  if constexpr (HasPositions<Mesh>) return mesh.add_vertex(mesh.position(v));
-  return mesh.new_vertex();
+[[nodiscard]] Vertex copy_vertex(Mesh& mesh, Vertex v) {
+  const Vertex copy = mesh.new_vertex();
+  if constexpr (HasPositions<Mesh>) mesh.set_position(copy, mesh.position(v));
+  mesh.copy_attributes(copy, v);
+  return copy;
 }
 
-/// A new vertex, midway between `a` and `b`. pre: there is room for it
+/// (1 - t) a + t b
+[[nodiscard]] inline Point blend(Point a, Point b, double t) {
+  const auto mean = [t](float from, float to) {
+    return float((1 - t) * double{from} + t * double{to});
+  };
+  return {mean(a.x, b.x), mean(a.y, b.y), mean(a.z, b.z)};
+}
+
+/// A new vertex between `a` and `b`: midway, or nearer to `b` if `t` > 1/2.
+/// pre: there is room for it
 template <class Mesh>
-[[nodiscard]] Vertex new_vertex_between(Mesh& mesh, [[maybe_unused]] Vertex a,
-                                        [[maybe_unused]] Vertex b) {
+[[nodiscard]] Vertex new_vertex_between(Mesh& mesh, Vertex a, Vertex b, double t = 0.5) {
+  const Vertex v = mesh.new_vertex();
   if constexpr (HasPositions<Mesh>) {
-    const Point p = mesh.position(a);
-    const Point q = mesh.position(b);
-    return mesh.add_vertex({p.x / 2 + q.x / 2, p.y / 2 + q.y / 2, p.z / 2 + q.z / 2});
+    mesh.set_position(v, blend(mesh.position(a), mesh.position(b), t));
   }
-  return mesh.new_vertex();
+  mesh.blend_attributes(v, a, b, t);
+  return v;
 }
 
 // ---- edges ----------------------------------------------------------------------------------
 
-/// The tip of the edge of `h` enters the corner after `v`: v -> opposite(h), h -> next(v).
+/// A new edge with the attributes of the edge of `like`, whose direction it has.
+/// pre: there is room for it
+template <class Mesh>
+[[nodiscard]] Halfedge new_edge_like(Mesh& mesh, Vertex from, Vertex to, Halfedge like) {
+  const Halfedge h = mesh.new_edge(from, to);
+  mesh.copy_attributes(mesh.edge(h), mesh.edge(like));
+  mesh.copy_attributes(h, like);
+  mesh.copy_attributes(mesh.opposite(h), mesh.opposite(like));
+  return h;
+}
+
+/// The tip of the edge of `h` enters the corner after `v`: v -> opposite(h), h -> next(v). So the
+/// corner is divided into two alike.
 template <class Mesh>
 void insert_tip(Mesh& mesh, Halfedge h, Halfedge v) {
+  mesh.copy_corner(h, v);
   mesh.link(h, mesh.next(v));
   mesh.link(v, mesh.opposite(h));
   mesh.set_to_vertex(h, mesh.to_vertex(v));
 }
 
-/// `h` enters the loop of `f` after `f`: f -> h -> next(f).
+/// `h` enters the loop of `f` after `f`: f -> h -> next(f). So the corner after `f` becomes two
+/// alike.
 template <class Mesh>
 void insert_halfedge(Mesh& mesh, Halfedge h, Halfedge f) {
+  mesh.copy_corner(h, f);
   mesh.link(h, mesh.next(f));
   mesh.link(f, h);
   set_face(mesh, h, face_of(mesh, f));

@@ -27,7 +27,8 @@ template <Editable Mesh>
 /// has this one corner; with g == next(h) the new face has two.
 ///
 /// pre: h and g are halfedges of one face, or the same one
-/// returns: d. Its face is the old one, f; that of opposite(d), with g in it, is new.
+/// returns: d. Its face is the old one, f; that of opposite(d), with g in it, is new, and has the
+///          attributes of f.
 /// cost: O(halfedges of the new face). inverse: join_face(d), which returns h
 /// errors: those of check_split_face, out-of-memory
 template <Editable Mesh>
@@ -40,7 +41,7 @@ template <Editable Mesh>
   insert_tip(mesh, d, g);
   insert_tip(mesh, mesh.opposite(d), h);
   set_face(mesh, d, f);
-  make_face(mesh, mesh.opposite(d));
+  make_face(mesh, mesh.opposite(d), f);
   mend_face(mesh, f, d);
   return d;
 }

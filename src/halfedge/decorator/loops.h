@@ -72,7 +72,8 @@ template <Editable Mesh>
 ///                                       --c[0]--> ---c[1]-->
 ///                                          right of it
 ///
-/// Copies of vertices lie where the vertices do.
+/// Copies of vertices lie where the vertices do; they and the copies of edges have the same
+/// attributes.
 ///
 /// pre: from_vertex(cycle[i + 1]) == to_vertex(cycle[i]), all vertices and edges different
 /// returns: opposite(c'[0]), a halfedge of the second new face; the first is that of cycle[0]
@@ -107,7 +108,7 @@ template <Editable Mesh>
     cuts[(i + 1) % n].before = in;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    cuts[i].copy = mesh.new_edge(cuts[(i + n - 1) % n].vertex, cuts[i].vertex);
+    cuts[i].copy = new_edge_like(mesh, cuts[(i + n - 1) % n].vertex, cuts[i].vertex, cycle[i]);
   }
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t j = (i + 1) % n;
@@ -241,6 +242,7 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
       mesh.link(following.before, following.kept);
     }
     set_face(mesh, seam.kept, face_of(mesh, seam.outer));
+    mesh.copy_corner(seam.kept, seam.outer);
     replace_in_face(mesh, face_of(mesh, seam.outer), seam.outer, seam.kept);
   }
   for (std::size_t i = n; i-- > 0;) {

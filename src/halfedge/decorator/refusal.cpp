@@ -15,17 +15,24 @@ Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
   return witness;
 }
 
-Error not_live(Halfedge h, Index slots) {
-  if (!h.valid()) {
-    return refusal("not-a-halfedge", "the halfedge is empty, expected a halfedge of this mesh");
-  }
-  if (h.index() >= slots) {
-    return refusal("not-a-halfedge",
-                   text(h) + " is not in this mesh, expected an index below " + number(slots),
-                   halfedges_of({h}));
-  }
-  return refusal("not-a-halfedge", text(h) + " is deleted, expected a halfedge of this mesh",
-                 halfedges_of({h}));
+Error not_live(ItemKind kind, Index index, Index slots) {
+  const std::string name = name_of(kind);
+  const std::string article = kind == ItemKind::kEdge ? "an " : "a ";
+  const std::string expected = ", expected " + article + name + " of this mesh";
+  const char* code = kind == ItemKind::kVertex ? "not-a-vertex"
+                     : kind == ItemKind::kEdge ? "not-an-edge"
+                     : kind == ItemKind::kFace ? "not-a-face"
+                                               : "not-a-halfedge";
+  if (index == kNone) return refusal(code, "the " + name + " is empty" + expected);
+  Witness witness;
+  (kind == ItemKind::kVertex ? witness.vertices
+   : kind == ItemKind::kEdge ? witness.edges
+   : kind == ItemKind::kFace ? witness.faces
+                             : witness.halfedges) = {index};
+  const std::string item = name + " " + number(index);
+  if (index < slots) return refusal(code, item + " is deleted" + expected, witness);
+  return refusal(code, item + " is not in this mesh, expected an index below " + number(slots),
+                 witness);
 }
 
 Error on_boundary(Halfedge h) {

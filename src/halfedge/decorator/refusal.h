@@ -22,8 +22,8 @@ template <class Tag>
 
 [[nodiscard]] Witness halfedges_of(std::initializer_list<Halfedge> halfedges);
 
-/// not-a-halfedge
-[[nodiscard]] Error not_live(Halfedge h, Index slots);
+/// not-a-vertex, not-a-halfedge, not-an-edge, not-a-face
+[[nodiscard]] Error not_live(ItemKind kind, Index index, Index slots);
 /// boundary-halfedge, not-a-boundary-halfedge
 [[nodiscard]] Error on_boundary(Halfedge h);
 [[nodiscard]] Error off_boundary(Halfedge h, Face f);

@@ -45,7 +45,7 @@ template <Editable Mesh>
 /// the new vertex enters the corner of h (insert_tip).
 ///
 /// pre: to_vertex(h) == to_vertex(g), one of them has a face
-/// returns: d, from the new vertex, which lies where v does, to v
+/// returns: d, from the new vertex, which lies where v does and has its attributes, to v
 /// cost: O(valence). inverse: join_vertex(d), which returns h
 /// errors: those of check_split_vertex, out-of-memory
 template <Editable Mesh>
@@ -137,11 +137,12 @@ template <Editable Mesh>
 ///       u ------------- h -----------> v
 ///       u ----- k ----> w ---- h ----> v       next(k) == h
 ///
-/// returns: k, which leads to the new vertex, midway between u and v
+/// returns: k, which leads to the new vertex, at (1 - t) u + t v. k has the attributes of the old
+///          edge, w and its corners are interpolated.
 /// cost: O(1), and finding prev(h) where it isn't stored. inverse: join_edge(k), which returns h
 /// errors: not-a-halfedge, out-of-memory
 template <Editable Mesh>
-[[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h) {
+[[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h, double t = 0.5) {
   using namespace internal;
   if (Result<void> can = check_split_edge(mesh, h); !can) return can.error();
   if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
@@ -150,9 +151,11 @@ template <Editable Mesh>
   const Halfedge before_h = mesh.prev(h);
   const Halfedge after_o = mesh.next(o);
   const bool is_tip = before_h == o;  // u has no other edge
-  const Vertex w = new_vertex_between(mesh, u, mesh.to_vertex(h));
-  const Halfedge k = mesh.new_edge(u, w);
+  const Vertex w = new_vertex_between(mesh, u, mesh.to_vertex(h), t);
+  const Halfedge k = new_edge_like(mesh, u, w, h);
   const Halfedge k_opposite = mesh.opposite(k);
+  mesh.blend_corners(k, before_h, h, t);
+  mesh.blend_corners(o, o, mesh.prev(o), t);
   mesh.set_to_vertex(o, w);
   mesh.link(k, h);
   mesh.link(o, k_opposite);

@@ -218,7 +218,7 @@ Result<void> to_mesh(const DirectedEdgesMesh& from, Mesh& to) {
   const std::vector<Problem> problems = validate(from, 1);
   if (has_errors(problems)) return corrupt(problems.front().message);
   if (write_links(from.links(), to.mutable_links()) &&
-      to.mutable_positions().assign(from.positions())) {
+      to.mutable_positions().assign(from.positions()) && to.fit_attributes()) {
     return {};
   }
   to.clear();

@@ -55,7 +55,7 @@ class Journal {
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word) {
-    if (step_end_ != writes_.size()) forget_undone();
+    forget_redo();
     if (!writes_.push_back({field, index, word})) lose();
     step_end_ = writes_.size();
   }
@@ -90,6 +90,10 @@ class Journal {
 
   /// Forgets all steps, as when the whole mesh is replaced.
   void forget();
+  /// Forgets the steps that were undone.
+  void forget_redo() {
+    if (step_end_ != writes_.size()) forget_undone();
+  }
 
  private:
   [[nodiscard]] std::size_t begin_of(std::size_t step) const {

@@ -283,7 +283,10 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
                 "The tolerance of welding is " + std::to_string(*options.weld) +
                     "; expected a finite number from 0.");
   }
-  const ConnectResult result = Repair(mesh, polygons, options, report).run();
+  ConnectResult result = Repair(mesh, polygons, options, report).run();
+  if (result == ConnectResult::kDone && !mesh.fit_attributes()) {
+    result = ConnectResult::kOutOfMemory;
+  }
   if (result == ConnectResult::kDone) return true;
   mesh.clear();
   switch (result) {

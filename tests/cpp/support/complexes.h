@@ -6,6 +6,7 @@
 #include <halfedge/validate/validate.h>
 
 #include <cctype>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -19,11 +20,13 @@
 
 namespace halfedge::test {
 
-/// All arrays of a mesh and its free lists: equal means that nothing at all was changed.
+/// All arrays of a mesh, its attributes and its free lists: equal means that nothing at all was
+/// changed.
 struct Snapshot {
   std::vector<std::vector<Index>> links;
   std::vector<float> positions;
   std::vector<Index> free;
+  std::vector<std::vector<std::byte>> attributes;
 
   explicit Snapshot(const Mesh& mesh) {
     const Links& all = mesh.links();
@@ -34,6 +37,13 @@ struct Snapshot {
     positions.assign(mesh.positions().begin(), mesh.positions().end());
     for (const FreeList& list : {mesh.free_vertices(), mesh.free_edges(), mesh.free_faces()}) {
       free.insert(free.end(), {list.head, list.count});
+    }
+    for (const ItemKind kind :
+         {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+      for (const auto& column : mesh.attributes().of(kind)) {
+        EXPECT_EQ(column->slots(), mesh.slots(kind)) << column->name();
+        attributes.emplace_back(column->bytes().begin(), column->bytes().end());
+      }
     }
   }
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
@@ -78,6 +88,29 @@ void expect_refused(const Result<T>& result, const std::string& code, const Mesh
   const std::string& message = result.error().message;
   EXPECT_TRUE(message.size() > 30 && std::isupper(message[0]) && message.back() == '.') << message;
   EXPECT_TRUE(Snapshot(mesh) == before);
+}
+
+/// Gives the mesh attributes of each kind of item, type and policy, with different values.
+inline void add_attributes_of_all_kinds(Mesh& mesh) {
+  double value = 1;
+  Index number = 0;
+  for (const ItemKind kind :
+       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    for (const OnSplit policy :
+         {OnSplit::kInterpolate, OnSplit::kNormalize, OnSplit::kCopy, OnSplit::kDefault}) {
+      const AttributeOptions options{
+          .type = Scalar((3 * number) % 8), .components = 1 + number % 3, .on_split = policy};
+      const Result<Attribute*> column = mesh.add_attribute(kind, name_of(policy), options);
+      ASSERT_TRUE(column);
+      for (Index item = 0; item < mesh.slots(kind); ++item) {
+        for (Index i = 0; i < options.components; ++i) {
+          column.value()->set(item, i, value, nullptr);
+          value = value < 120 ? value + 1 : 1;
+        }
+      }
+      ++number;
+    }
+  }
 }
 
 /// The corners of the loop of `h`, from to_vertex(h) on.

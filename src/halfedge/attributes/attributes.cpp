@@ -1,0 +1,171 @@
+#include <halfedge/attributes/attributes.h>
+
+#include <new>
+#include <string>
+#include <utility>
+
+namespace halfedge {
+
+namespace {
+
+Error bad(std::string sentence) { return {"bad-attribute", std::move(sentence)}; }
+
+std::string quoted(ItemKind kind, std::string_view name) {
+  return std::string(name_of(kind)) + " attribute \"" + std::string(name) + "\"";
+}
+
+}  // namespace
+
+Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
+                                   const AttributeOptions& options, Index slots) {
+  if (kind == ItemKind::kMesh) return bad("A mesh has attributes of its items, not of itself.");
+  if (name.empty()) return bad("The name of an attribute is empty, expected a word.");
+  if (options.components < 1 || options.components > Attribute::kMaxComponents) {
+    return bad("The " + quoted(kind, name) + " would have " + std::to_string(options.components) +
+               " components, expected 1 to " + std::to_string(Attribute::kMaxComponents) + ".");
+  }
+  if (!options.default_value.empty() && options.default_value.size() != options.components) {
+    return bad("The default of the " + quoted(kind, name) + " has " +
+               std::to_string(options.default_value.size()) + " numbers, expected " +
+               std::to_string(options.components) + ".");
+  }
+  if (find(kind, name) != nullptr) {
+    return Error{"attribute-exists", "There is a " + quoted(kind, name) + " already."};
+  }
+  std::unique_ptr<Attribute> column(new (std::nothrow)
+                                        Attribute(std::string(name), kind, options, serials_++));
+  if (column == nullptr || !column->reserve(slots)) {
+    return Error{"out-of-memory", "There is not enough memory for the " + quoted(kind, name) + "."};
+  }
+  column->resize(slots);
+  return columns_[std::size_t(kind)].emplace_back(std::move(column)).get();
+}
+
+const Attribute* Attributes::find(ItemKind kind, std::string_view name) const {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    if (column->name() == name) return column.get();
+  }
+  return nullptr;
+}
+
+Attribute* Attributes::find(ItemKind kind, std::string_view name) {
+  return const_cast<Attribute*>(std::as_const(*this).find(kind, name));
+}
+
+bool Attributes::remove(ItemKind kind, std::string_view name) {
+  return std::erase_if(columns_[std::size_t(kind)],
+                       [&](const auto& column) { return column->name() == name; }) > 0;
+}
+
+bool Attributes::has_any() const {
+  for (const Columns& columns : columns_) {
+    if (!columns.empty()) return true;
+  }
+  return false;
+}
+
+bool Attributes::reserve(ItemKind kind, std::size_t slots) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    if (!column->reserve(slots)) return false;
+  }
+  return true;
+}
+
+void Attributes::resize(ItemKind kind, Index slots) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) column->resize(slots);
+}
+
+bool Attributes::assign(const Attributes& other) {
+  if (this == &other) return true;
+  for (Columns& columns : columns_) columns.clear();
+  serials_ = other.serials_;
+  generations_ = other.generations_;
+  for (std::size_t kind = 0; kind < columns_.size(); ++kind) {
+    for (const std::unique_ptr<Attribute>& from : other.columns_[kind]) {
+      const AttributeOptions options{.type = from->type(),
+                                     .components = from->components(),
+                                     .on_split = from->on_split(),
+                                     .is_generation = from->is_generation()};
+      std::unique_ptr<Attribute> column(
+          new (std::nothrow) Attribute(from->name(), from->kind(), options, from->serial()));
+      if (column == nullptr || !column->assign(*from)) {
+        for (Columns& columns : columns_) columns.clear();
+        return false;
+      }
+      columns_[kind].push_back(std::move(column));
+    }
+  }
+  return true;
+}
+
+void Attributes::set_default(ItemKind kind, Index item, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    if (!column->is_generation()) column->set_default(item, journal);
+  }
+}
+
+void Attributes::end_generation(ItemKind kind, Index item, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    if (column->is_generation()) column->set(item, 0, ++generations_, journal);
+  }
+}
+
+void Attributes::end_all_generations() {
+  ++generations_;
+  for (const Columns& columns : columns_) {
+    for (const std::unique_ptr<Attribute>& column : columns) {
+      if (column->is_generation()) column->set_all(generations_);
+    }
+  }
+}
+
+void Attributes::note_all(Journal& journal) const {
+  for (const Columns& columns : columns_) {
+    for (const std::unique_ptr<Attribute>& column : columns) column->note_all(journal);
+  }
+}
+
+void Attributes::compact(ItemKind kind, const Array<Index>& map) {
+  const std::size_t width = kind == ItemKind::kHalfedge ? 2 : 1;
+  for (const std::unique_ptr<Attribute>& column : of(kind)) column->compact(map, width);
+}
+
+void Attributes::exchange(Journal::Write& write) {
+  const Index serial = Index(write.field) - Index(Field::kFirstAttribute);
+  for (const Columns& columns : columns_) {
+    for (const std::unique_ptr<Attribute>& column : columns) {
+      if (column->serial() == serial) return column->exchange(write);
+    }
+  }
+}
+
+void Attributes::copy(ItemKind kind, Index to, Index from, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) column->copy(to, from, journal);
+}
+
+void Attributes::blend(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    Attribute::Sum sum;
+    column->add(sum, a, 1 - t);
+    column->add(sum, b, t);
+    column->store(sum, to, journal);
+  }
+}
+
+void Attributes::copy_corner(Index to, Index from, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+    if (column->interpolates()) column->copy(to, from, journal);
+  }
+}
+
+void Attributes::blend_corners(Index to, Index a, Index b, double t, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+    if (!column->interpolates()) continue;
+    Attribute::Sum sum;
+    column->add(sum, a, 1 - t);
+    column->add(sum, b, t);
+    column->store(sum, to, journal);
+  }
+}
+
+}  // namespace halfedge

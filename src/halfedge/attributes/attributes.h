@@ -1,0 +1,89 @@
+#pragma once
+
+#include <halfedge/attributes/attribute.h>
+#include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/handle.h>
+#include <halfedge/history/journal.h>
+#include <halfedge/result.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+namespace halfedge {
+
+/// The attributes of a mesh: for each kind of item the named columns that were added. They have as
+/// many slots as the mesh. Without any, which is the rule, they cost one test for each new item.
+class Attributes {
+ public:
+  using Columns = std::vector<std::unique_ptr<Attribute>>;
+
+  Attributes() = default;
+  Attributes(Attributes&& other) noexcept = default;
+  Attributes& operator=(Attributes&& other) noexcept = default;
+  Attributes(const Attributes&) = delete;  // a copy can fail: use assign()
+  Attributes& operator=(const Attributes&) = delete;
+  ~Attributes() = default;
+
+  /// A new column of `slots` items. The name must be new among those of its kind, not empty.
+  /// errors: attribute-exists, bad-attribute, out-of-memory
+  [[nodiscard]] Result<Attribute*> add(ItemKind kind, std::string_view name,
+                                       const AttributeOptions& options, Index slots);
+  /// Null if there is none of that name.
+  [[nodiscard]] Attribute* find(ItemKind kind, std::string_view name);
+  [[nodiscard]] const Attribute* find(ItemKind kind, std::string_view name) const;
+  /// False if there is none. Notes of its writes in the journal are skipped from then on.
+  bool remove(ItemKind kind, std::string_view name);
+
+  /// In the order in which they were added.
+  [[nodiscard]] const Columns& of(ItemKind kind) const { return columns_[std::size_t(kind)]; }
+  [[nodiscard]] bool has_any() const;
+
+  // ---- what the mesh does -------------------------------------------------------------------
+
+  [[nodiscard]] bool reserve(ItemKind kind, std::size_t slots);
+  /// pre: there is room for them
+  void resize(ItemKind kind, Index slots);
+  /// Becomes a copy of `other`. False when memory is exhausted; then it has no columns.
+  [[nodiscard]] bool assign(const Attributes& other);
+  /// Of an item whose slot is used again. Its generation stays.
+  void set_default(ItemKind kind, Index item, Journal* journal);
+  /// Of an item that is deleted: gives it a generation that no item had before.
+  void end_generation(ItemKind kind, Index item, Journal* journal);
+  /// Of all items, and of those to come.
+  void end_all_generations();
+  void note_all(Journal& journal) const;
+  void compact(ItemKind kind, const Array<Index>& map);
+  /// Exchanges what was noted, if its column still exists.
+  void exchange(Journal::Write& write);
+
+  // ---- what operations do -------------------------------------------------------------------
+
+  /// `to` gets the values of `from`, but for columns whose policy is kDefault.
+  void copy(ItemKind kind, Index to, Index from, Journal* journal);
+  /// `to` gets what the policies make of (1 - t) a + t b.
+  void blend(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal);
+  /// The same of the columns by halfedge whose values belong to corners: those that interpolate.
+  void copy_corner(Index to, Index from, Journal* journal);
+  void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
+  /// `to` gets the mean of all that `items` lists, each with the same weight: `items` is called
+  /// with a function to be called with each index. Of halfedges, only the values of corners.
+  template <class Items>
+  void average(ItemKind kind, Index to, const Items& items, Journal* journal) {
+    for (const std::unique_ptr<Attribute>& column : of(kind)) {
+      if (kind == ItemKind::kHalfedge && !column->interpolates()) continue;
+      Attribute::Sum sum;
+      items([&](Index item) { column->add(sum, item, 1); });
+      column->store(sum, to, journal);
+    }
+  }
+
+ private:
+  std::array<Columns, 4> columns_;  // by kind
+  Index serials_ = 0;
+  Index generations_ = 0;  // so many were given
+};
+
+}  // namespace halfedge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <halfedge/decorator/edit.h>
+#include <halfedge/operations/refusals.h>
+
+/// What all operations share. They are templates over the mesh type, and need what a surface is
+/// known by; prev may be left out.
+namespace halfedge::operations {
+
+template <class Mesh>
+concept EditableSurface = StoresSurface<Mesh>;
+
+using decorator::HasPositions;
+using decorator::internal::check_live;
+
+}  // namespace halfedge::operations

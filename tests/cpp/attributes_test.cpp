@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+#include <halfedge/halfedge.h>
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/complexes.h"
+#include "support/reference_build.h"
+#include "support/shapes.h"
+
+namespace halfedge::test {
+namespace {
+
+Attribute& add(Mesh& mesh, ItemKind kind, const std::string& name,
+               const AttributeOptions& options = {}) {
+  const Result<Attribute*> column = mesh.add_attribute(kind, name, options);
+  EXPECT_TRUE(column.ok());
+  return *column.value();
+}
+
+TEST(Attributes, HaveTheirDefaultInEverySlotOldAndNew) {
+  Mesh mesh = reference_build(tetrahedron());
+  const double red[] = {255, 0, 300};  // beyond what a byte holds
+  Attribute& color = add(mesh, ItemKind::kVertex, "color",
+                         {.type = Scalar::kUint8, .components = 3, .default_value = red});
+  ASSERT_EQ(color.values<std::uint8_t>().size(), 12U);
+  const Vertex v = mesh.add_vertex({1, 2, 3});
+  for (const Vertex each : mesh.vertices()) {
+    EXPECT_EQ(color.get(each.index(), 0), 255);
+    EXPECT_EQ(color.get(each.index(), 2), 255) << "kept in the range of the type";
+  }
+  mesh.set_attribute(color, v, 1, 77.4);
+  EXPECT_EQ(color.get(v.index(), 1), 77);
+  mesh.release(v);
+  EXPECT_EQ(mesh.add_vertex({}), v);
+  EXPECT_EQ(color.get(v.index(), 1), 0) << "a recycled slot begins anew";
+}
+
+TEST(Attributes, AreFoundByKindAndName) {
+  Mesh mesh = reference_build(tetrahedron());
+  Attribute& weight = add(mesh, ItemKind::kEdge, "weight");
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kEdge, "weight"), &weight);
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kFace, "weight"), nullptr);
+  EXPECT_TRUE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
+  EXPECT_FALSE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
+  EXPECT_FALSE(mesh.attributes().has_any());
+}
+
+TEST(Attributes, AreRefusedWithASentence) {
+  Mesh mesh = reference_build(tetrahedron());
+  add(mesh, ItemKind::kFace, "group");
+  const auto code_of = [&](ItemKind kind, const char* name, const AttributeOptions& options) {
+    const Result<Attribute*> refused = mesh.add_attribute(kind, name, options);
+    return refused ? "added" : refused.error().code;
+  };
+  const double two[] = {1, 2};
+  EXPECT_EQ(code_of(ItemKind::kFace, "group", {}), "attribute-exists");
+  EXPECT_EQ(code_of(ItemKind::kFace, "", {}), "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kMesh, "name", {}), "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kFace, "none", {.components = 0}), "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kFace, "many", {.components = 17}), "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kFace, "two", {.default_value = two}), "bad-attribute");
+  EXPECT_EQ(mesh.attributes().of(ItemKind::kFace).size(), 1U);
+}
+
+TEST(Attributes, OfANewItemAreWhatThePolicySays) {
+  Mesh mesh = reference_build(tetrahedron());
+  Attribute& mean = add(mesh, ItemKind::kVertex, "mean");
+  Attribute& rounded = add(mesh, ItemKind::kVertex, "rounded", {.type = Scalar::kInt8});
+  Attribute& normal =
+      add(mesh, ItemKind::kVertex, "normal", {.components = 2, .on_split = OnSplit::kNormalize});
+  Attribute& copied = add(mesh, ItemKind::kVertex, "copied", {.on_split = OnSplit::kCopy});
+  const double seven[] = {7};
+  Attribute& fresh = add(mesh, ItemKind::kVertex, "fresh",
+                         {.on_split = OnSplit::kDefault, .default_value = seven});
+  const Vertex a = mesh.from_vertex(Halfedge(0));
+  const Vertex b = mesh.to_vertex(Halfedge(0));
+  for (Attribute* column : {&mean, &rounded, &copied, &fresh}) {
+    mesh.set_attribute(*column, a, 0, 10);
+    mesh.set_attribute(*column, b, 0, 21);
+  }
+  mesh.set_attribute(normal, a, 0, 1);
+  mesh.set_attribute(normal, b, 1, 1);
+
+  const Result<Halfedge> half = decorator::split_edge(mesh, Halfedge(0), 0.25);
+  ASSERT_TRUE(half);
+  const Index w = mesh.to_vertex(half.value()).index();
+  EXPECT_FLOAT_EQ(float(mean.get(w, 0)), 12.75F);
+  EXPECT_EQ(rounded.get(w, 0), 13);
+  EXPECT_NEAR(normal.get(w, 0), 3 / std::sqrt(10), 1e-6);
+  EXPECT_NEAR(normal.get(w, 1), 1 / std::sqrt(10), 1e-6);
+  EXPECT_EQ(copied.get(w, 0), 10) << "the nearer end";
+  EXPECT_EQ(fresh.get(w, 0), 7);
+}
+
+TEST(Attributes, OfHalvesOfAnEdgeAreThoseOfTheEdgeAndOfItsCorners) {
+  Mesh mesh = reference_build(triangle_grid(1, 1));
+  Attribute& crease = add(mesh, ItemKind::kEdge, "crease", {.on_split = OnSplit::kCopy});
+  Attribute& flow = add(mesh, ItemKind::kHalfedge, "flow", {.on_split = OnSplit::kCopy});
+  Attribute& uv = add(mesh, ItemKind::kHalfedge, "uv");
+  for (const Halfedge h : mesh.halfedges()) {
+    mesh.set_attribute(flow, h, 0, h.index());
+    mesh.set_attribute(uv, h, 0, 100 * h.index());
+  }
+  const Halfedge h(0);
+  const Halfedge o(1);
+  mesh.set_attribute(crease, mesh.edge(h), 0, 5);
+  const double uv_before_h = uv.get(mesh.prev(h).index(), 0);
+  const double uv_before_o = uv.get(mesh.prev(o).index(), 0);
+
+  const Result<Halfedge> half = decorator::split_edge(mesh, h, 0.5);
+  ASSERT_TRUE(half);
+  const Halfedge k = half.value();
+  EXPECT_EQ(crease.get(mesh.edge(k).index(), 0), 5);
+  EXPECT_EQ(flow.get(k.index(), 0), 0);
+  EXPECT_EQ(flow.get(mesh.opposite(k).index(), 0), 1);
+  EXPECT_EQ(flow.get(o.index(), 0), 1);
+  EXPECT_EQ(uv.get(h.index(), 0), 0) << "the corner at the end stays";
+  EXPECT_EQ(uv.get(mesh.opposite(k).index(), 0), 100) << "the corner at the beginning too";
+  EXPECT_EQ(uv.get(k.index(), 0), uv_before_h / 2) << "of the corners of one face";
+  EXPECT_EQ(uv.get(o.index(), 0), (100 + uv_before_o) / 2) << "and of the other";
+}
+
+TEST(Attributes, MoveWithTheirItemsWhenTheMeshIsCompacted) {
+  Mesh mesh = reference_build(torus(5, 4));
+  Attribute& label = add(mesh, ItemKind::kHalfedge, "label", {.type = Scalar::kUint16});
+  Attribute& wide = add(mesh, ItemKind::kFace, "wide", {.type = Scalar::kFloat64, .components = 3});
+  for (const Halfedge h : mesh.halfedges()) mesh.set_attribute(label, h, 0, h.index());
+  for (const Face f : mesh.faces()) mesh.set_attribute(wide, f, 2, f.index());
+  ASSERT_TRUE(decorator::erase_center_vertex(mesh, Halfedge(4)));
+  ASSERT_TRUE(mesh.enable_history());
+  const Snapshot before(mesh);
+  Mesh original = copy_of(mesh);
+  const Result<CompactMaps> maps = compact(mesh);
+  ASSERT_TRUE(maps);
+  for (const Halfedge h : original.halfedges()) {
+    EXPECT_EQ(label.get(maps.value()(h).index(), 0), h.index());
+  }
+  for (const Face f : original.faces()) EXPECT_EQ(wide.get(maps.value()(f).index(), 2), f.index());
+  const Snapshot after(mesh);
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(Snapshot(mesh), before);
+  ASSERT_TRUE(mesh.redo());
+  EXPECT_EQ(Snapshot(mesh), after);
+}
+
+TEST(Attributes, AreCopiedMovedAndConvertedWithTheMesh) {
+  Mesh mesh = reference_build(torus(4, 3));
+  add_attributes_of_all_kinds(mesh);
+  const Snapshot before(mesh);
+  Mesh copy = copy_of(mesh);
+  EXPECT_EQ(Snapshot(copy), before);
+  copy.set_attribute(*copy.find_attribute(ItemKind::kVertex, "copy"), Vertex(0), 0, 99);
+  EXPECT_EQ(Snapshot(mesh), before) << "a copy has columns of its own";
+  const Mesh moved = std::move(mesh);
+  EXPECT_EQ(Snapshot(moved), before);
+  EXPECT_FALSE(mesh.attributes().has_any());  // NOLINT(bugprone-use-after-move): it is empty
+
+  Mesh whole = copy_of(moved);
+  BasicMesh<kWithoutPrev> without_prev;
+  ASSERT_TRUE(convert(std::move(whole), without_prev));
+  ASSERT_TRUE(convert(std::move(without_prev), whole));
+  EXPECT_EQ(Snapshot(whole), before);
+}
+
+TEST(Attributes, StayDefinedWhenTheMeshIsClearedOrBuiltAnew) {
+  Mesh mesh = reference_build(tetrahedron());
+  Attribute& weight = add(mesh, ItemKind::kEdge, "weight");
+  mesh.clear();
+  EXPECT_EQ(weight.slots(), 0U);
+  const Shape shape = torus(4, 3);
+  const std::vector<float> positions(3 * shape.vertices);
+  std::vector<Index> sizes;
+  std::vector<Index> corners;
+  for (const std::vector<Index>& face : shape.faces) {
+    sizes.push_back(Index(face.size()));
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(mesh, {positions, sizes, corners}, report));
+  EXPECT_EQ(weight.slots(), mesh.edge_slots());
+}
+
+TEST(Attributes, ThatAreRemovedAreSkippedByUndo) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  add(mesh, ItemKind::kVertex, "gone");
+  const Snapshot with_column(mesh);
+  ASSERT_TRUE(decorator::split_edge(mesh, Halfedge(0)));
+  mesh.end_step();
+  ASSERT_TRUE(mesh.remove_attribute(ItemKind::kVertex, "gone"));
+  Attribute& late = add(mesh, ItemKind::kVertex, "gone");
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(late.slots(), 4U);
+  EXPECT_EQ(Snapshot(mesh), with_column);
+}
+
+TEST(Attributes, OfAMeshThatIsChangedEndWhatCouldBeRedone) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(decorator::split_edge(mesh, Halfedge(0)));
+  ASSERT_TRUE(mesh.undo());
+  add(mesh, ItemKind::kHalfedge, "late");  // has no room for the items that redo would bring back
+  EXPECT_FALSE(mesh.redo());
+}
+
+// ---- generations ----------------------------------------------------------------------------
+
+TEST(Generations, TellTheItemsOfOneSlotApart) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  ASSERT_TRUE(mesh.enable_generations());
+  EXPECT_EQ(mesh.enable_generations().error().code, "attribute-exists");
+  const Halfedge spoke = decorator::create_center_vertex(mesh, Halfedge(0)).value();
+  mesh.end_step();
+  const Vertex v = mesh.to_vertex(spoke);
+  const Index first = mesh.generation(v);
+  const Index first_of_spoke = mesh.generation(spoke);
+  const Halfedge before = decorator::erase_center_vertex(mesh, spoke).value();
+  mesh.end_step();
+  const Halfedge again = decorator::create_center_vertex(mesh, before).value();
+  mesh.end_step();
+  ASSERT_EQ(mesh.to_vertex(again), v);
+  const Index second = mesh.generation(v);
+  EXPECT_NE(second, first);
+
+  ASSERT_TRUE(mesh.undo());
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(mesh.generation(v), first) << "the same vertex is back";
+  EXPECT_EQ(mesh.generation(spoke), first_of_spoke);
+  ASSERT_TRUE(decorator::erase_center_vertex(mesh, spoke));
+  ASSERT_EQ(mesh.add_vertex({}), v);
+  EXPECT_NE(mesh.generation(v), first);
+  EXPECT_NE(mesh.generation(v), second) << "another vertex than that which was undone";
+}
+
+TEST(Generations, EndWhenTheMeshIsCompacted) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index before = mesh.generation(Face(0));
+  ASSERT_TRUE(compact(mesh));
+  EXPECT_NE(mesh.generation(Face(0)), before);
+  EXPECT_EQ(mesh.generation(Vertex(1)), mesh.generation(Edge(1)));
+}
+
+}  // namespace
+}  // namespace halfedge::test
