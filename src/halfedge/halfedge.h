@@ -17,4 +17,5 @@
 #include <halfedge/operations/operations.h>
 #include <halfedge/repair/repair.h>
 #include <halfedge/result.h>
+#include <halfedge/shapes/shapes.h>
 #include <halfedge/validate/validate.h>

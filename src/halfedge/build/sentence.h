@@ -32,9 +32,9 @@ namespace halfedge::sentence {
 }
 
 /// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30".
-[[nodiscard]] inline std::string number(float value) {
+[[nodiscard]] inline std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%g", double{value});
+  std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
