@@ -3,6 +3,7 @@
 /// The whole library. Each header can be included alone.
 
 #include <halfedge/algorithms/adjacency.h>
+#include <halfedge/algorithms/neighbourhood.h>
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/build/build.h>
 #include <halfedge/connectivity/compact.h>
