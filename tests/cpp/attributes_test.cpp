@@ -238,6 +238,27 @@ TEST(Generations, TellTheItemsOfOneSlotApart) {
   EXPECT_NE(mesh.generation(v), second) << "another vertex than that which was undone";
 }
 
+TEST(Generations, OfItemsThatAreMadeAgainAreTheirOwn) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Halfedge spoke = decorator::create_center_vertex(mesh, Halfedge(0)).value();
+  const Vertex v = mesh.to_vertex(spoke);
+  const Face f = mesh.face(spoke);
+  const Index of_vertex = mesh.generation(v);
+  const Index of_spoke = mesh.generation(spoke);
+  const Index of_face = mesh.generation(f);
+  mesh.end_step();
+  ASSERT_TRUE(compact(mesh));  // items made from now on begin with another generation
+  mesh.end_step();
+  while (mesh.undo()) {
+  }
+  ASSERT_TRUE(mesh.redo());
+  EXPECT_EQ(mesh.generation(v), of_vertex);
+  EXPECT_EQ(mesh.generation(spoke), of_spoke);
+  EXPECT_EQ(mesh.generation(f), of_face);
+}
+
 TEST(Generations, EndWhenTheMeshIsCompacted) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_generations());

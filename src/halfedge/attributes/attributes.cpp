@@ -71,8 +71,13 @@ bool Attributes::reserve(ItemKind kind, std::size_t slots) {
   return true;
 }
 
-void Attributes::resize(ItemKind kind, Index slots) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) column->resize(slots);
+void Attributes::resize(ItemKind kind, Index slots, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    const Index old = column->slots();
+    column->resize(slots);
+    if (!column->is_generation() || journal == nullptr) continue;
+    for (Index item = old; item < slots; ++item) column->set_default(item, journal);
+  }
 }
 
 bool Attributes::assign(const Attributes& other) {

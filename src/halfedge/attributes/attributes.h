@@ -44,8 +44,9 @@ class Attributes {
   // ---- what the mesh does -------------------------------------------------------------------
 
   [[nodiscard]] bool reserve(ItemKind kind, std::size_t slots);
-  /// pre: there is room for them
-  void resize(ItemKind kind, Index slots);
+  /// The generations of new items are noted: later ones begin with another, and what is done again
+  /// shall have its own. pre: there is room for them
+  void resize(ItemKind kind, Index slots, Journal* journal = nullptr);
   /// Becomes a copy of `other`. False when memory is exhausted; then it has no columns.
   [[nodiscard]] bool assign(const Attributes& other);
   /// Of an item whose slot is used again. Its generation stays.

@@ -162,7 +162,7 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
       note(Field::kVertexSlots, 0, v.index());
       (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
     }
-    attributes_.resize(ItemKind::kVertex, v.index() + 1);
+    attributes_.resize(ItemKind::kVertex, v.index() + 1, journal_.get());
   }
   ++version_;
   return v;
@@ -188,7 +188,7 @@ Halfedge BasicConnectivity<kStored>::new_edge(Vertex from, Vertex to) {
     }
     note(Field::kHalfedgeSlots, 0, h.index());
     (void)internal::for_halfedge_arrays<kStored>(links_, resize);  // in the room made above
-    attributes_.resize(ItemKind::kEdge, Index(count / 2));
+    attributes_.resize(ItemKind::kEdge, Index(count / 2), journal_.get());
     attributes_.resize(ItemKind::kHalfedge, Index(count));
   }
   const Halfedge o = opposite(h);
@@ -222,7 +222,7 @@ Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
       note(Field::kFaceSlots, 0, f.index());
       (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
     }
-    attributes_.resize(ItemKind::kFace, f.index() + 1);
+    attributes_.resize(ItemKind::kFace, f.index() + 1, journal_.get());
   }
   if constexpr (kStorage.face_halfedge) set_face_halfedge(f, h);
   ++version_;
