@@ -1,0 +1,16 @@
+#include "random/operation.h"
+#include "random/registry.h"
+
+namespace halfedge::test {
+
+const Operations& all_operations() {
+  static const Operations all = [] {
+    Operations made;
+    add_decorator_operations(made);
+    add_euler_operations(made);
+    return made;
+  }();
+  return all;
+}
+
+}  // namespace halfedge::test

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "random/operation.h"
+
+/// The operations, by group: one source file each, because they are templates.
+namespace halfedge::test {
+
+void add_decorator_operations(Operations& all);
+void add_euler_operations(Operations& all);
+
+}  // namespace halfedge::test
