@@ -1,0 +1,160 @@
+#include <halfedge/operations/append.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace halfedge::appending {
+
+namespace {
+
+Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for another mesh"}; }
+
+template <class Item>
+Error leads_nowhere(const char* link, Item item) {
+  return {"corrupt-connectivity", "the " + std::string(link) + " of " + name_of(kind_of(item)) +
+                                      " " + std::to_string(item.index()) +
+                                      " is no live item: validate names what is wrong"};
+}
+
+// Whether all links of live items lead to live items.
+Result<void> check_references(const RawLinks& links) {
+  const auto is_live = [&](Halfedge h) {
+    return links.contain(h) && links.is_live(RawLinks::edge(h));
+  };
+  for (Index i = 0; i < links.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!is_live(h)) continue;
+    if (!is_live(links.next(h))) return leads_nowhere("next", h);
+    if (!links.is_live(links.to_vertex(h))) return leads_nowhere("to-vertex", h);
+    if (links.face(h).valid() && !links.is_live(links.face(h))) return leads_nowhere("face", h);
+  }
+  for (Vertex v(0); v.index() < links.slots(v); v = Vertex(v.index() + 1)) {
+    if (has_ring(links, v) && !is_live(links.stored_halfedge(v))) return leads_nowhere("anchor", v);
+  }
+  for (Face f(0); f.index() < links.slots(f); f = Face(f.index() + 1)) {
+    if (!links.is_deleted(f) && !is_live(links.stored_halfedge(f))) {
+      return leads_nowhere("halfedge", f);
+    }
+  }
+  return {};
+}
+
+template <class Item>
+bool mark_live(const RawLinks& links, Array<Index>& live) {
+  if (!live.resize(links.slots(Item{}))) return false;
+  for (Index i = 0; i < live.size(); ++i) live[i] = links.is_deleted(Item(i)) ? kNone : 0;
+  return true;
+}
+
+std::size_t count_live(const Array<Index>& live) {
+  return live.size() - std::size_t(std::count(live.begin(), live.end(), kNone));
+}
+
+// So many slots, or half as many again as there is room for: a mesh that is made by appending many
+// others moves only now and then.
+std::size_t grown(std::size_t slots, std::size_t room) {
+  return slots <= room ? slots : std::min(std::max(slots, room + room / 2), std::size_t{kMaxSlots});
+}
+
+// The one place where values of attributes pass from one mesh to another.
+template <class Item>
+void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, Index width) {
+  constexpr ItemKind kKind = kind_of(Item{});
+  for (const std::unique_ptr<Attribute>& column : mesh.attributes().of(kKind)) {
+    const Attribute* const from = other.find(kKind, column->name());
+    if (from == nullptr || from->type() != column->type() || column->is_generation() ||
+        from->components() != column->components()) {
+      continue;
+    }
+    for (Index i = 0; i < map.size() * width; ++i) {
+      const Index to = map[i / width];
+      for (Index c = 0; to != kNone && c < column->components(); ++c) {
+        mesh.set_attribute(*column, Item(to * width + i % width), c, from->get(i, c));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Result<CompactMaps> list_live(const RawLinks& links) {
+  if (Result<void> checked = check_references(links); !checked) return checked.error();
+  CompactMaps live;
+  if (!mark_live<Vertex>(links, live.vertices) || !mark_live<Edge>(links, live.edges) ||
+      !mark_live<Face>(links, live.faces)) {
+    return out_of_memory();
+  }
+  return live;
+}
+
+template <Storage kStored>
+Result<void> make_room(BasicMesh<kStored>& mesh, const CompactMaps& live) {
+  const auto needed = [](std::size_t slots, const FreeList& free, const Array<Index>& added) {
+    return slots + std::max(count_live(added), std::size_t{free.count}) - free.count;
+  };
+  const std::size_t vertices = needed(mesh.vertex_slots(), mesh.free_vertices(), live.vertices);
+  const std::size_t edges = needed(mesh.edge_slots(), mesh.free_edges(), live.edges);
+  const std::size_t faces = needed(mesh.face_slots(), mesh.free_faces(), live.faces);
+  if (vertices > kMaxSlots || 2 * edges > kMaxSlots || faces > kMaxSlots) {
+    return Error{"too-large", "both meshes together have " + std::to_string(vertices) +
+                                  " vertices, " + std::to_string(edges) + " edges and " +
+                                  std::to_string(faces) + " faces, more than can be addressed"};
+  }
+  const Links& links = mesh.links();
+  if (mesh.reserve(Index(grown(vertices, links.vertex_halfedge.capacity())),
+                   Index(grown(2 * edges, links.next.capacity()) / 2),
+                   Index(grown(faces, links.face_halfedge.capacity()))) ||
+      mesh.reserve(Index(vertices), Index(edges), Index(faces))) {
+    return {};
+  }
+  return out_of_memory();
+}
+
+template <Storage kStored>
+void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& maps) {
+  const RawLinks& links = other.links;
+  // All items first, so that a slot that is taken again isn't mistaken for one to be copied.
+  for (Index v = 0; v < maps.vertices.size(); ++v) {
+    if (maps.vertices[v] == kNone) continue;
+    const float* const p = &other.positions[3 * std::size_t{v}];
+    maps.vertices[v] = mesh.add_vertex({p[0], p[1], p[2]}).index();
+  }
+  for (Index e = 0; e < maps.edges.size(); ++e) {
+    if (maps.edges[e] == kNone) continue;
+    const Halfedge h(2 * e);
+    const Halfedge made =
+        mesh.new_edge(maps(links.to_vertex(RawLinks::opposite(h))), maps(links.to_vertex(h)));
+    maps.edges[e] = made.index() / 2;
+  }
+  for (Index f = 0; f < maps.faces.size(); ++f) {
+    if (maps.faces[f] == kNone) continue;
+    maps.faces[f] = mesh.new_face(maps(links.stored_halfedge(Face(f)))).index();
+  }
+  for (Index i = 0; i < 2 * maps.edges.size(); ++i) {
+    const Halfedge h(i);
+    const Halfedge to = maps(h);
+    if (!to.valid()) continue;
+    mesh.link(to, maps(links.next(h)));
+    if (links.face(h).valid()) mesh.set_face(to, maps(links.face(h)));
+  }
+  for (Index v = 0; v < maps.vertices.size(); ++v) {
+    const Vertex to(maps.vertices[v]);
+    if (!to.valid() || !has_ring(links, Vertex(v))) continue;
+    mesh.set_vertex_halfedge(to, maps(links.stored_halfedge(Vertex(v))));
+  }
+  copy_columns<Vertex>(mesh, *other.attributes, maps.vertices, 1);
+  copy_columns<Halfedge>(mesh, *other.attributes, maps.edges, 2);
+  copy_columns<Edge>(mesh, *other.attributes, maps.edges, 1);
+  copy_columns<Face>(mesh, *other.attributes, maps.faces, 1);
+}
+
+#define HALFEDGE_INSTANTIATE(storage)                                       \
+  template Result<void> make_room(BasicMesh<storage>&, const CompactMaps&); \
+  template void copy_items(BasicMesh<storage>&, const MeshView&, CompactMaps&)
+HALFEDGE_INSTANTIATE(kEverything);
+HALFEDGE_INSTANTIATE(kWithoutPrev);
+#undef HALFEDGE_INSTANTIATE
+
+}  // namespace halfedge::appending
