@@ -16,6 +16,7 @@
 #include <halfedge/io/write.h>
 #include <halfedge/mesh.h>
 #include <halfedge/operations/append.h>
+#include <halfedge/operations/dual.h>
 #include <halfedge/operations/operations.h>
 #include <halfedge/repair/repair.h>
 #include <halfedge/result.h>
