@@ -287,6 +287,17 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return journal_ != nullptr;
   }
   void disable_history() { journal_.reset(); }
+  /// Changes how far back it reaches, and forgets what lies beyond, and what was undone.
+  void limit_history(HistoryLimits limits) {
+    if (journal_ != nullptr) journal_->limit(limits);
+  }
+  /// Forgets all steps, or those that were undone.
+  void forget_history() {
+    if (journal_ != nullptr) journal_->forget();
+  }
+  void forget_redo() {
+    if (journal_ != nullptr) journal_->forget_redo();
+  }
   /// How many steps there are, and what they take; null while history is off.
   [[nodiscard]] const Journal* history() const { return journal_.get(); }
 
@@ -389,9 +400,6 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     if (journal_ == nullptr || !journal_->redo(exchange)) return false;
     ++version_;
     return true;
-  }
-  void forget_history() {
-    if (journal_ != nullptr) journal_->forget();
   }
 
  private:

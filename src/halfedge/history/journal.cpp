@@ -11,12 +11,22 @@ void Journal::end_step() {
     forget();
     return;
   }
-  if (step_end_ != writes_.size() || writes_.size() == begin_of(ends_.size())) return;
+  if (!has_open_step()) return;
   if (!ends_.push_back(writes_.size())) {
     forget();
     return;
   }
   done_ = ends_.size();
+  forget_beyond_limits();
+}
+
+void Journal::limit(HistoryLimits limits) {
+  limits_ = limits;
+  forget_redo();
+  forget_beyond_limits();
+}
+
+void Journal::forget_beyond_limits() {
   while (done_ - first_ > 1 && (done_ - first_ > limits_.steps || bytes() > limits_.bytes)) {
     ++first_;
   }

@@ -60,8 +60,16 @@ class Journal {
     step_end_ = writes_.size();
   }
 
+  /// Sets how far back history reaches from now on, and forgets what lies beyond.
+  void limit(HistoryLimits limits);
+
   /// Closes a step. Nothing happens if nothing was written since the last one.
   void end_step();
+
+  /// Whether something was written since the end of the last step.
+  [[nodiscard]] bool has_open_step() const {
+    return step_end_ == writes_.size() && writes_.size() != begin_of(ends_.size());
+  }
 
   /// Steps that can be undone and redone.
   [[nodiscard]] std::size_t undo_count() const { return done_ - first_; }
@@ -100,6 +108,7 @@ class Journal {
     return step == 0 ? 0 : ends_[step - 1];
   }
   void forget_undone();
+  void forget_beyond_limits();
   void forget_oldest();
   void lose();
 
