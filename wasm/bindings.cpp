@@ -63,32 +63,9 @@ Index make_segment(Address address) {
   return visit_mesh(address, [](auto& mesh) { return index_of(decorator::make_segment(mesh)); });
 }
 
-/// The words that `Links.refresh` reads. They are good until the next call.
 Address layout(Address address) {
-  static std::array<std::uint32_t, 16> words;
-  const auto at = [](const auto* data) {
-    return static_cast<std::uint32_t>(reinterpret_cast<Address>(data));
-  };
-  visit_mesh(address, [&]<Storage kStored>(const BasicMesh<kStored>& mesh) {
-    const Links& links = mesh.links();
-    words = {at(links.next.data()),
-             at(links.prev.data()),
-             at(links.to_vertex.data()),
-             at(links.face.data()),
-             at(links.vertex_halfedge.data()),
-             at(links.face_halfedge.data()),
-             at(mesh.positions().data()),
-             mesh.vertex_slots(),
-             mesh.halfedge_slots(),
-             mesh.face_slots(),
-             mesh.vertex_count(),
-             mesh.edge_count(),
-             mesh.face_count(),
-             static_cast<std::uint32_t>(mesh.version()),
-             static_cast<std::uint32_t>(mesh.version() >> 32U),
-             kStored.prev};
-  });
-  return reinterpret_cast<Address>(words.data());
+  visit_mesh(address, [](const auto& mesh) { write_layout(mesh); });
+  return reinterpret_cast<Address>(layout_words.data());
 }
 
 bool build_any(AnyMesh& mesh, const Polygons& polygons, BuildReport& report) {

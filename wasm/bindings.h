@@ -7,6 +7,8 @@
 #include <halfedge/halfedge.h>
 #include <malloc.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -112,6 +114,41 @@ class NewMesh {
  private:
   Address address_;
 };
+
+/// The words that `Links` reads: where the arrays of a mesh lie, and how many items there are.
+inline std::array<std::uint32_t, 19> layout_words;
+
+/// Writes them anew. They are good until the next call.
+template <Storage kStored>
+void write_layout(const BasicMesh<kStored>& mesh) {
+  const auto at = [](const auto* data) {
+    return static_cast<std::uint32_t>(reinterpret_cast<Address>(data));
+  };
+  const auto room = [](std::size_t capacity) { return static_cast<std::uint32_t>(capacity); };
+  const Links& links = mesh.links();
+  std::size_t halfedges = std::min(links.next.capacity(), links.to_vertex.capacity());
+  halfedges = std::min(halfedges, links.face.capacity());
+  if (kStored.prev) halfedges = std::min(halfedges, links.prev.capacity());
+  layout_words = {at(links.next.data()),
+                  at(links.prev.data()),
+                  at(links.to_vertex.data()),
+                  at(links.face.data()),
+                  at(links.vertex_halfedge.data()),
+                  at(links.face_halfedge.data()),
+                  at(mesh.positions().data()),
+                  mesh.vertex_slots(),
+                  mesh.halfedge_slots(),
+                  mesh.face_slots(),
+                  mesh.vertex_count(),
+                  mesh.edge_count(),
+                  mesh.face_count(),
+                  static_cast<std::uint32_t>(mesh.version()),
+                  static_cast<std::uint32_t>(mesh.version() >> 32U),
+                  kStored.prev,
+                  room(links.vertex_halfedge.capacity()),
+                  room(halfedges),
+                  room(links.face_halfedge.capacity())};
+}
 
 // ---- reports ---------------------------------------------------------------------------------
 

@@ -1,12 +1,23 @@
 // The public names, but for `init`, of which each entry has its own.
 
+export type {
+  AttributeInfo,
+  AttributeOptions,
+  Attributes,
+  AttributeType,
+  AttributeView,
+  OnSplit,
+} from './attributes.js';
 export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
 export type { CirculateOptions, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
 export { DirectedEdgesMesh } from './directed-edges.js';
 export type { DirectedEdgesViews } from './directed-edges-navigation.js';
 export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges-orbit.js';
+export type { Position, Refusal } from './edit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
+export type { Generations, Reference } from './generations.js';
+export type { History, HistoryLimits } from './history.js';
 export {
   type Direction,
   type Edge,
@@ -20,9 +31,9 @@ export {
   type Vertex,
   type VertexLike,
 } from './items.js';
+export type { ConnectivityViews } from './links.js';
 export type { LiveItems } from './live.js';
 export { HalfedgeMesh } from './mesh.js';
-export type { ConnectivityViews } from './navigation.js';
 export type { Orbit } from './orbit.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
 export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';

@@ -53,6 +53,16 @@ export interface RawRepair {
   faceMap: RawWords;
 }
 
+/** A column of attributes. */
+export interface RawAttribute {
+  attribute: number;
+  kind: number;
+  name: string;
+  type: number;
+  components: number;
+  onSplit: number;
+}
+
 export interface RawCore {
   /** Aligned bytes; 0 when memory is exhausted. */
   allocate(bytes: number): number;
@@ -65,7 +75,7 @@ export interface RawCore {
   /** A copy, slot by slot, or 0. */
   cloneMesh(mesh: number): number;
   destroyMesh(mesh: number): void;
-  /** Where the arrays of a mesh lie: 16 words, in the order that `Links.refresh` reads them. */
+  /** Where the arrays of a mesh lie: 19 words, in the order that `Links` reads them. */
   layout(mesh: number): number;
 
   /** A halfedge of what was added to the mesh; all bits set when memory is exhausted. */
@@ -126,6 +136,59 @@ export interface RawCore {
     centres: number,
     count: number,
   ): RawRows | RawFailure;
+
+  // Operations (operation_bindings.cpp), plain exports, which cost next to nothing to call. `mode` is a
+  // sum of bits (edit.ts). They return what was made, or -1 for a refusal, -2 for want of memory.
+
+  _flip_edge(mesh: number, mode: number, e: number): number;
+  _set_position(mesh: number, mode: number, v: number, x: number, y: number, z: number): number;
+  /** Why the last call that returned -1 did so. To be asked for once, as it is forgotten then. */
+  lastRefusal(): RawProblem;
+
+  // History (history_bindings.cpp).
+
+  /** 0 when memory is exhausted. */
+  _enable_history(mesh: number, steps: number, bytes: number): number;
+  _disable_history(mesh: number): void;
+  _limit_history(mesh: number, steps: number, bytes: number): void;
+  _forget_history(mesh: number): void;
+  /** `which`: 0 for the steps that can be undone, 1 redone, 2 for the bytes of all. */
+  _history_size(mesh: number, which: number): number;
+  _end_step(mesh: number): void;
+  _abandon_step(mesh: number): void;
+  /** 0 if there is no step. */
+  _undo(mesh: number): number;
+  _redo(mesh: number): number;
+
+  // Attributes (attribute_bindings.cpp). `attribute` is the address of a column. Enums are values of
+  // those in C++.
+
+  addAttribute(
+    mesh: number,
+    kind: number,
+    name: number,
+    nameCount: number,
+    type: number,
+    components: number,
+    onSplit: number,
+    defaults: number,
+    defaultCount: number,
+  ): { attribute: number } | RawFailure;
+  removeAttribute(mesh: number, kind: number, name: number, nameCount: number): void;
+  listAttributes(mesh: number): RawAttribute[];
+  _attribute_values(attribute: number): number;
+  _set_attribute(
+    mesh: number,
+    mode: number,
+    attribute: number,
+    item: number,
+    component: number,
+    value: number,
+  ): number;
+  enableGenerations(mesh: number): object | RawFailure;
+  disableGenerations(mesh: number): void;
+  _has_generations(mesh: number): number;
+  _generation(mesh: number, kind: number, item: number): number;
 
   // Directed Edges (directed_edges_bindings.cpp): `directed` is the address of such a mesh.
 

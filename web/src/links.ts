@@ -15,6 +15,32 @@ const owners = new WeakMap<object, Links>();
 
 const NO_LINKS = new Int32Array(0);
 const NO_POSITIONS = new Float32Array(0);
+const NO_WORDS = new Uint32Array(0);
+
+/** How many words `layout` writes, and how many of them say where arrays lie. */
+const WORDS = 19;
+const ADDRESSES = 7;
+/** What the views hold beyond the last slot: neither an item nor NONE, as in a deleted slot. */
+const BEYOND = -2;
+
+/**
+ * Live zero-copy views of a mesh's links: index them with the items. Empty links are -1, deleted
+ * slots hold other negative values.
+ */
+export interface ConnectivityViews {
+  /** By halfedge: the one after it in its face loop or boundary loop. */
+  readonly next: Int32Array;
+  /** By halfedge: the one before it. Empty without `storePrev`. */
+  readonly prev: Int32Array;
+  /** By halfedge: the vertex it points to. */
+  readonly toVertex: Int32Array;
+  /** By halfedge: the face on its left, -1 for a boundary halfedge. */
+  readonly face: Int32Array;
+  /** By vertex: one halfedge that leaves it, the anchor; -1 for an isolated vertex. */
+  readonly vertexHalfedge: Int32Array;
+  /** By face: one halfedge of it. */
+  readonly faceHalfedge: Int32Array;
+}
 
 /**
  * Live typed-array views of one mesh's links in WebAssembly memory, shared by the mesh and its
@@ -32,6 +58,10 @@ const NO_POSITIONS = new Float32Array(0);
  *
  * Views detach only while WebAssembly allocates, so a loop that calls none of it may keep a view in
  * a local variable. All of them are empty after `dispose`.
+ *
+ * So that an edit doesn't need new views, they reach over all the room that the arrays have. Beyond
+ * the last slot they hold -2, which fails that comparison, too: whoever needs a length asks for the
+ * slots. A user gets `exactViews` and `positions`.
  */
 export class Links {
   next: Int32Array = NO_LINKS;
@@ -41,7 +71,6 @@ export class Links {
   face: Int32Array = NO_LINKS;
   vertexHalfedge: Int32Array = NO_LINKS;
   faceHalfedge: Int32Array = NO_LINKS;
-  positions: Float32Array = NO_POSITIONS;
 
   /** Live and deleted items: the range of indices. Right even while the views are detached. */
   vertexSlots = 0;
@@ -61,9 +90,17 @@ export class Links {
   /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
   onRefresh: (() => void) | undefined;
 
+  /** How deep in groups of history the mesh is: the next edit ends no step where that is not 0. */
+  groups = 0;
+
   readonly #core: Core;
   readonly #address: number;
   #version = 0;
+  /** What `layout` wrote, in place; and the addresses among it for which the views were made. */
+  #words = NO_WORDS;
+  readonly #taken = new Uint32Array(ADDRESSES);
+  #exact: ConnectivityViews | undefined;
+  #positions = NO_POSITIONS;
 
   /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
   constructor(core: Core, address: number) {
@@ -73,44 +110,77 @@ export class Links {
     this.refresh();
   }
 
-  /** Makes fresh views, after growth of the memory or after a change of the mesh. Throws if disposed. */
+  /** Makes fresh views, after growth of the memory or when arrays have moved. Throws if disposed. */
   refresh(): void {
     this.checkAlive();
-    const { memory } = this.#core;
-    const at = this.#core.layout(this.#address) >>> 2;
-    const words = new Uint32Array(memory.buffer);
-    const [vertices, halfedges, faces] = [words[at + 7], words[at + 8], words[at + 9]];
-    const owned = <View extends object>(view: View): View => {
-      owners.set(view, this);
-      return view;
+    const { buffer } = this.#core.memory;
+    const words = new Uint32Array(buffer, this.#core.layout(this.#address) >>> 0, WORDS);
+    this.#words = words;
+    this.#taken.set(words.subarray(0, ADDRESSES));
+    const view = (field: number, room: number, slots: number) => {
+      if (room === 0) return NO_LINKS;
+      const links = new Int32Array(buffer, words[field], room);
+      return this.own(links).fill(BEYOND, slots);
     };
-    const view = (field: number, length: number) =>
-      length === 0 ? NO_LINKS : owned(new Int32Array(memory.buffer, words[at + field], length));
-    this.next = view(0, halfedges);
-    this.storesPrev = words[at + 15] !== 0;
-    this.prev = this.storesPrev ? view(1, halfedges) : NO_LINKS;
-    this.toVertex = view(2, halfedges);
-    this.face = view(3, halfedges);
-    this.vertexHalfedge = view(4, vertices);
-    this.faceHalfedge = view(5, faces);
-    this.positions =
-      vertices === 0
-        ? NO_POSITIONS
-        : owned(new Float32Array(memory.buffer, words[at + 6], 3 * vertices));
-    this.vertexSlots = vertices;
-    this.halfedgeSlots = halfedges;
-    this.faceSlots = faces;
-    this.vertexCount = words[at + 10];
-    this.edgeCount = words[at + 11];
-    this.faceCount = words[at + 12];
-    this.version = words[at + 13] + 2 ** 32 * words[at + 14];
+    const [vertices, halfedges, faces] = words.subarray(16, 19);
+    const vertexSlots = words[7];
+    const halfedgeSlots = words[8];
+    this.storesPrev = words[15] !== 0;
+    this.next = view(0, halfedges, halfedgeSlots);
+    this.prev = this.storesPrev ? view(1, halfedges, halfedgeSlots) : NO_LINKS;
+    this.toVertex = view(2, halfedges, halfedgeSlots);
+    this.face = view(3, halfedges, halfedgeSlots);
+    this.vertexHalfedge = view(4, vertices, vertexSlots);
+    this.faceHalfedge = view(5, faces, words[9]);
+    this.#exact = undefined;
+    this.#positions = NO_POSITIONS;
+    this.#takeCounts(words);
     this.onRefresh?.();
+  }
+
+  /**
+   * Takes up what a call into the core has changed, which has left the words of `layout` behind. It
+   * costs next to nothing unless arrays have moved.
+   */
+  update(): void {
+    const words = this.#words;
+    if (words.length === 0 || this.#haveMoved(words)) {
+      this.refresh();
+      return;
+    }
+    const { vertexSlots, halfedgeSlots, faceSlots } = this;
+    this.#takeCounts(words);
+    if (this.detached) this.refresh(); // arrays that have grown where they were
+    if (this.vertexSlots < vertexSlots) this.vertexHalfedge.fill(BEYOND, this.vertexSlots);
+    if (this.faceSlots < faceSlots) this.faceHalfedge.fill(BEYOND, this.faceSlots);
+    if (this.halfedgeSlots >= halfedgeSlots) return;
+    for (const links of [this.next, this.prev, this.toVertex, this.face]) {
+      links.fill(BEYOND, this.halfedgeSlots);
+    }
+  }
+
+  #haveMoved(words: Uint32Array): boolean {
+    const taken = this.#taken;
+    for (let i = 0; i < ADDRESSES; i++) if (words[i] !== taken[i]) return true;
+    return false;
+  }
+
+  #takeCounts(words: Uint32Array): void {
+    this.vertexSlots = words[7];
+    this.halfedgeSlots = words[8];
+    this.faceSlots = words[9];
+    this.vertexCount = words[10];
+    this.edgeCount = words[11];
+    this.faceCount = words[12];
+    this.version = words[13] + 2 ** 32 * words[14];
   }
 
   /** Whether growth of the memory has detached the views; never true of an empty mesh. */
   get detached(): boolean {
     return (
-      this.vertexHalfedge.length !== this.vertexSlots || this.next.length !== this.halfedgeSlots
+      this.vertexHalfedge.length < this.vertexSlots ||
+      this.next.length < this.halfedgeSlots ||
+      this.faceHalfedge.length < this.faceSlots
     );
   }
 
@@ -118,6 +188,50 @@ export class Links {
   revive(): void {
     this.checkAlive();
     if (this.detached) this.refresh();
+  }
+
+  /** The views for a user; the same object as long as they are good. */
+  get exactViews(): ConnectivityViews {
+    this.revive();
+    const { vertexSlots, halfedgeSlots, faceSlots } = this;
+    const kept = this.#exact;
+    if (
+      kept !== undefined &&
+      kept.vertexHalfedge.length === vertexSlots &&
+      kept.next.length === halfedgeSlots &&
+      kept.faceHalfedge.length === faceSlots
+    ) {
+      return kept;
+    }
+    const exact = (links: Int32Array, slots: number) =>
+      links.length <= slots ? links : this.own(links.subarray(0, slots));
+    this.#exact = Object.freeze({
+      next: exact(this.next, halfedgeSlots),
+      prev: exact(this.prev, halfedgeSlots),
+      toVertex: exact(this.toVertex, halfedgeSlots),
+      face: exact(this.face, halfedgeSlots),
+      vertexHalfedge: exact(this.vertexHalfedge, vertexSlots),
+      faceHalfedge: exact(this.faceHalfedge, faceSlots),
+    });
+    return this.#exact;
+  }
+
+  /** The positions of exactly the slots that there are; the same view as long as it is good. */
+  get positions(): Float32Array {
+    const kept = this.#positions;
+    if (kept.length !== 0 && kept.length === 3 * this.vertexSlots) return kept;
+    this.revive();
+    if (this.vertexSlots === 0) return NO_POSITIONS;
+    this.#positions = this.own(
+      new Float32Array(this.#core.memory.buffer, this.#taken[6], 3 * this.vertexSlots),
+    );
+    return this.#positions;
+  }
+
+  /** Keeps the memory of the mesh alive as long as there is `view`, which is returned. */
+  own<View extends object>(view: View): View {
+    owners.set(view, this);
+    return view;
   }
 
   /**
@@ -147,7 +261,9 @@ export class Links {
     this.#core.destroyMesh(this.#address);
     this.next = this.prev = this.toVertex = this.face = NO_LINKS;
     this.vertexHalfedge = this.faceHalfedge = NO_LINKS;
-    this.positions = NO_POSITIONS;
+    this.#positions = NO_POSITIONS;
+    this.#words = NO_WORDS;
+    this.#exact = undefined;
     this.vertexSlots = this.halfedgeSlots = this.faceSlots = 0;
     this.vertexCount = this.edgeCount = this.faceCount = 0;
     this.version += 1;
@@ -246,4 +362,19 @@ export function corrupt(what: string): HalfedgeError {
     'corrupt-connectivity',
     `${what}; the links of this mesh are corrupt: were its live views written to? validate() tells more.`,
   );
+}
+
+/** Live and deleted items of a kind: the range of their indices. */
+export function slotCount(links: Links, kind: ItemKind): number {
+  if (kind === 'vertex') return links.vertexSlots;
+  if (kind === 'face') return links.faceSlots;
+  return kind === 'edge' ? links.halfedgeSlots / 2 : links.halfedgeSlots;
+}
+
+/** Throws a sentence unless `item` is a live item of the kind. */
+export function checkItem(links: Links, kind: ItemKind, item: number): void {
+  if (kind === 'vertex') links.checkVertex(item, 'item');
+  else if (kind === 'halfedge') links.checkHalfedge(item, 'item');
+  else if (kind === 'edge') links.checkEdge(item, 'item');
+  else links.checkFace(item, 'item');
 }

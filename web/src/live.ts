@@ -1,5 +1,5 @@
 import { type ItemKind, NONE as none } from './items.js';
-import type { Links } from './links.js';
+import { type Links, slotCount } from './links.js';
 import * as orbit from './orbit.js';
 
 // Constants of this module's own: see orbit.ts.
@@ -37,7 +37,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
     this.era = links.era;
     this.kind = kind;
     this.shift = kind === 'edge' ? 1 : 0;
-    this.count = slotsOf(links, kind).length >> this.shift;
+    this.count = slotCount(links, kind);
   }
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {

@@ -52,6 +52,10 @@ export class Inputs {
     return this.#copy(what, source, Uint32Array);
   }
 
+  doubles(what: string, source: Float64Array): Block {
+    return this.#copy(what, source, Float64Array);
+  }
+
   bytes(what: string, source: Uint8Array): Block {
     return this.#copy(what, source, Uint8Array);
   }
@@ -63,7 +67,11 @@ export class Inputs {
   #copy(
     what: string,
     source: NumberArray,
-    Kind: Float32ArrayConstructor | Uint32ArrayConstructor | Uint8ArrayConstructor,
+    Kind:
+      | Float32ArrayConstructor
+      | Float64ArrayConstructor
+      | Uint32ArrayConstructor
+      | Uint8ArrayConstructor,
   ): Block {
     const count = lengthOf(source);
     const { memory } = this.#core;

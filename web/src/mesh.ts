@@ -11,7 +11,7 @@ import {
   storesPrev,
   triangleLinks,
 } from './build.js';
-import { Circulation } from './circulation.js';
+import { Editing } from './editing.js';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
 import { Links } from './links.js';
@@ -46,7 +46,7 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
  * for (const w of mesh.vertexVertices(0)) console.log(w);
  * ```
  */
-export class HalfedgeMesh extends Circulation {
+export class HalfedgeMesh extends Editing {
   /** An empty mesh. */
   constructor(options?: StorageOptions);
   /** @internal */

@@ -11,26 +11,7 @@ import {
   type Vertex,
   type VertexLike,
 } from './items.js';
-import { corrupt, type Links } from './links.js';
-
-/**
- * Live zero-copy views of a mesh's links: index them with the items. Empty links are -1, deleted
- * slots hold other negative values.
- */
-export interface ConnectivityViews {
-  /** By halfedge: the one after it in its face loop or boundary loop. */
-  readonly next: Int32Array;
-  /** By halfedge: the one before it. Empty without `storePrev`. */
-  readonly prev: Int32Array;
-  /** By halfedge: the vertex it points to. */
-  readonly toVertex: Int32Array;
-  /** By halfedge: the face on its left, -1 for a boundary halfedge. */
-  readonly face: Int32Array;
-  /** By vertex: one halfedge that leaves it, the anchor; -1 for an isolated vertex. */
-  readonly vertexHalfedge: Int32Array;
-  /** By face: one halfedge of it. */
-  readonly faceHalfedge: Int32Array;
-}
+import { type ConnectivityViews, corrupt, type Links } from './links.js';
 
 /** The links of a mesh, for the modules of this package. */
 export let linksOf: (mesh: Navigation) => Links;
@@ -44,7 +25,6 @@ export let linksOf: (mesh: Navigation) => Links;
  */
 export abstract class Navigation {
   readonly #links: Links;
-  #views: ConnectivityViews | undefined;
 
   // The views of #links once more: one indirection less takes a tenth off each accessor.
   #next: Int32Array;
@@ -126,20 +106,14 @@ export abstract class Navigation {
   /**
    * The links themselves, zero-copy. A loop over these arrays is the fastest way to read a mesh.
    *
-   * Views that you keep become stale when the connectivity changes, when the WebAssembly memory
-   * grows (making any mesh can do that; their length is 0 then), and when the mesh is disposed of.
-   * They are good exactly as long as `mesh.connectivity === kept`. Keeping one keeps the memory of
+   * Views that you keep go on showing the mesh through edits, until there are more or fewer slots, the
+   * WebAssembly memory grows (making any mesh can do that; their length is 0 then), or the mesh is
+   * disposed of. They are good exactly as long as `mesh.connectivity === kept`. Keeping one keeps the memory of
    * a forgotten mesh alive. Writing to them is at your own risk, but can't crash anything:
    * `validate()` tells whether the mesh is still sound.
    */
   get connectivity(): ConnectivityViews {
-    const links = this.#links;
-    links.revive();
-    if (this.#views?.next !== links.next || this.#views.vertexHalfedge !== links.vertexHalfedge) {
-      const { next, prev, toVertex, face, vertexHalfedge, faceHalfedge } = links;
-      this.#views = Object.freeze({ next, prev, toVertex, face, vertexHalfedge, faceHalfedge });
-    }
-    return this.#views as ConnectivityViews;
+    return this.#links.exactViews;
   }
 
   /**
@@ -148,9 +122,6 @@ export abstract class Navigation {
    * `mesh.positions === kept`.
    */
   get positions(): Float32Array {
-    const { positions } = this.#links;
-    if (positions.length !== 0) return positions;
-    this.#links.revive();
     return this.#links.positions;
   }
 

@@ -1,0 +1,252 @@
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { expectRefused, stateOf } from './support/editing.js';
+import { quadGrid, tetrahedron, torus } from './support/meshes.js';
+
+beforeAll(() => init());
+
+/** A grid of triangles, whose edge 1-4 can be flipped. */
+function triangles(): HalfedgeMesh {
+  const { positions } = quadGrid(3, 3);
+  return HalfedgeMesh.fromTriangles(
+    positions,
+    [0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 3, 4, 7, 3, 7, 6, 4, 5, 8, 4, 8, 7],
+  );
+}
+
+describe('History', () => {
+  test('is off by default, and then there is nothing to undo', () => {
+    using mesh = triangles();
+    expect(mesh.history.enabled).toBe(false);
+    mesh.flipEdge(mesh.findEdge(1, 5));
+    expect(mesh.history).toMatchObject({ canUndo: false, canRedo: false, undoCount: 0, bytes: 0 });
+    expect(mesh.history.undo()).toBe(false);
+    expect(mesh.history.redo()).toBe(false);
+    expect(mesh.findEdge(2, 4)).not.toBe(-1);
+  });
+
+  test('takes an operation back to the last word, and does it again', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    const before = stateOf(mesh);
+    mesh.flipEdge(mesh.findEdge(1, 5));
+    const after = stateOf(mesh);
+    expect(after).not.toEqual(before);
+    expect(mesh.history).toMatchObject({ canUndo: true, canRedo: false, undoCount: 1 });
+    expect(mesh.history.bytes).toBeGreaterThan(0);
+    expect(mesh.history.undo()).toBe(true);
+    expect(stateOf(mesh)).toEqual(before);
+    expect(mesh.history).toMatchObject({ canUndo: false, canRedo: true, redoCount: 1 });
+    expect(mesh.history.redo()).toBe(true);
+    expect(stateOf(mesh)).toEqual(after);
+    expect(mesh.history.redo()).toBe(false);
+  });
+
+  test('changes the version and ends circulators, back and forth', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    mesh.flipEdge(mesh.findEdge(1, 5));
+    const versions = new Set([mesh.version]);
+    for (const way of ['undo', 'redo'] as const) {
+      const ring = mesh.circulate('vertexVertices', 4);
+      mesh.history[way]();
+      versions.add(mesh.version);
+      expect(() => ring.next()).toThrow('after the connectivity changed');
+    }
+    expect(versions.size).toBe(3);
+  });
+
+  test('of a refused operation has no step', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    expectRefused(() => mesh.flipEdge(mesh.findEdge(0, 1)), 'boundary-edge');
+    expect(mesh.history.undoCount).toBe(0);
+  });
+
+  test('forgets what was undone when something else is done', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    mesh.flipEdge(mesh.findEdge(1, 5));
+    mesh.history.undo();
+    mesh.setPosition(0, [7, 8, 9]);
+    expect(mesh.history).toMatchObject({ undoCount: 1, redoCount: 0 });
+  });
+
+  test('notes moves of vertices', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    const { version } = mesh;
+    mesh.setPosition(3, new Float64Array([7, 8, 9]));
+    expect(mesh.version).toBe(version);
+    expect(mesh.position(3)).toEqual([7, 8, 9]);
+    mesh.history.undo();
+    expect(mesh.position(3)).toEqual([0, 1, 0]);
+  });
+
+  test('is forgotten when it is switched off, and by clear()', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    mesh.setPosition(0, [1, 1, 1]);
+    history.clear();
+    expect(history.undoCount).toBe(0);
+    mesh.setPosition(0, [2, 2, 2]);
+    history.enabled = true; // it is already
+    expect(history.undoCount).toBe(1);
+    history.enabled = false;
+    history.enabled = true;
+    expect(history.undoCount).toBe(0);
+  });
+
+  test('reaches as far back as the limits say', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.limit({ steps: 3 });
+    history.enabled = true;
+    for (let i = 0; i < 10; i++) mesh.setPosition(i % 9, [i, i, i]);
+    expect(history.undoCount).toBe(3);
+    history.limit({ steps: 2 });
+    expect(history.undoCount).toBe(2);
+    history.limit({ bytes: 0 });
+    expect(history.undoCount).toBe(1); // the last one is kept in any case
+    history.limit({});
+    for (let i = 0; i < 10; i++) mesh.setPosition(i % 9, [i, 0, i]);
+    expect(history.undoCount).toBe(11);
+    expect(() => history.limit({ steps: -1 })).toThrow('steps is -1; expected a number from 0.');
+    expect(() => history.limit({ bytes: Number.NaN })).toThrow(RangeError);
+    expect(() => history.limit({ steps: '3' as never })).toThrow(TypeError);
+    expect(() => history.limit(3 as never)).toThrow(TypeError);
+  });
+
+  test('is of one mesh: a clone begins without', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    mesh.setPosition(0, [1, 1, 1]);
+    using copy = mesh.clone();
+    expect(copy.history.enabled).toBe(false);
+    expect(copy.history.undoCount).toBe(0);
+    expect(copy.position(0)).toEqual([1, 1, 1]);
+  });
+
+  test('throws after dispose, and for what is no switch', () => {
+    const mesh = triangles();
+    const { history } = mesh;
+    expect(() => {
+      history.enabled = 1 as never;
+    }).toThrow('enabled is 1; expected true or false.');
+    mesh.dispose();
+    for (const use of [
+      () => history.enabled,
+      () => history.undo(),
+      () => history.canRedo,
+      () => history.bytes,
+      () => history.clear(),
+      () => history.limit({}),
+      () => history.group(() => 1),
+    ]) {
+      expect(use).toThrow('disposed');
+    }
+  });
+});
+
+describe('A group', () => {
+  test('is one step, with all groups in it, and returns what its function does', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    const before = stateOf(mesh);
+    const result = history.group(() => {
+      mesh.flipEdge(mesh.findEdge(1, 5));
+      history.group(() => mesh.setPosition(0, [3, 3, 3]));
+      mesh.setPosition(1, [4, 4, 4]);
+      return 'done';
+    });
+    expect(result).toBe('done');
+    expect(history.undoCount).toBe(1);
+    history.undo();
+    expect(stateOf(mesh)).toEqual(before);
+    history.redo();
+    expect(mesh.position(1)).toEqual([4, 4, 4]);
+  });
+
+  test('without a change is no step', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    mesh.history.group(() => undefined);
+    expect(mesh.history.undoCount).toBe(0);
+  });
+
+  test('whose function throws has changed nothing, and passes the error on', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    mesh.setPosition(2, [9, 9, 9]);
+    const before = stateOf(mesh);
+    expectRefused(
+      () =>
+        history.group(() => {
+          mesh.flipEdge(mesh.findEdge(1, 5));
+          mesh.flipEdge(mesh.findEdge(0, 1));
+        }),
+      'boundary-edge',
+    );
+    expect(stateOf(mesh)).toEqual(before);
+    expect(history).toMatchObject({ undoCount: 1, redoCount: 0 });
+    expect(() =>
+      history.group(() => {
+        throw new Error('of the user');
+      }),
+    ).toThrow('of the user');
+    expect(history.undoCount).toBe(1); // not the step before it
+    mesh.flipEdge(mesh.findEdge(1, 5)); // steps end again
+    expect(history.undoCount).toBe(2);
+  });
+
+  test('keeps what was changed where history is off', () => {
+    using mesh = triangles();
+    expect(() =>
+      mesh.history.group(() => {
+        mesh.setPosition(0, [1, 2, 3]);
+        throw new Error('of the user');
+      }),
+    ).toThrow('of the user');
+    expect(mesh.position(0)).toEqual([1, 2, 3]);
+  });
+
+  test('may dispose of the mesh', () => {
+    const mesh = triangles();
+    mesh.history.enabled = true;
+    mesh.history.group(() => mesh.dispose());
+    expect(mesh.disposed).toBe(true);
+  });
+
+  test('can not be undone from within', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    for (const use of [
+      () => history.undo(),
+      () => history.redo(),
+      () => history.clear(),
+      () => history.limit({ steps: 1 }),
+      () => {
+        history.enabled = false;
+      },
+    ]) {
+      expect(() => history.group(use)).toThrow(HalfedgeError);
+      expect(() => history.group(use)).toThrow(/inside of group\(\)/);
+    }
+    expect(() => history.group(7 as never)).toThrow('edit is 7; expected a function.');
+  });
+});
+
+test('History works without prev, and on a closed surface', () => {
+  const { positions, faces } = tetrahedron();
+  using mesh = HalfedgeMesh.fromPolygons(positions, faces, { storePrev: false });
+  mesh.history.enabled = true;
+  mesh.setPosition(0, [3, 4, 5]);
+  mesh.history.undo();
+  expect(mesh.position(0)).toEqual([0, 0, 0]);
+  using quads = HalfedgeMesh.fromPolygons(torus().positions, torus().faces);
+  quads.history.enabled = true;
+  expectRefused(() => quads.flipEdge(0), 'not-a-triangle');
+});

@@ -1,0 +1,303 @@
+import { checkOptions, describe, lengthOfArrayLike } from './arguments.js';
+import { done, modeOf } from './edit.js';
+import type { ItemKind } from './items.js';
+import { checkItem, type Links, slotCount } from './links.js';
+import { withInputs } from './memory.js';
+import { unwrap } from './reports.js';
+
+/** The types of the numbers of an attribute; in the order of the enum Scalar in C++. */
+const TYPES = {
+  float32: Float32Array,
+  float64: Float64Array,
+  int8: Int8Array,
+  uint8: Uint8Array,
+  int16: Int16Array,
+  uint16: Uint16Array,
+  int32: Int32Array,
+  uint32: Uint32Array,
+};
+/** In the order of the enum OnSplit in C++. */
+const POLICIES = ['interpolate', 'normalize', 'copy', 'default'] as const;
+/** In the order of the enum ItemKind in C++. */
+const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face'];
+
+const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
+
+/** The type of the numbers of an attribute. */
+export type AttributeType = keyof typeof TYPES;
+/**
+ * The value that an operation gives to an item that it makes of others: the weighted mean, the mean
+ * brought to length 1 (for normals), the value of the item with the most weight, or the default.
+ */
+export type OnSplit = (typeof POLICIES)[number];
+/** The typed array that shows an attribute. */
+export type AttributeView<Type extends AttributeType = AttributeType> = InstanceType<
+  (typeof TYPES)[Type]
+>;
+
+/** What is said of an attribute when it is added. */
+export interface AttributeOptions<Type extends AttributeType = AttributeType> {
+  /** Default: 'float32'. */
+  type?: Type;
+  /** Numbers for each item, 1 to 16. Default: 1. */
+  components?: number;
+  /** The value of new items: one number, for all components, or one for each. Default: 0. */
+  default?: number | ArrayLike<number>;
+  /** Default: 'interpolate'. */
+  onSplit?: OnSplit;
+}
+
+/** An attribute as it was added. */
+export interface AttributeInfo {
+  readonly kind: ItemKind;
+  readonly name: string;
+  readonly type: AttributeType;
+  readonly components: number;
+  readonly onSplit: OnSplit;
+}
+
+/** A column as JavaScript knows it: `address` names it to the core; its view is made when asked for. */
+interface Column {
+  readonly info: AttributeInfo;
+  readonly address: number;
+  view: AttributeView;
+  /** What the view was good for: this version of the mesh. */
+  version: number;
+}
+
+/**
+ * Named columns of numbers on the vertices, halfedges, edges or faces of a mesh, which follow every edit:
+ * new items get what `onSplit` says, deleted slots are kept in step, undo restores them.
+ *
+ * With 'interpolate' and 'normalize' a value of a halfedge is that of the corner where it ends, in its
+ * face: texture coordinates with seams. With the others it is the halfedge's own.
+ *
+ * ```ts
+ * const colors = mesh.attributes.add('vertex', 'color', { components: 3, default: 1 });
+ * colors[3 * v] = 0.5;
+ * ```
+ */
+export class Attributes {
+  readonly #links: Links;
+  #columns: Map<string, Column> | undefined;
+
+  /** @internal */
+  constructor(links: Links) {
+    this.#links = links;
+  }
+
+  /**
+   * Adds an attribute, with its default for each item. Steps of history that were undone are forgotten.
+   *
+   * @returns its live view, as {@link get}
+   * @throws HalfedgeError `attribute-exists`, `bad-attribute` (no name, or components that don't fit),
+   * `out-of-memory`
+   */
+  add<Type extends AttributeType = 'float32'>(
+    kind: ItemKind,
+    name: string,
+    options: AttributeOptions<Type> = {},
+  ): AttributeView<Type> {
+    const column = checkColumn(kind, name);
+    const { type, components, onSplit, defaults } = settingsOf(options);
+    const { core } = this.#links;
+    const columns = this.#all();
+    const { attribute } = withInputs(core, (inputs) => {
+      const text = inputs.bytes('name', new TextEncoder().encode(name));
+      const values = inputs.doubles('default', defaults);
+      return unwrap(
+        core.addAttribute(
+          this.#links.address,
+          KINDS.indexOf(kind),
+          text.address,
+          text.count,
+          TYPE_NAMES.indexOf(type),
+          components,
+          POLICIES.indexOf(onSplit),
+          values.address,
+          values.count,
+        ),
+      );
+    });
+    const info = Object.freeze({ kind, name, type, components, onSplit });
+    columns.set(column, newColumn(info, attribute));
+    return this.get(kind, name) as AttributeView<Type>;
+  }
+
+  /**
+   * The live values of an attribute, zero-copy: `components` numbers for each slot, typed as the attribute
+   * is. Write to it to set them. It becomes stale as `positions` does: when there are more or fewer slots,
+   * when the WebAssembly memory grows, when the mesh is disposed of. Good exactly as long as the next `get`
+   * returns the same.
+   *
+   * @throws RangeError if there is no such attribute
+   */
+  get<Type extends AttributeType = AttributeType>(
+    kind: ItemKind,
+    name: string,
+  ): AttributeView<Type> {
+    return this.#view(this.#find(kind, name)) as AttributeView<Type>;
+  }
+
+  /** Whether there is such an attribute. */
+  has(kind: ItemKind, name: string): boolean {
+    return this.#all().has(checkColumn(kind, name));
+  }
+
+  /** Removes an attribute; its views are stale then. Returns false if there is none. */
+  remove(kind: ItemKind, name: string): boolean {
+    const column = checkColumn(kind, name);
+    const columns = this.#all();
+    if (!columns.has(column)) return false;
+    const { core } = this.#links;
+    withInputs(core, (inputs) => {
+      const text = inputs.bytes('name', new TextEncoder().encode(name));
+      core.removeAttribute(this.#links.address, KINDS.indexOf(kind), text.address, text.count);
+    });
+    return columns.delete(column);
+  }
+
+  /** All attributes: those of vertices first, then of halfedges, edges and faces, in the order added. */
+  list(): AttributeInfo[] {
+    const columns = [...this.#all().values()].map(({ info }) => info);
+    return KINDS.flatMap((kind) => columns.filter((info) => info.kind === kind));
+  }
+
+  /**
+   * Sets the values of one item: a number, or one for each component. As writing to the view does; but
+   * history notes this. Integers are rounded and kept in their range.
+   */
+  set(kind: ItemKind, name: string, item: number, values: number | ArrayLike<number>): void {
+    const { info, address } = this.#find(kind, name);
+    const links = this.#links;
+    checkItem(links, kind, item);
+    const numbers = numbersOf('values', values, info.components);
+    const { core } = links;
+    links.groups += 1; // all components are one step
+    try {
+      numbers.forEach((value, component) => {
+        const mode = modeOf(links);
+        done(links, core._set_attribute(links.address, mode, address, item, component, value));
+      });
+    } finally {
+      links.groups -= 1;
+      if (links.groups === 0) core._end_step(links.address);
+    }
+  }
+
+  /** A copy of the values of one item. */
+  values(kind: ItemKind, name: string, item: number): number[] {
+    const column = this.#find(kind, name);
+    checkItem(this.#links, kind, item);
+    const { components } = column.info;
+    return Array.from(this.#view(column).subarray(components * item, components * (item + 1)));
+  }
+
+  #all(): Map<string, Column> {
+    const { core, address } = this.#links; // throws if disposed
+    if (this.#columns === undefined) {
+      this.#columns = new Map();
+      for (const raw of core.listAttributes(address)) {
+        const info = Object.freeze({
+          kind: KINDS[raw.kind],
+          name: raw.name,
+          type: TYPE_NAMES[raw.type],
+          components: raw.components,
+          onSplit: POLICIES[raw.onSplit],
+        });
+        this.#columns.set(keyOf(info.kind, info.name), newColumn(info, raw.attribute));
+      }
+    }
+    return this.#columns;
+  }
+
+  #find(kind: ItemKind, name: string): Column {
+    const column = this.#all().get(checkColumn(kind, name));
+    if (column !== undefined) return column;
+    const names = this.list().filter((info) => info.kind === kind);
+    const known = names.map((info) => describe(info.name)).join(', ') || 'none';
+    throw new RangeError(
+      `name is ${describe(name)}; expected an attribute of this mesh by ${kind}: ${known}.`,
+    );
+  }
+
+  #view(column: Column): AttributeView {
+    const links = this.#links;
+    const { info, view } = column;
+    const length = info.components * slotCount(links, info.kind);
+    if (column.version === links.version && view.length === length) return view;
+    const { core } = links;
+    const address = core._attribute_values(column.address) >>> 0;
+    const isGood =
+      view.length === length && view.byteOffset === address && view.buffer === core.memory.buffer;
+    column.version = links.version;
+    if (!isGood) {
+      const View = TYPES[info.type];
+      const fresh = length === 0 ? new View(0) : new View(core.memory.buffer, address, length);
+      column.view = links.own(fresh);
+    }
+    return column.view;
+  }
+}
+
+function newColumn(info: AttributeInfo, address: number): Column {
+  return { info, address, view: new TYPES[info.type](0), version: -1 };
+}
+
+const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;
+
+/** The key of a column. Throws a sentence for what is no kind or no name. */
+function checkColumn(kind: unknown, name: unknown): string {
+  checkOneOf('kind', kind, KINDS);
+  if (typeof name !== 'string') {
+    throw new TypeError(`name is ${describe(name)}; expected a string.`);
+  }
+  return keyOf(kind as ItemKind, name);
+}
+
+function checkOneOf(argument: string, value: unknown, choices: readonly string[]): void {
+  if (choices.includes(value as string)) return;
+  const names = choices.map((choice) => `'${choice}'`);
+  const expected = `${names.slice(0, -1).join(', ')} or ${names.at(-1)}`;
+  const sentence = `${argument} is ${describe(value)}; expected ${expected}.`;
+  throw typeof value === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
+
+function settingsOf(options: AttributeOptions) {
+  const {
+    type = 'float32' as AttributeType,
+    components = 1,
+    default: given = 0,
+    onSplit = 'interpolate',
+  } = checkOptions(options) as AttributeOptions;
+  checkOneOf('type', type, TYPE_NAMES);
+  checkOneOf('onSplit', onSplit, POLICIES);
+  if (typeof components !== 'number') {
+    throw new TypeError(`components is ${describe(components)}; expected an integer from 1 to 16.`);
+  }
+  if (!(Number.isInteger(components) && components >= 1 && components <= 16)) {
+    throw new RangeError(
+      `components is ${describe(components)}; expected an integer from 1 to 16.`,
+    );
+  }
+  return { type, components, onSplit, defaults: numbersOf('default', given, components) };
+}
+
+/** One number for each component, of an array or of a single number for all. */
+function numbersOf(argument: string, given: unknown, components: number): Float64Array {
+  const numbers = new Float64Array(components);
+  if (typeof given === 'number') return numbers.fill(given);
+  const expected = `a number, or ${components === 1 ? 'an array of one' : `${components} of them`}`;
+  if (lengthOfArrayLike(argument, given, expected) !== components) {
+    throw new RangeError(`${argument} is ${describe(given)}; expected ${expected}.`);
+  }
+  const list = given as ArrayLike<unknown>;
+  for (let i = 0; i < components; i++) {
+    const value = list[i];
+    if (typeof value !== 'number') {
+      throw new TypeError(`${argument}[${i}] is ${describe(value)}; expected a number.`);
+    }
+    numbers[i] = value;
+  }
+  return numbers;
+}

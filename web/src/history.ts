@@ -1,0 +1,169 @@
+import { checkOptions, describe } from './arguments.js';
+import { HalfedgeError } from './errors.js';
+import type { Links } from './links.js';
+import { outOfMemory } from './memory.js';
+
+/** How far back history reaches. */
+export interface HistoryLimits {
+  /** So many steps. Default: Infinity. */
+  steps?: number;
+  /** So many bytes, 12 for each word that an edit replaced. Default: Infinity. */
+  bytes?: number;
+}
+
+/**
+ * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and free then.
+ *
+ * Each operation is a step, as are `setPosition` and `attributes.set`; `group` makes one of several. What
+ * is written into live views isn't noted: undoing steps over it brings back single words of it.
+ *
+ * ```ts
+ * mesh.history.enabled = true;
+ * mesh.flipEdge(e);
+ * mesh.history.undo();
+ * ```
+ */
+export class History {
+  readonly #links: Links;
+  #enabled = false;
+  #limits: Required<HistoryLimits> = { steps: Infinity, bytes: Infinity };
+
+  /** @internal */
+  constructor(links: Links) {
+    this.#links = links;
+  }
+
+  /** Whether edits are noted. Switching it off forgets all steps. */
+  get enabled(): boolean {
+    this.#links.checkAlive();
+    return this.#enabled;
+  }
+
+  set enabled(enabled: boolean) {
+    if (typeof enabled !== 'boolean') {
+      throw new TypeError(`enabled is ${describe(enabled)}; expected true or false.`);
+    }
+    const { core, address } = this.#links;
+    if (enabled === this.#enabled) return;
+    this.#checkNoGroup('enabled', 'changed');
+    if (!enabled) core._disable_history(address);
+    else if (core._enable_history(address, this.#limits.steps, this.#limits.bytes) === 0) {
+      throw outOfMemory('History');
+    }
+    this.#enabled = enabled;
+  }
+
+  /** Takes back the last step. Returns false if there is none. */
+  undo(): boolean {
+    return this.#travel('undo');
+  }
+
+  /** Does again the step taken back last. Returns false if there is none: a new step forgets them. */
+  redo(): boolean {
+    return this.#travel('redo');
+  }
+
+  get canUndo(): boolean {
+    return this.undoCount > 0;
+  }
+  get canRedo(): boolean {
+    return this.redoCount > 0;
+  }
+  /** Steps that can be undone. */
+  get undoCount(): number {
+    return this.#size(0);
+  }
+  /** Steps that can be redone. */
+  get redoCount(): number {
+    return this.#size(1);
+  }
+  /** What the notes of all steps take. */
+  get bytes(): number {
+    return this.#size(2);
+  }
+
+  /**
+   * Calls `edit`; all that it changes is one step. Groups within it join it. If it throws, what it has
+   * changed is taken back, and the error goes on; with history off, what was changed stays.
+   *
+   * @returns what `edit` returned
+   */
+  group<T>(edit: () => T): T {
+    if (typeof edit !== 'function') {
+      throw new TypeError(`edit is ${describe(edit)}; expected a function.`);
+    }
+    const links = this.#links;
+    links.checkAlive();
+    links.groups += 1;
+    let succeeded = false;
+    try {
+      const result = edit();
+      succeeded = true;
+      return result;
+    } finally {
+      links.groups -= 1;
+      if (links.groups === 0 && this.#enabled && !links.disposed) this.#endGroup(succeeded);
+    }
+  }
+
+  /**
+   * Sets how far back history reaches: the oldest steps are forgotten first, but the last one is kept in
+   * any case. Steps that were undone are forgotten.
+   */
+  limit(limits: HistoryLimits): void {
+    const { steps = Infinity, bytes = Infinity } = checkOptions(limits) as HistoryLimits;
+    checkLimit('steps', steps);
+    checkLimit('bytes', bytes);
+    const { core, address } = this.#links;
+    this.#checkNoGroup('limit()', 'called');
+    this.#limits = { steps, bytes };
+    if (this.#enabled) core._limit_history(address, steps, bytes);
+  }
+
+  /** Forgets all steps. */
+  clear(): void {
+    const { core, address } = this.#links;
+    this.#checkNoGroup('clear()', 'called');
+    core._forget_history(address);
+  }
+
+  #travel(way: 'undo' | 'redo'): boolean {
+    const links = this.#links;
+    const { core, address } = links;
+    this.#checkNoGroup(`${way}()`, 'called');
+    const moved = way === 'undo' ? core._undo(address) : core._redo(address);
+    links.update();
+    return moved !== 0;
+  }
+
+  #size(which: number): number {
+    const { core, address } = this.#links;
+    return core._history_size(address, which);
+  }
+
+  #endGroup(succeeded: boolean): void {
+    const { core, address } = this.#links;
+    if (succeeded) {
+      core._end_step(address);
+      return;
+    }
+    core._abandon_step(address);
+    this.#links.update();
+  }
+
+  #checkNoGroup(what: string, done: string): void {
+    if (this.#links.groups === 0) return;
+    throw new HalfedgeError(
+      'open-group',
+      `${what} was ${done} inside of group(); expected it to be ${done} between steps.`,
+    );
+  }
+}
+
+function checkLimit(name: string, limit: number): void {
+  if (typeof limit !== 'number') {
+    throw new TypeError(`${name} is ${describe(limit)}; expected a number.`);
+  }
+  if (limit >= 0) return;
+  throw new RangeError(`${name} is ${describe(limit)}; expected a number from 0.`);
+}
