@@ -99,7 +99,7 @@ TEST(Validate, FindsNothingWrongWithAnyShape) {
 }
 
 TEST(Validate, ArraySize) {
-  const char* names[] = {"prev", "to_vertex", "face"};
+  const char* names[] = {"Prev", "To_vertex", "Face"};
   for (int i = 0; i < 3; ++i) {
     Mesh mesh = reference_build(tetrahedron());
     Links& links = mesh.mutable_links();
@@ -116,14 +116,14 @@ TEST(Validate, ArraySize) {
   }
   expect_found(odd, 0, {"array-size mesh -"});
   EXPECT_EQ(first_message(odd),
-            "next has 11 entries, expected an even number: the two halfedges of an edge lie side "
-            "by side");
+            "Next has 11 entries, expected an even number: the two halfedges of an edge lie side "
+            "by side.");
 
   Mesh positions = reference_build(tetrahedron());
   ASSERT_TRUE(positions.mutable_positions().resize(11));
   expect_found(positions, 0, {"array-size mesh -"});
   EXPECT_EQ(first_message(positions),
-            "positions has 11 floats, expected 12: three for each vertex slot");
+            "Positions has 11 floats, expected 12: three for each vertex slot.");
   positions.set_face_halfedge(Face(2), Halfedge{});
   expect_found(positions, 0, {"array-size mesh -", "empty-link face 2"});
 }
@@ -133,8 +133,8 @@ TEST(Validate, FreeListWithAnotherCount) {
   mesh.mutable_links().vertex_halfedge[3] = kDeleted;
   expect_found(mesh, 0, {"free-list vertex -"});
   EXPECT_EQ(first_message(mesh),
-            "the chain of deleted vertex slots should have 0 entries, but 1 slots are marked as "
-            "deleted");
+            "The chain of deleted vertex slots should have 0 entries, but 1 slots are marked as "
+            "deleted.");
 }
 
 TEST(Validate, FreeListThatEndsEarly) {
@@ -142,14 +142,15 @@ TEST(Validate, FreeListThatEndsEarly) {
   mesh.mutable_links().vertex_halfedge[4] = kDeleted;
   expect_found(mesh, 0, {"free-list vertex -"});
   EXPECT_EQ(first_message(mesh),
-            "the chain of deleted vertex slots ends after 2 of 3 deleted slots");
+            "The chain of deleted vertex slots ends after 2 of 3 deleted slots.");
 }
 
 TEST(Validate, FreeListThatRunsInACircle) {
   Mesh mesh = one_triangle_deleted();
   mesh.mutable_links().next[6] = kDeleted - 1 - 5;  // from edge 3 back to edge 5
   expect_found(mesh, 0, {"free-list edge 5"});
-  EXPECT_EQ(first_message(mesh), "the chain of deleted edge slots runs in a circle through slot 5");
+  EXPECT_EQ(first_message(mesh),
+            "The chain of deleted edge slots runs in a circle through slot 5.");
 }
 
 TEST(Validate, FreeListThatLeadsToALiveSlot) {
@@ -162,7 +163,7 @@ TEST(Validate, FreeListThatLeadsOutOfRange) {
   Mesh mesh = one_triangle_deleted();
   mesh.mutable_links().face_halfedge[1] = kDeleted - 1 - 7;
   expect_found(mesh, 0, {"free-list face -"});
-  EXPECT_EQ(first_message(mesh), "the chain of deleted face slots leads to slot 7 of 2");
+  EXPECT_EQ(first_message(mesh), "The chain of deleted face slots leads to slot 7 of 2.");
 }
 
 TEST(Validate, HalfDeletedEdge) {
@@ -177,15 +178,15 @@ TEST(Validate, HalfDeletedEdge) {
   mesh.mutable_links().prev[9] = 0;
   expect_found(mesh, 0, {"half-deleted-edge edge 4"});
   EXPECT_EQ(first_message(mesh),
-            "edge 4 is half deleted: 7 of the 8 links of its halfedges are marked as deleted, "
-            "expected all or none");
+            "Edge 4 is half deleted: 7 of the 8 links of its halfedges are marked as deleted, "
+            "expected all or none.");
 }
 
 TEST(Validate, EmptyLink) {
   const std::pair<Array<Index> Links::*, const char*> cases[] = {
-      {&Links::next, "the next of halfedge 5 is empty, expected a halfedge"},
-      {&Links::prev, "the prev of halfedge 5 is empty, expected a halfedge"},
-      {&Links::to_vertex, "the to-vertex of halfedge 5 is empty, expected a vertex"}};
+      {&Links::next, "The next of halfedge 5 is empty, expected a halfedge."},
+      {&Links::prev, "The prev of halfedge 5 is empty, expected a halfedge."},
+      {&Links::to_vertex, "The to-vertex of halfedge 5 is empty, expected a vertex."}};
   for (const auto& [links, message] : cases) {
     Mesh mesh = reference_build(tetrahedron());
     (mesh.mutable_links().*links)[5] = kNone;
@@ -210,7 +211,7 @@ TEST(Validate, IndexOutOfRange) {
   mesh.set_face_halfedge(Face(1), Halfedge(12));
   expect_found(mesh, 0, {"index-out-of-range vertex 3", "index-out-of-range face 1"});
   EXPECT_EQ(first_message(mesh),
-            "the anchor of vertex 3 is halfedge 2147483647, expected less than 12");
+            "The anchor of vertex 3 is halfedge 2147483647, expected less than 12.");
 }
 
 TEST(Validate, DeletedReference) {
@@ -225,7 +226,7 @@ TEST(Validate, DeletedReference) {
   mesh.set_vertex_halfedge(Vertex(0), Halfedge(7));
   mesh.set_face_halfedge(Face(0), Halfedge(8));
   expect_found(mesh, 0, {"deleted-reference vertex 0", "deleted-reference face 0"});
-  EXPECT_EQ(first_message(mesh), "the anchor of vertex 0 is halfedge 7, which is deleted");
+  EXPECT_EQ(first_message(mesh), "The anchor of vertex 0 is halfedge 7, which is deleted.");
 }
 
 TEST(Validate, NextPrevMismatch) {
@@ -236,7 +237,7 @@ TEST(Validate, NextPrevMismatch) {
   mesh.mutable_links().prev[n.index()] = other.index();
   expect_found(mesh, 0, {"next-prev-mismatch " + name(h)});
   EXPECT_EQ(first_message(mesh),
-            "the next of " + name(h) + " is " + name(n) + ", whose prev is " + name(other));
+            "The next of " + name(h) + " is " + name(n) + ", whose prev is " + name(other) + ".");
 }
 
 TEST(Validate, MissingAnchor) {
@@ -251,7 +252,7 @@ TEST(Validate, AnchorElsewhere) {
   mesh.set_vertex_halfedge(Vertex(0), anchor);
   expect_found(mesh, 0, {"anchor-elsewhere vertex 0"});
   EXPECT_EQ(first_message(mesh),
-            "the anchor of vertex 0 is " + name(anchor) + ", which leaves vertex 2");
+            "The anchor of vertex 0 is " + name(anchor) + ", which leaves vertex 2.");
 
   Mesh isolated = reference_build(with_isolated_vertices());
   isolated.set_vertex_halfedge(Vertex(0), isolated.vertex_halfedge(Vertex(1)));
@@ -276,8 +277,9 @@ TEST(Validate, ToFromMismatch) {
   mesh.set_to_vertex(h, Vertex(3));
   expect_found(mesh, 1,
                {"to-from-mismatch " + name(h), "to-from-mismatch " + name(before_opposite)});
-  EXPECT_EQ(first_message(mesh), name(h) + " leads to vertex 3, but its next, " +
-                                     name(halfedge_between(mesh, 1, 2)) + ", leaves vertex 1");
+  EXPECT_EQ(first_message(mesh), "Halfedge " + std::to_string(h.index()) +
+                                     " leads to vertex 3, but its next, " +
+                                     name(halfedge_between(mesh, 1, 2)) + ", leaves vertex 1.");
 }
 
 TEST(Validate, FaceMismatch) {
@@ -287,8 +289,9 @@ TEST(Validate, FaceMismatch) {
   ASSERT_NE(mesh.face_halfedge(Face(0)), h);
   mesh.set_face(h, Face(1));
   expect_found(mesh, 1, {"face-mismatch " + name(before), "face-mismatch " + name(h)});
-  EXPECT_EQ(first_message(mesh),
-            name(before) + " lies in face 0, but its next, " + name(h) + ", lies in face 1");
+  EXPECT_EQ(first_message(mesh), "Halfedge " + std::to_string(before.index()) +
+                                     " lies in face 0, but its next, " + name(h) +
+                                     ", lies in face 1.");
 }
 
 TEST(Validate, UnreachableHalfedge) {
@@ -318,10 +321,10 @@ TEST(Validate, InteriorAnchor) {
   const Halfedge anchor = halfedge_between(mesh, 1, 2);
   mesh.set_vertex_halfedge(Vertex(1), anchor);
   expect_found(mesh, 3, {"interior-anchor vertex 1"});
-  EXPECT_EQ(first_message(mesh), "the anchor of vertex 1 is " + name(anchor) +
+  EXPECT_EQ(first_message(mesh), "The anchor of vertex 1 is " + name(anchor) +
                                      ", which has a face, although the boundary halfedge " +
                                      std::to_string(halfedge_between(mesh, 1, 0).index()) +
-                                     " leaves it");
+                                     " leaves it.");
 }
 
 TEST(Validate, InteriorAnchorIsReportedOnceForAllFansOfAVertex) {
@@ -339,7 +342,7 @@ TEST(Validate, DegreeBelowThree) {
   // A face between two edges with the same ends: it can't be without a duplicate halfedge.
   const Mesh mesh = from_loops(3, {{0, 1}, {0, 1}, {1, 2}, {2, 0}}, {{0, 3}, {2, 4, 6}, {1, 7, 5}});
   expect_found(mesh, 4, {"degree-below-three face 0", "duplicate-halfedge halfedge 0"});
-  EXPECT_EQ(first_message(mesh), "face 0 has 2 corners, expected three or more");
+  EXPECT_EQ(first_message(mesh), "Face 0 has 2 corners, expected three or more.");
 }
 
 TEST(Validate, RepeatedVertex) {
@@ -347,7 +350,7 @@ TEST(Validate, RepeatedVertex) {
   const Mesh mesh =
       reference_build({"pinched hexagon", 5, {{0, 1, 2, 0, 3, 4}, {0, 2, 1}, {0, 4, 3}}});
   expect_found(mesh, 4, {"repeated-vertex face 0"});
-  EXPECT_EQ(first_message(mesh), "face 0 has vertex 0 at more than one corner");
+  EXPECT_EQ(first_message(mesh), "Face 0 has vertex 0 at more than one corner.");
 }
 
 TEST(Validate, DuplicateHalfedge) {
@@ -397,7 +400,7 @@ TEST(Validate, AcceptsTheDegenerateComplexesBelowLevelFour) {
   expect_found(
       loop, 4,
       {"degree-below-three face 0", "degree-below-three face 1", "duplicate-halfedge halfedge 0"});
-  EXPECT_EQ(first_message(loop), "face 0 has 1 corner, expected three or more");
+  EXPECT_EQ(first_message(loop), "Face 0 has 1 corner, expected three or more.");
 
   const Mesh segment = from_loops(2, {{0, 1}}, {{0, 1}});
   expect_found(segment, 4, {"degree-below-three face 0", "same-face-twice edge 0"});
@@ -414,7 +417,7 @@ TEST(Validate, CountsTheProblemsThatItDoesNotList) {
   EXPECT_EQ(problems.back().code, "isolated-vertex");
   EXPECT_EQ(problems.back().severity, Severity::kInfo);
   EXPECT_EQ(problems.back().kind, ItemKind::kMesh);
-  EXPECT_EQ(problems.back().message, "and 2 more problems with this code");
+  EXPECT_EQ(problems.back().message, "And 2 more problems with this code.");
 }
 
 TEST(Validate, ChecksAConnectivityWithoutPositions) {

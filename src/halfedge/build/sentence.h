@@ -8,8 +8,14 @@
 #include <span>
 #include <string>
 
-/// Parts of the sentences in which a build explains itself.
+/// Parts of the sentences in which the library explains itself.
 namespace halfedge::sentence {
+
+/// With a capital and a full stop.
+[[nodiscard]] inline std::string complete(std::string text) {
+  if ('a' <= text[0] && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
+  return text + ".";
+}
 
 /// "1 corner", "2 corners"; knows the plurals that occur.
 [[nodiscard]] inline std::string count_of(std::uint64_t count, std::string noun) {

@@ -1,12 +1,12 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 
 #include <utility>
 
 namespace halfedge::decorator::internal {
 
-Error refusal(const char* code, std::string sentence, Witness witness) {
-  if ('a' <= sentence[0] && sentence[0] <= 'z') sentence[0] = char(sentence[0] - 'a' + 'A');
-  return {code, sentence + ".", std::move(witness)};
+Error refusal(const char* code, std::string text, Witness witness) {
+  return {code, sentence::complete(std::move(text)), std::move(witness)};
 }
 
 Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/directed_edges/convert.h>
 #include <halfedge/directed_edges/validate.h>
 
@@ -77,7 +78,7 @@ Error out_of_memory(Index halfedges) {
 // ---- from the full mesh
 
 Error corrupt(const std::string& what) {
-  return {"corrupt-connectivity", what + ": validate tells more"};
+  return {"corrupt-connectivity", sentence::complete(what + ": validate tells more")};
 }
 
 Result<void> check_slots(const Links& links, std::size_t floats) {
@@ -216,7 +217,7 @@ Result<void> read_links(const Links& from, DirectedLinks& to) {
 Result<void> to_mesh(const DirectedEdgesMesh& from, Mesh& to) {
   to.clear();
   const std::vector<Problem> problems = validate(from, 1);
-  if (has_errors(problems)) return corrupt(problems.front().message);
+  if (has_errors(problems)) return Error{"corrupt-connectivity", problems.front().message};
   if (write_links(from.links(), to.mutable_links()) &&
       to.mutable_positions().assign(from.positions()) && to.fit_attributes()) {
     return {};

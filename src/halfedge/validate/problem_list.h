@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/validate.h>
 
 #include <array>
@@ -42,12 +43,13 @@ inline constexpr std::size_t kRuleCount = std::size_t(Rule::kOutOfMemory) + 1;
 /// Collects problems; a rule that is broken too often is counted, no longer listed.
 class ProblemList {
  public:
-  /// `message` is called only if the problem is listed: sentences cost more than checks.
+  /// `message` is called only if the problem is listed: sentences cost more than checks. It gets
+  /// its capital and its full stop here.
   template <class Message>
   void add(Rule rule, ItemKind kind, Index index, Message&& message) {
     if (severity(rule) == Severity::kError) ++error_count_;
     if (++counts_[std::size_t(rule)] <= kMaxProblemsPerCode) {
-      listed_.push_back({code(rule), severity(rule), kind, index, message()});
+      listed_.push_back({code(rule), severity(rule), kind, index, sentence::complete(message())});
     }
   }
 
@@ -59,7 +61,7 @@ class ProblemList {
       if (counts_[rule] <= kMaxProblemsPerCode) continue;
       const std::string left_out = std::to_string(counts_[rule] - kMaxProblemsPerCode);
       listed_.push_back({code(Rule(rule)), severity(Rule(rule)), ItemKind::kMesh, kNone,
-                         "and " + left_out + " more problems with this code"});
+                         "And " + left_out + " more problems with this code."});
     }
     return std::move(listed_);
   }
