@@ -1,5 +1,9 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/refusals.h>
+
+#include <string>
+#include <utility>
 
 namespace halfedge::operations {
 
@@ -31,6 +35,109 @@ Error edge_exists(Vertex a, Vertex b, Edge existing) {
                  text(a) + " and " + text(b) + " are joined by " + text(existing) +
                      " already, expected two vertices without an edge between them",
                  {.vertices = {a.index(), b.index()}, .edges = {existing.index()}});
+}
+
+// ---- faces added, joined, divided -----------------------------------------------------------
+
+Error degree_below_three(Index degree, std::span<const Vertex> corners) {
+  Witness witness;
+  for (const Vertex v : corners) witness.vertices.push_back(v.index());
+  return refusal("degree-below-three",
+                 "the face would have degree " + number(degree) + ", expected 3 at least",
+                 std::move(witness));
+}
+
+Error repeated_vertex(Vertex v) {
+  return refusal("repeated-vertex",
+                 text(v) + " would be at two corners of one face, expected different vertices",
+                 {.vertices = {v.index()}});
+}
+
+Error duplicate_face(Face f, bool is_reversed) {
+  return refusal("duplicate-face",
+                 text(f) + " has the same corners" + (is_reversed ? ", in reverse" : "") +
+                     ", expected a face that is not there yet",
+                 {.faces = {f.index()}});
+}
+
+Error edge_with_many_faces(Edge e, Face f, Face g) {
+  return refusal(
+      "edge-with-many-faces",
+      text(e) + " has two faces already, " + text(f) + " and " + text(g) + ", expected one at most",
+      {.edges = {e.index()}, .faces = {f.index(), g.index()}});
+}
+
+Error opposite_orientation(Edge e, Face f, Vertex a, Vertex b) {
+  return refusal("opposite-orientation",
+                 text(f) + " runs along " + text(e) + " from " + text(a) + " to " + text(b) +
+                     ", as the new face would, expected the opposite direction",
+                 {.vertices = {a.index(), b.index()}, .edges = {e.index()}, .faces = {f.index()}});
+}
+
+Error closed_beside_another(Vertex v, Face f, Face g) {
+  Witness witness{.vertices = {v.index()}};
+  for (const Face face : {f, g}) {
+    if (face.valid()) witness.faces.push_back(face.index());
+  }
+  const bool is_closed = !g.valid();
+  return refusal("pinched-vertex",
+                 "the faces around " + text(v) + (is_closed ? " are" : " would be") +
+                     " closed, and " + (is_closed ? "the new face" : text(g)) +
+                     " would not be among them, expected no other face beside closed ones",
+                 std::move(witness));
+}
+
+Error same_corner(Vertex v, Halfedge h, Halfedge g) {
+  return refusal("same-corner",
+                 text(h) + " and " + text(g) + " both lead to " + text(v) +
+                     ", expected two different vertices",
+                 {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
+}
+
+Error adjacent_corners(Halfedge between, Vertex a, Vertex b) {
+  return refusal("adjacent-corners",
+                 text(a) + " and " + text(b) + " are joined by " + text(between) +
+                     " of the same loop, expected two corners that are not neighbours",
+                 {.vertices = {a.index(), b.index()}, .halfedges = {between.index()}});
+}
+
+Error faces_share_edges(Face f, Face g, std::span<const Edge> edges) {
+  Witness witness{.faces = {f.index(), g.index()}};
+  for (const Edge e : edges) witness.edges.push_back(e.index());
+  return refusal("faces-share-edges",
+                 text(f) + " and " + text(g) + " share " + number(Index(edges.size())) +
+                     " edges, expected " + text(edges[0]) + " to be the only one",
+                 std::move(witness));
+}
+
+Error faces_share_vertex(Face f, Face g, Vertex v) {
+  return refusal("faces-share-vertex",
+                 text(f) + " and " + text(g) + " also meet at " + text(v) +
+                     ", which would be at two corners of the joined face, expected them to share "
+                     "nothing else",
+                 {.vertices = {v.index()}, .faces = {f.index(), g.index()}});
+}
+
+Error is_isolated_vertex(Vertex v) {
+  return refusal("isolated-vertex", text(v) + " has no face, expected a vertex with faces",
+                 {.vertices = {v.index()}});
+}
+
+Error is_pinched_vertex(Vertex v, Halfedge h, Halfedge g) {
+  return refusal("pinched-vertex",
+                 "the faces around " + text(v) + " are in separate fans, beginning at " + text(h) +
+                     " and " + text(g) + ", expected one fan",
+                 {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
+}
+
+Error degenerate_face(Face f) {
+  return refusal("degenerate-face", text(f) + " has no area, expected a face with a normal",
+                 {.faces = {f.index()}});
+}
+
+Error not_finite(const char* name, double value) {
+  return refusal("not-finite", std::string("the ") + name + " is " + sentence::number(value) +
+                                   ", expected a finite number");
 }
 
 }  // namespace halfedge::operations

@@ -3,6 +3,8 @@
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/result.h>
 
+#include <span>
+
 /// The sentences in which the operations refuse, one function to a code. Not templates: they are
 /// compiled once, and for size.
 namespace halfedge::operations {
@@ -15,5 +17,38 @@ namespace halfedge::operations {
 [[nodiscard]] Error same_vertex(Edge e, Vertex v);
 /// edge-exists: `a` and `b` would be joined a second time.
 [[nodiscard]] Error edge_exists(Vertex a, Vertex b, Edge existing);
+
+// ---- faces added, joined, divided -----------------------------------------------------------
+
+/// degree-below-three: of a face that is to be, with these corners.
+[[nodiscard]] Error degree_below_three(Index degree, std::span<const Vertex> corners);
+/// repeated-vertex: a face would have `v` at two corners.
+[[nodiscard]] Error repeated_vertex(Vertex v);
+/// duplicate-face: the corners are those of `f`, in its order or in reverse.
+[[nodiscard]] Error duplicate_face(Face f, bool is_reversed);
+/// edge-with-many-faces: `f` and `g` lie on both sides of `e` already.
+[[nodiscard]] Error edge_with_many_faces(Edge e, Face f, Face g);
+/// opposite-orientation: `f` runs from `a` to `b` as the new face would.
+[[nodiscard]] Error opposite_orientation(Edge e, Face f, Vertex a, Vertex b);
+/// pinched-vertex: faces would close around `v`, or do already, and leave out others; `f` and `g`
+/// are one of each, of which one is empty if it is the new face.
+[[nodiscard]] Error closed_beside_another(Vertex v, Face f, Face g);
+/// same-corner: an edge would lead from `v`, where `h` and `g` end, to itself.
+[[nodiscard]] Error same_corner(Vertex v, Halfedge h, Halfedge g);
+/// adjacent-corners: `between` leads from one of the corners that should be joined to the other.
+[[nodiscard]] Error adjacent_corners(Halfedge between, Vertex a, Vertex b);
+/// faces-share-edges: `f` and `g` have as many edges in common as are listed, the first of which
+/// was to be removed.
+[[nodiscard]] Error faces_share_edges(Face f, Face g, std::span<const Edge> edges);
+/// faces-share-vertex: `f` and `g` meet at `v` too, beside the edge(s) that were to be removed.
+[[nodiscard]] Error faces_share_vertex(Face f, Face g, Vertex v);
+/// isolated-vertex
+[[nodiscard]] Error is_isolated_vertex(Vertex v);
+/// pinched-vertex: the boundary halfedges `h` and `g` both leave `v`.
+[[nodiscard]] Error is_pinched_vertex(Vertex v, Halfedge h, Halfedge g);
+/// degenerate-face: no normal can be told.
+[[nodiscard]] Error degenerate_face(Face f);
+/// not-finite: the argument `name` is `value`.
+[[nodiscard]] Error not_finite(const char* name, double value);
 
 }  // namespace halfedge::operations
