@@ -96,6 +96,9 @@ class Attribute {
     return const_cast<Attribute*>(this)->values<T>();
   }
 
+  /// The value of new items, in bytes.
+  [[nodiscard]] std::span<const std::byte> default_value() const { return default_.span(); }
+
   /// One component of one item, as a number.
   [[nodiscard]] double get(Index item, Index component) const;
 

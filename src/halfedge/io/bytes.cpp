@@ -1,0 +1,426 @@
+#include <halfedge/connectivity/links.h>
+#include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/bytes.h>
+#include <halfedge/validate/validate.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace halfedge {
+
+namespace {
+
+using io::ByteOrder;
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::string_view kMagic = "halfedge";
+constexpr std::uint32_t kVersion = 1;
+constexpr std::size_t kHeaderSize = 56;
+constexpr std::size_t kSectionHeaderSize = 16;
+constexpr std::size_t kAttributeHeaderSize = 20;
+
+// The sections of the arrays, in the order of `array_of`; then those of attributes.
+constexpr std::string_view kTags[] = {"next", "prev", "to-v", "face", "v-he", "f-he", "posi"};
+constexpr std::size_t kPrev = 1;
+constexpr std::size_t kPositions = 6;
+constexpr std::string_view kAttributeTag = "attr";
+
+constexpr std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
+
+Error out_of_memory() {
+  return {"out-of-memory", "memory is exhausted: no room for a mesh and its bytes"};
+}
+
+// Copies numbers of `width` bytes, which are little-endian on one side.
+void copy_numbers(const void* from, void* to, std::size_t size, std::size_t width) {
+  if (size > 0) std::memcpy(to, from, size);
+  if constexpr (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) {
+    auto* const bytes = static_cast<std::uint8_t*>(to);
+    for (std::size_t i = 0; i < size; i += width) std::reverse(bytes + i, bytes + i + width);
+  }
+}
+
+template <class AnyLinks>
+auto& array_of(AnyLinks& links, std::size_t section) {
+  const std::array arrays{
+      &links.next,         &links.prev, &links.to_vertex, &links.face, &links.vertex_halfedge,
+      &links.face_halfedge};
+  return *arrays[section];
+}
+
+// ---- writing ---------------------------------------------------------------------------------
+
+// Writes where there is room for all of it; counts bytes where there is none yet.
+class Pen {
+ public:
+  explicit Pen(std::uint8_t* out) : out_(out) {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  void characters(std::string_view text) { numbers(text.data(), text.size(), 1); }
+  void word(std::uint32_t word) { numbers(&word, sizeof word, sizeof word); }
+  void numbers(const void* from, std::size_t bytes, std::size_t width) {
+    if (out_ != nullptr) copy_numbers(from, out_ + size_, bytes, width);
+    size_ += bytes;
+  }
+  void pad() {
+    if (out_ != nullptr) std::memset(out_ + size_, 0, padded(size_) - size_);
+    size_ = padded(size_);
+  }
+  void section(std::string_view tag, std::uint64_t bytes) {
+    characters(tag);
+    word(0);
+    numbers(&bytes, sizeof bytes, sizeof bytes);
+  }
+
+ private:
+  std::uint8_t* out_;
+  std::size_t size_ = 0;
+};
+
+void write_attribute(Pen& pen, const Attribute& column) {
+  const std::size_t name = column.name().size();
+  pen.section(kAttributeTag, padded(kAttributeHeaderSize + name) + padded(column.stride()) +
+                                 column.bytes().size());
+  pen.word(std::uint32_t(column.kind()));
+  pen.word(std::uint32_t(column.type()));
+  pen.word(column.components());
+  pen.word(std::uint32_t(column.on_split()));
+  pen.word(std::uint32_t(name));
+  pen.characters(column.name());
+  pen.pad();
+  const std::size_t width = size_of(column.type());
+  pen.numbers(column.default_value().data(), column.stride(), width);
+  pen.pad();
+  pen.numbers(column.bytes().data(), column.bytes().size(), width);
+  pen.pad();
+}
+
+template <class Visit>
+void for_columns(const Attributes& attributes, const Visit& visit) {
+  for (const ItemKind kind :
+       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    for (const std::unique_ptr<Attribute>& column : attributes.of(kind)) {
+      if (!column->is_generation()) visit(*column);
+    }
+  }
+}
+
+void write_all(Pen& pen, const BytesSource& source) {
+  const Links& links = source.links;
+  std::uint32_t sections = source.stores_prev ? 7 : 6;
+  for_columns(source.attributes, [&](const Attribute&) { ++sections; });
+  pen.characters(kMagic);
+  for (const std::uint32_t word :
+       {kVersion, std::uint32_t{source.stores_prev}, std::uint32_t(links.vertex_halfedge.size()),
+        std::uint32_t(links.next.size()), std::uint32_t(links.face_halfedge.size()),
+        source.free[0].head, source.free[0].count, source.free[1].head, source.free[1].count,
+        source.free[2].head, source.free[2].count, sections}) {
+    pen.word(word);
+  }
+  for (std::size_t i = 0; i < kPositions; ++i) {
+    if (i == kPrev && !source.stores_prev) continue;
+    const std::span<const Index> words = array_of(links, i).span();
+    pen.section(kTags[i], words.size_bytes());
+    pen.numbers(words.data(), words.size_bytes(), sizeof(Index));
+    pen.pad();
+  }
+  pen.section(kTags[kPositions], source.positions.size_bytes());
+  pen.numbers(source.positions.data(), source.positions.size_bytes(), sizeof(float));
+  pen.pad();
+  for_columns(source.attributes, [&](const Attribute& column) { write_attribute(pen, column); });
+}
+
+// ---- reading ---------------------------------------------------------------------------------
+
+std::uint32_t word_at(Bytes bytes, std::size_t offset) {
+  return io::load<std::uint32_t, ByteOrder::kLittle>(&bytes[offset]);
+}
+
+Error wrong(std::size_t offset, const std::string& what) {
+  return {"parse-error", "Byte " + std::to_string(offset) + ": " + what + "."};
+}
+
+Error truncated(std::size_t size, const std::string& expected) {
+  return {"truncated", "The bytes end at " + std::to_string(size) + ", expected " + expected + "."};
+}
+
+struct Header {
+  bool stores_prev = true;
+  std::array<Index, 3> slots = {};    // vertices, halfedges, faces
+  std::array<FreeList, 3> free = {};  // vertices, edges, faces
+  std::uint32_t sections = 0;
+
+  [[nodiscard]] Index slots_of(ItemKind kind) const {
+    if (kind == ItemKind::kVertex) return slots[0];
+    if (kind == ItemKind::kFace) return slots[2];
+    return kind == ItemKind::kEdge ? slots[1] / 2 : slots[1];
+  }
+  // Elements, all of them of four bytes, of one of kTags.
+  [[nodiscard]] std::uint64_t elements(std::size_t section) const {
+    if (section == kPositions) return 3 * std::uint64_t{slots[0]};
+    return section < 4 ? slots[1] : slots[section == 4 ? 0 : 2];
+  }
+};
+
+Result<Header> read_header(Bytes bytes) {
+  const std::size_t known = std::min(bytes.size(), kMagic.size());
+  if (!std::equal(kMagic.begin(), kMagic.begin() + std::ptrdiff_t(known), bytes.begin()) ||
+      known == 0) {
+    return Error{"unknown-format",
+                 "The bytes don't begin with \"halfedge\": expected what toBytes has made."};
+  }
+  if (bytes.size() < kHeaderSize) return truncated(bytes.size(), "a header of 56 bytes");
+  Header header;
+  if (const std::uint32_t version = word_at(bytes, 8); version != kVersion) {
+    return Error{"unsupported-version", "The bytes are of version " + std::to_string(version) +
+                                            " of the format, expected " + std::to_string(kVersion) +
+                                            "."};
+  }
+  if (word_at(bytes, 12) > 1) {
+    return wrong(12, "the storage is " + std::to_string(word_at(bytes, 12)) + ", expected 0 or 1");
+  }
+  header.stores_prev = word_at(bytes, 12) == 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    header.slots[i] = word_at(bytes, 16 + 4 * i);
+    header.free[i] = {word_at(bytes, 28 + 8 * i), word_at(bytes, 32 + 8 * i)};
+    if (header.slots[i] > kMaxSlots || (i == 1 && header.slots[i] % 2 != 0)) {
+      return wrong(16 + 4 * i, "there are " + std::to_string(header.slots[i]) +
+                                   " slots, expected at most " + std::to_string(kMaxSlots) +
+                                   ", and an even number of halfedges");
+    }
+  }
+  header.sections = word_at(bytes, 52);
+  return header;
+}
+
+struct Section {
+  std::size_t offset = 0;
+  Bytes content;
+};
+
+struct Sections {
+  Section arrays[std::size(kTags)];
+  std::vector<Section> attributes;
+};
+
+// The section that begins at `offset`, which is moved behind it.
+Result<Section> read_section(Bytes bytes, std::size_t& offset, std::string_view& tag) {
+  if (bytes.size() - offset < kSectionHeaderSize) {
+    return truncated(bytes.size(), "the header of a section at " + std::to_string(offset));
+  }
+  tag = {reinterpret_cast<const char*>(&bytes[offset]), 4};
+  const auto length = io::load<std::uint64_t, ByteOrder::kLittle>(&bytes[offset + 8]);
+  const std::size_t begin = offset + kSectionHeaderSize;
+  const std::size_t left = bytes.size() - begin;
+  if (length > left || padded(std::size_t(length)) > left) {
+    return truncated(bytes.size(), "a section of " + std::to_string(length) + " bytes at " +
+                                       std::to_string(begin));
+  }
+  offset = begin + padded(std::size_t(length));
+  return Section{begin, bytes.subspan(begin, std::size_t(length))};
+}
+
+Result<Sections> read_sections(Bytes bytes, const Header& header) {
+  Sections sections;
+  std::size_t offset = kHeaderSize;
+  for (std::uint32_t i = 0; i < header.sections; ++i) {
+    const std::size_t begin = offset;
+    std::string_view tag;
+    Result<Section> section = read_section(bytes, offset, tag);
+    if (!section) return section.error();
+    if (tag == kAttributeTag) {
+      sections.attributes.push_back(section.value());
+      continue;
+    }
+    const std::size_t which =
+        std::size_t(std::find(std::begin(kTags), std::end(kTags), tag) - kTags);
+    if (which == std::size(kTags) || (which == kPrev && !header.stores_prev)) {
+      return wrong(begin, "the section is of no known kind");
+    }
+    Section& known = sections.arrays[which];
+    if (known.offset != 0) return wrong(begin, "the section is there for the second time");
+    const std::uint64_t expected = 4 * header.elements(which);
+    if (section.value().content.size() != expected) {
+      return wrong(begin, "the section has " + std::to_string(section.value().content.size()) +
+                              " bytes, expected " + std::to_string(expected));
+    }
+    known = section.value();
+  }
+  if (offset != bytes.size()) return wrong(offset, "there is more after the last section");
+  for (std::size_t i = 0; i < std::size(kTags); ++i) {
+    if (sections.arrays[i].offset == 0 && (i != kPrev || header.stores_prev)) {
+      return wrong(offset, "the section \"" + std::string(kTags[i]) + "\" is missing");
+    }
+  }
+  return sections;
+}
+
+// Marks the slots of a chain as deleted, by deleting them in the order in which that was done once:
+// this makes the same chain. `links` is the section that it is threaded through.
+template <class Item>
+Result<void> release_chain(auto& mesh, const FreeList& chain, const Section& links,
+                           std::size_t stride) {
+  const Index slots = mesh.slots(Item{});
+  Array<Index> deleted;
+  Index slot = chain.head;
+  while (slot != kNone) {
+    const std::size_t at = 4 * stride * slot;
+    const Index link = slot < slots ? word_at(links.content, at) : kNone;
+    if (!is_deleted_link(link) || deleted.size() == chain.count) {
+      return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
+                                     " slots, expected " + std::to_string(chain.count) +
+                                     " of them, leads to slot " + std::to_string(slot));
+    }
+    if (!deleted.push_back(slot)) return out_of_memory();
+    slot = next_free_slot(link);
+  }
+  if (deleted.size() != chain.count) {
+    return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
+                                   " slots has " + std::to_string(deleted.size()) + ", expected " +
+                                   std::to_string(chain.count));
+  }
+  for (std::size_t i = deleted.size(); i-- > 0;) {
+    if (!mesh.is_live(Item(deleted[i]))) {
+      return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
+                                     " slots runs in a circle");
+    }
+    mesh.release(Item(deleted[i]));
+  }
+  return {};
+}
+
+Result<void> read_attribute(auto& mesh, const Header& header, const Section& section) {
+  const Bytes content = section.content;
+  if (content.size() < kAttributeHeaderSize) {
+    return wrong(section.offset, "the attribute has " + std::to_string(content.size()) +
+                                     " bytes, expected 20 or more");
+  }
+  const std::uint32_t kind = word_at(content, 0);
+  const std::uint32_t type = word_at(content, 4);
+  const std::uint32_t components = word_at(content, 8);
+  const std::uint32_t on_split = word_at(content, 12);
+  const std::size_t name_size = word_at(content, 16);
+  if (kind > std::uint32_t(ItemKind::kFace) || type > std::uint32_t(Scalar::kUint32) ||
+      components < 1 || components > Attribute::kMaxComponents ||
+      on_split > std::uint32_t(OnSplit::kDefault)) {
+    return wrong(section.offset, "the attribute has kind " + std::to_string(kind) + ", type " +
+                                     std::to_string(type) + ", " + std::to_string(components) +
+                                     " components, on-split " + std::to_string(on_split) +
+                                     ", expected less than 4, 8, 17 (1 or more), 4");
+  }
+  const std::uint64_t slots = header.slots_of(ItemKind(kind));
+  const std::size_t width = size_of(Scalar(type));
+  const std::size_t stride = width * components;
+  const std::size_t default_at = padded(kAttributeHeaderSize + name_size);
+  const std::size_t values_at = default_at + padded(stride);
+  if (name_size > content.size() || content.size() != values_at + stride * slots) {
+    return wrong(section.offset, "the attribute has " + std::to_string(content.size()) +
+                                     " bytes, expected " +
+                                     std::to_string(values_at + stride * slots));
+  }
+  AttributeOptions options{
+      .type = Scalar(type), .components = components, .on_split = OnSplit(on_split)};
+  // A column of one item tells what numbers the default is.
+  Attribute one("default", ItemKind(kind), options, 0);
+  if (!one.reserve(1)) return out_of_memory();
+  one.resize(1);
+  copy_numbers(&content[default_at], one.bytes().data(), stride, width);
+  std::array<double, Attribute::kMaxComponents> numbers;
+  for (Index i = 0; i < components; ++i) numbers[i] = one.get(0, i);
+  options.default_value = {numbers.data(), components};
+  const std::string name(reinterpret_cast<const char*>(&content[kAttributeHeaderSize]), name_size);
+  const Result<Attribute*> added = mesh.add_attribute(ItemKind(kind), name, options);
+  if (!added) return added.error();
+  if (slots > 0) {
+    copy_numbers(&content[values_at], added.value()->bytes().data(), std::size_t(stride * slots),
+                 width);
+  }
+  return {};
+}
+
+template <Storage kStored>
+Result<void> read_all(Bytes bytes, const Header& header, BasicMesh<kStored>& mesh) {
+  const Result<Sections> sections = read_sections(bytes, header);
+  if (!sections) return sections.error();
+  const Section* const arrays = sections.value().arrays;
+  {
+    Links& links = mesh.mutable_links();
+    for (std::size_t i = 0; i < kPositions; ++i) {
+      const bool is_stored = i != kPrev || kStored.prev;
+      if (is_stored && !array_of(links, i).resize(std::size_t(header.elements(i)), kNone)) {
+        return out_of_memory();
+      }
+    }
+  }
+  if (!mesh.mutable_positions().resize(std::size_t(header.elements(kPositions))))
+    return out_of_memory();
+  Result<void> released = release_chain<Vertex>(mesh, header.free[0], arrays[4], 1);
+  if (released) released = release_chain<Edge>(mesh, header.free[1], arrays[0], 2);
+  if (released) released = release_chain<Face>(mesh, header.free[2], arrays[5], 1);
+  if (!released) return released;
+  Links& links = mesh.mutable_links();
+  for (std::size_t i = 0; i < kPositions; ++i) {
+    if (arrays[i].offset == 0) continue;
+    copy_numbers(arrays[i].content.data(), array_of(links, i).data(), arrays[i].content.size(),
+                 sizeof(Index));
+  }
+  copy_numbers(arrays[kPositions].content.data(), mesh.mutable_positions().data(),
+               arrays[kPositions].content.size(), sizeof(float));
+  for (const Section& attribute : sections.value().attributes) {
+    if (Result<void> read = read_attribute(mesh, header, attribute); !read) return read;
+  }
+  const std::vector<Problem> problems = validate(mesh, 2);
+  for (const Problem& problem : problems) {
+    if (problem.severity != Severity::kError) continue;
+    if (problem.code == "out-of-memory") return out_of_memory();
+    return Error{"corrupt-connectivity",
+                 "The bytes hold links that are none of a mesh: " + problem.message + "."};
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Array<std::uint8_t>> to_bytes(const BytesSource& source) {
+  Pen counting(nullptr);
+  write_all(counting, source);
+  Array<std::uint8_t> bytes;
+  if (!bytes.resize(counting.size())) return out_of_memory();
+  Pen writing(bytes.data());
+  write_all(writing, source);
+  return bytes;
+}
+
+Result<bool> stores_prev(std::span<const std::uint8_t> bytes) {
+  const Result<Header> header = read_header(bytes);
+  if (!header) return header.error();
+  return header.value().stores_prev;
+}
+
+template <Storage kStored>
+Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh) {
+  const Result<Header> header = read_header(bytes);
+  if (!header) return header.error();
+  if (header.value().stores_prev != kStored.prev) {
+    return Error{"storage-mismatch", std::string("The bytes are of a mesh ") +
+                                         (kStored.prev ? "without prev, expected one with it."
+                                                       : "with prev, expected one without it.")};
+  }
+  BasicMesh<kStored> read;
+  if (Result<void> done = read_all(bytes, header.value(), read); !done) return done;
+  mesh = std::move(read);
+  return {};
+}
+
+template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kEverything>&);
+template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kWithoutPrev>&);
+
+}  // namespace halfedge
