@@ -163,6 +163,14 @@ void Attribute::copy(Index to, Index from, Journal* journal) {
   std::copy_n(&bytes_[stride_ * from], stride_, &bytes_[stride_ * to]);
 }
 
+void Attribute::swap(Index a, Index b, Journal* journal) {
+  if (a == b) return;
+  note(a, journal);
+  note(b, journal);
+  std::byte* const of_a = &bytes_[stride_ * a];
+  std::swap_ranges(of_a, of_a + stride_, &bytes_[stride_ * b]);
+}
+
 void Attribute::set(Index item, Index component, double value, Journal* journal) {
   note(item, journal);
   put(item, component, value);

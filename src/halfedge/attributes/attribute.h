@@ -117,6 +117,7 @@ class Attribute {
   void set_all(Index value);
   /// Unless the policy is kDefault.
   void copy(Index to, Index from, Journal* journal);
+  void swap(Index a, Index b, Journal* journal);
   /// Sets one component. Integers are rounded and kept in their range.
   void set(Index item, Index component, double value, Journal* journal);
 

@@ -173,4 +173,10 @@ void Attributes::blend_corners(Index to, Index a, Index b, double t, Journal* jo
   }
 }
 
+void Attributes::swap_corners(Index a, Index b, Journal* journal) {
+  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+    if (column->interpolates()) column->swap(a, b, journal);
+  }
+}
+
 }  // namespace halfedge

@@ -69,6 +69,7 @@ class Attributes {
   /// The same of the columns by halfedge whose values belong to corners: those that interpolate.
   void copy_corner(Index to, Index from, Journal* journal);
   void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
+  void swap_corners(Index a, Index b, Journal* journal);
   /// `to` gets the mean of all that `items` lists, each with the same weight: `items` is called
   /// with a function to be called with each index. Of halfedges, only the values of corners.
   template <class Items>

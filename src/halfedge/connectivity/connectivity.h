@@ -257,6 +257,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void blend_corners(Halfedge to, Halfedge a, Halfedge b, double t) {
     attributes_.blend_corners(to.index(), a.index(), b.index(), t, journal_.get());
   }
+  void swap_corners(Halfedge a, Halfedge b) {
+    attributes_.swap_corners(a.index(), b.index(), journal_.get());
+  }
   /// `items` is called with a function to be called with the index of each item.
   template <class Item, class Items>
   void average_attributes(Item to, const Items& items) {

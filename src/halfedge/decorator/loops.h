@@ -138,12 +138,11 @@ template <Editable Mesh>
   return split_loop(mesh, std::array<Halfedge, 3>{h, i, j});
 }
 
-/// Whether join_loop(h, g) can be done: else not-a-halfedge; same-loop; different-degrees;
-/// repeated-vertex, if a vertex occurs twice in the two loops; edge-without-face; out-of-memory.
-/// cost: O(n log n) of loops of n halfedges
+namespace internal {
+
+/// Whether `h` and `g` lie in two loops of as many halfedges whose vertices are all different.
 template <Editable Mesh>
-[[nodiscard]] Result<void> check_join_loop(const Mesh& mesh, Halfedge h, Halfedge g) {
-  using namespace internal;
+[[nodiscard]] Result<void> check_two_loops(const Mesh& mesh, Halfedge h, Halfedge g) {
   Array<Vertex> vertices;
   for (const Halfedge given : {h, g}) {
     if (Result<void> live = check_live(mesh, given); !live) return live;
@@ -170,8 +169,20 @@ template <Editable Mesh>
                        ", expected different vertices",
                    {.vertices = {repeated.index()}, .halfedges = {h.index(), g.index()}});
   }
+  return {};
+}
+
+}  // namespace internal
+
+/// Whether join_loop(h, g) can be done: else not-a-halfedge; same-loop; different-degrees;
+/// repeated-vertex, if a vertex occurs twice in the two loops; edge-without-face; out-of-memory.
+/// cost: O(n log n) of loops of n halfedges
+template <Editable Mesh>
+[[nodiscard]] Result<void> check_join_loop(const Mesh& mesh, Halfedge h, Halfedge g) {
+  using namespace internal;
+  if (Result<void> can = check_two_loops(mesh, h, g); !can) return can;
   for (const Halfedge given : {h, g}) {
-    if (degrees[0] == 2 && mesh.next(given) == mesh.opposite(given)) {
+    if (mesh.next(given) == mesh.opposite(given) && mesh.next(mesh.next(given)) == given) {
       return last_edge(given, "its two ends");
     }
   }

@@ -7,41 +7,66 @@
 
 namespace halfedge::decorator {
 
+namespace internal {
+
+/// The loop of `h` runs the other way; the values of a corner stay at the corner. Ends of edges are
+/// the caller's.
+template <class Mesh>
+void reverse_loop(Mesh& mesh, Halfedge h) {
+  Halfedge before = h;
+  Halfedge at = mesh.next(h);
+  while (at != h) {
+    const Halfedge after = mesh.next(at);
+    mesh.swap_corners(h, at);
+    mesh.link(at, before);
+    before = at;
+    at = after;
+  }
+  mesh.link(h, before);
+}
+
+/// All loops along these edges, whose anchors are the caller's. pre: whole components; `seen` is
+/// false for each halfedge slot
+template <class Mesh, class Edges>
+void reverse_loops(Mesh& mesh, const Edges& edges, Array<bool>& seen) {
+  for (const Edge e : edges) {
+    for (const Index side : {0U, 1U}) {
+      const Halfedge h = mesh.edge_halfedge(e, side);
+      if (seen[h.index()]) continue;
+      for (const Halfedge on_loop : mesh.loop_ccw(h)) seen[on_loop.index()] = true;
+      reverse_loop(mesh, h);
+    }
+  }
+  for (const Edge e : edges) {
+    const Halfedge h = mesh.edge_halfedge(e);
+    const Vertex from = mesh.from_vertex(h);
+    mesh.set_to_vertex(mesh.opposite(h), mesh.to_vertex(h));
+    mesh.set_to_vertex(h, from);
+  }
+}
+
+}  // namespace internal
+
 /// Turns the surface inside out: every halfedge runs the other way along the loop it is in, so that
-/// what was counter-clockwise is clockwise. Halfedges keep their edges and faces. (CGAL:
-/// inside_out)
+/// what was counter-clockwise is clockwise. Halfedges keep their edges and faces; attributes of a
+/// corner go to the halfedge that ends there now. (CGAL: inside_out)
 ///
-/// cost: O(slots); with prev stored nothing is allocated. inverse: itself
+/// cost: O(slots), one byte for each halfedge slot. inverse: itself
 /// errors: out-of-memory
 template <Editable Mesh>
 [[nodiscard]] Result<void> inside_out(Mesh& mesh) {
   using namespace internal;
-  Array<Index> reversed;  // next as it will be, where prev doesn't tell
-  if constexpr (!StoresPrev<Mesh>) {
-    if (!reversed.assign(mesh.links().next.span())) return no_memory("the reversed loops");
-    for (const Halfedge h : mesh.halfedges()) reversed[mesh.next(h).index()] = h.index();
-  }
+  Array<bool> seen;
+  if (!seen.resize(mesh.halfedge_slots(), false)) return no_memory("the loops");
   if constexpr (StoresAnchors<Mesh>) {
     // The halfedge that arrives along the same loop, so that it is a boundary halfedge if the
     // anchor is.
     for (const Vertex v : mesh.vertices()) {
       if (mesh.is_isolated(v)) continue;
-      const Halfedge anchor = mesh.vertex_halfedge(v);
-      Index arriving = reversed.empty() ? kNone : reversed[anchor.index()];
-      if constexpr (StoresPrev<Mesh>) arriving = mesh.prev(anchor).index();
-      mesh.set_vertex_halfedge(v, Halfedge(arriving));
+      mesh.set_vertex_halfedge(v, mesh.prev(mesh.vertex_halfedge(v)));
     }
   }
-  Links& links = mesh.mutable_links();
-  for (const Edge e : mesh.edges()) {
-    const std::size_t h = mesh.edge_halfedge(e).index();
-    std::swap(links.to_vertex[h], links.to_vertex[h + 1]);
-    if constexpr (StoresPrev<Mesh>) {
-      std::swap(links.next[h], links.prev[h]);
-      std::swap(links.next[h + 1], links.prev[h + 1]);
-    }
-  }
-  if constexpr (!StoresPrev<Mesh>) links.next = std::move(reversed);
+  reverse_loops(mesh, mesh.edges(), seen);
   return {};
 }
 

@@ -18,9 +18,13 @@
 /// allows degenerate complexes, and by which most of them are done.
 #include <halfedge/operations/add_face.h>
 #include <halfedge/operations/components.h>
+#include <halfedge/operations/cut.h>
 #include <halfedge/operations/deletion.h>
 #include <halfedge/operations/dissolve.h>
 #include <halfedge/operations/flip.h>
+#include <halfedge/operations/glue.h>
 #include <halfedge/operations/holes.h>
 #include <halfedge/operations/insert_edge.h>
+#include <halfedge/operations/loops.h>
+#include <halfedge/operations/orientation.h>
 #include <halfedge/operations/split_face.h>

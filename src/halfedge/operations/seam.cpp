@@ -1,0 +1,114 @@
+#include <halfedge/operations/refusals.h>
+#include <halfedge/operations/seam.h>
+#include <halfedge/operations/surgery_refusals.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace halfedge::operations::internal {
+
+namespace {
+
+class SeamCheck {
+ public:
+  SeamCheck(const Links& links, std::span<Merge> merges, Face removed_0, Face removed_1)
+      : links_(links), merges_(merges), removed_{removed_0, removed_1} {}
+
+  [[nodiscard]] Result<void> run(std::span<Vertex> scratch) const {
+    std::sort(merges_.begin(), merges_.end(),
+              [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
+    if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
+      return repeated_on_seam(repeated);
+    }
+    for (const Merge& merge : merges_) {
+      const Halfedge first = anchor(merge.gone);
+      Halfedge h = first;
+      do {
+        if (Result<void> can = check_edge(merge, h); !can) return can;
+        if (Result<void> can = check_face(merge, h); !can) return can;
+        h = rotate_cw(h);
+      } while (h != first);
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] Halfedge anchor(Vertex v) const {
+    return Halfedge(links_.vertex_halfedge[v.index()]);
+  }
+  [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(links_.next[h.index()]); }
+  [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(links_.to_vertex[h.index()]); }
+  [[nodiscard]] Halfedge rotate_cw(Halfedge h) const { return next(Halfedge(h.index() ^ 1U)); }
+  [[nodiscard]] static Edge edge(Halfedge h) { return Edge(h.index() / 2); }
+
+  /// A vertex that is in more than one merge, or empty. pre: merges are sorted
+  [[nodiscard]] Vertex find_repeated(std::span<Vertex> scratch) const {
+    for (std::size_t i = 0; i < merges_.size(); ++i) {
+      scratch[i] = merges_[i].kept;
+      if (merge_of(scratch[i]) != nullptr) return scratch[i];
+      if (i > 0 && merges_[i].gone == merges_[i - 1].gone) return merges_[i].gone;
+    }
+    const auto kept = scratch.first(merges_.size());
+    std::sort(kept.begin(), kept.end());
+    const auto found = std::adjacent_find(kept.begin(), kept.end());
+    return found == kept.end() ? Vertex{} : *found;
+  }
+
+  /// The merge in which `v` goes, or null.
+  [[nodiscard]] const Merge* merge_of(Vertex v) const {
+    const auto found =
+        std::lower_bound(merges_.begin(), merges_.end(), v,
+                         [](const Merge& merge, Vertex gone) { return merge.gone < gone; });
+    return found != merges_.end() && found->gone == v ? &*found : nullptr;
+  }
+  /// What `v` will be.
+  [[nodiscard]] Vertex merged(Vertex v) const {
+    const Merge* const merge = merge_of(v);
+    return merge == nullptr ? v : merge->kept;
+  }
+
+  /// h leaves merge.gone: no edge of merge.kept but the one it is glued to may lead to where it
+  /// leads.
+  [[nodiscard]] Result<void> check_edge(const Merge& merge, Halfedge h) const {
+    const Vertex end = merged(to_vertex(h));
+    if (end == merge.kept) return edge_exists(merge.kept, merge.gone, edge(h));
+    Edge partner;
+    for (const int i : {0, 1}) {
+      if (merge.gone_edges[i] == edge(h)) partner = merge.kept_edges[i];
+    }
+    const Halfedge first = anchor(merge.kept);
+    Halfedge g = first;
+    do {
+      if (edge(g) != partner && merged(to_vertex(g)) == end) {
+        return would_be_duplicate(edge(g), edge(h), merge.kept, end);
+      }
+      g = rotate_cw(g);
+    } while (g != first);
+    return {};
+  }
+
+  /// h leaves merge.gone: its face may not have merge.kept at another corner.
+  [[nodiscard]] Result<void> check_face(const Merge& merge, Halfedge h) const {
+    const Face f(links_.face[h.index()]);
+    if (!f.valid() || f == removed_[0] || f == removed_[1]) return {};
+    for (Halfedge on_loop = next(h); on_loop != h; on_loop = next(on_loop)) {
+      if (to_vertex(on_loop) == merge.kept) {
+        return would_repeat_vertex(f, merge.kept, merge.gone);
+      }
+    }
+    return {};
+  }
+
+  const Links& links_;
+  std::span<Merge> merges_;
+  Face removed_[2];
+};
+
+}  // namespace
+
+Result<void> check_merges(const Links& links, std::span<Merge> merges, std::span<Vertex> scratch,
+                          Face removed_0, Face removed_1) {
+  return SeamCheck(links, merges, removed_0, removed_1).run(scratch);
+}
+
+}  // namespace halfedge::operations::internal

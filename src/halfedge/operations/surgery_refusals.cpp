@@ -1,0 +1,82 @@
+#include <halfedge/decorator/refusal.h>
+#include <halfedge/operations/surgery_refusals.h>
+
+namespace halfedge::operations {
+
+using decorator::internal::number;
+using decorator::internal::refusal;
+using decorator::internal::text;
+
+Error repeated_on_seam(Vertex v) {
+  return refusal("repeated-vertex",
+                 text(v) +
+                     " occurs more than once among the vertices to be glued, expected "
+                     "different vertices",
+                 {.vertices = {v.index()}});
+}
+
+Error would_repeat_vertex(Face f, Vertex kept, Vertex gone) {
+  return refusal("repeated-vertex",
+                 text(f) + " has both " + text(kept) + " and " + text(gone) +
+                     ", which would become one vertex, expected faces with one of them",
+                 {.vertices = {kept.index(), gone.index()}, .faces = {f.index()}});
+}
+
+Error would_be_duplicate(Edge first, Edge second, Vertex a, Vertex b) {
+  return refusal("duplicate-edge",
+                 text(first) + " and " + text(second) + " would both join " + text(a) + " and " +
+                     text(b) + ", expected one edge between two vertices",
+                 {.vertices = {a.index(), b.index()}, .edges = {first.index(), second.index()}});
+}
+
+Error would_close_fan(Vertex v, Halfedge h, Halfedge g) {
+  return refusal("pinched-vertex",
+                 "the faces between " + text(g) + " and " + text(h) + " would close around " +
+                     text(v) + ", which has other faces too, expected no others",
+                 {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
+}
+
+Error no_boundary_end(Edge e, Vertex a, Vertex b) {
+  return refusal("no-boundary-end",
+                 text(e) + " would become two edges between " + text(a) + " and " + text(b) +
+                     ", which are both inside, expected an end on the boundary, or a path of "
+                     "edges",
+                 {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
+}
+
+Error empty_path() {
+  return refusal("not-a-path", "the path is empty, expected one halfedge or more");
+}
+
+Error not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin) {
+  return refusal("not-a-path",
+                 text(h) + " leads to " + text(end) + ", but the next in the path, " +
+                     text(following) + ", leaves " + text(begin),
+                 {.halfedges = {h.index(), following.index()}});
+}
+
+Error repeated_on_path(Edge e) {
+  return refusal("not-a-path", text(e) + " occurs twice in the path, expected different edges",
+                 {.edges = {e.index()}});
+}
+
+Error not_a_quad(Face f, Index degree) {
+  return refusal("not-a-quad", text(f) + " has degree " + number(degree) + ", expected 4",
+                 {.faces = {f.index()}});
+}
+
+Error ring_too_short(Face f, Face g) {
+  return refusal("degree-below-three",
+                 "the ring consists of " + text(f) + " and " + text(g) +
+                     " only, and would leave faces of degree 2, expected three quads or more",
+                 {.faces = {f.index(), g.index()}});
+}
+
+Error repeated_on_ring(Edge e, Vertex v) {
+  return refusal("repeated-vertex",
+                 "the ring of quads over " + text(e) + " passes " + text(v) +
+                     " more than once, expected different vertices",
+                 {.vertices = {v.index()}, .edges = {e.index()}});
+}
+
+}  // namespace halfedge::operations

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <halfedge/connectivity/handle.h>
+#include <halfedge/result.h>
+
+/// As refusals.h, of the operations that cut and glue.
+namespace halfedge::operations {
+
+/// repeated-vertex: `v` would be glued to more than one vertex, or to itself.
+[[nodiscard]] Error repeated_on_seam(Vertex v);
+/// repeated-vertex: `f` has both, and they would become one.
+[[nodiscard]] Error would_repeat_vertex(Face f, Vertex kept, Vertex gone);
+/// duplicate-edge: both edges would lead from `a` to `b`.
+[[nodiscard]] Error would_be_duplicate(Edge first, Edge second, Vertex a, Vertex b);
+/// pinched-vertex: the faces at `v` between `h` and `g` would close around it, beside others.
+[[nodiscard]] Error would_close_fan(Vertex v, Halfedge h, Halfedge g);
+/// no-boundary-end: neither end of `e` lies on the boundary.
+[[nodiscard]] Error no_boundary_end(Edge e, Vertex a, Vertex b);
+/// not-a-path: it is empty; `following` doesn't begin where `h` ends; `e` occurs twice.
+[[nodiscard]] Error empty_path();
+[[nodiscard]] Error not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin);
+[[nodiscard]] Error repeated_on_path(Edge e);
+/// not-a-quad
+[[nodiscard]] Error not_a_quad(Face f, Index degree);
+/// degree-below-three: a ring of these two would be closed by faces of two corners.
+[[nodiscard]] Error ring_too_short(Face f, Face g);
+/// repeated-vertex: the ring of quads over `e` passes `v` more than once.
+[[nodiscard]] Error repeated_on_ring(Edge e, Vertex v);
+
+}  // namespace halfedge::operations
