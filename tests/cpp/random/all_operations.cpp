@@ -8,6 +8,8 @@ const Operations& all_operations() {
     Operations made;
     add_decorator_operations(made);
     add_euler_operations(made);
+    add_face_operations(made);
+    add_mesh_operations(made);
     return made;
   }();
   return all;

@@ -6,7 +6,7 @@ namespace halfedge::test {
 
 namespace {
 
-// The decorator allows degenerate complexes; in these two cases it leaves polygons as they are.
+// The decorator allows degenerate complexes; this leaves polygons as they are.
 void draw_halfedge(const Mesh& m, Draw& d, Call& c) { c.h = d.halfedge(m); }
 
 }  // namespace
@@ -16,10 +16,6 @@ void add_decorator_operations(Operations& all) {
       "decorator::split_edge", Growth::kGrows, draw_halfedge,
       [](const auto& m, const Call& c) { return decorator::check_split_edge(m, c.h); },
       [](auto& m, const Call& c) { return outcome(decorator::split_edge(m, c.h)); }));
-  all.push_back(operation(
-      "decorator::create_center_vertex", Growth::kGrows, draw_halfedge,
-      [](const auto& m, const Call& c) { return decorator::check_create_center_vertex(m, c.h); },
-      [](auto& m, const Call& c) { return outcome(decorator::create_center_vertex(m, c.h)); }));
 }
 
 }  // namespace halfedge::test

@@ -25,9 +25,11 @@ struct Call {
   Edge e = {};
   Vertex v = {};
   Face f = {};
-  std::vector<Index> list = {};
+  std::vector<Halfedge> path = {};
+  std::vector<Vertex> corners = {};
   std::optional<Point> position = {};
-  double t = 0.5;
+  Index count = 0;
+  double number = 0.5;
   bool option = false;
 };
 
@@ -71,6 +73,20 @@ class Draw {
     if (!mesh.is_live(h) || one_in(10)) return halfedge(mesh);
     for (std::size_t steps = below(6); steps > 0; --steps) h = mesh.next(h);
     return h;
+  }
+  /// Some halfedges, each of which begins where the one before it ends: one loop that closes early,
+  /// or a path along some faces.
+  std::vector<Halfedge> path(const Mesh& mesh) {
+    std::vector<Halfedge> found{halfedge(mesh)};
+    const std::size_t length = 1 + below(6);
+    while (found.size() < length && mesh.is_live(found.back())) {
+      const Halfedge last = found.back();
+      if (mesh.to_vertex(last) == mesh.from_vertex(found.front()) && !one_in(5)) break;
+      Halfedge leaving = mesh.next(last);
+      for (std::size_t steps = below(4); steps > 0; --steps) leaving = mesh.rotate_cw(leaving);
+      found.push_back(leaving);
+    }
+    return found;
   }
   /// Another that leaves the same vertex, or anywhere.
   Halfedge around_start_of(const Mesh& mesh, Halfedge h) {
@@ -118,14 +134,14 @@ struct Operation {
   /// By how much it changes V - E + F, if that doesn't depend on the arguments.
   std::optional<int> euler = 0;
   /// Whether it changes items all over the mesh, or only those with an end at a vertex of a face or
-  /// boundary loop that its arguments lie at.
+  /// boundary loop that one of its arguments lies at.
   bool everywhere = false;
-  /// Whether vertices that it finds there may have another position afterwards.
+  /// Whether vertices may have another position afterwards.
   bool moves = false;
   /// The live items that it may delete; without it, none.
   void (*deletes)(const Mesh&, const Call&, Items&) = nullptr;
-  /// Arguments beside those in Call, for what it touches.
-  void (*touches)(const Mesh&, const Call&, Items&) = nullptr;
+  /// How seldom it is drawn beside the others.
+  std::size_t rarity = 1;
 };
 
 using Operations = std::vector<Operation>;

@@ -6,6 +6,8 @@
 namespace halfedge::test {
 
 void add_decorator_operations(Operations& all);
+void add_face_operations(Operations& all);
+void add_mesh_operations(Operations& all);
 void add_euler_operations(Operations& all);
 
 }  // namespace halfedge::test
