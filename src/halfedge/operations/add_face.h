@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/operations/distinct.h>
+#include <halfedge/operations/fans.h>
 #include <halfedge/operations/requirements.h>
 
 #include <cstddef>
@@ -9,15 +10,6 @@
 namespace halfedge::operations {
 
 namespace internal {
-
-/// The boundary halfedge in which the fan of faces ends, clockwise, that begins at `first`, a
-/// boundary halfedge which leaves the same vertex. Its next is the first of the fan beside it.
-template <class Mesh>
-[[nodiscard]] Halfedge end_of_fan(const Mesh& mesh, Halfedge first) {
-  Halfedge in = mesh.opposite(first);
-  while (!mesh.is_boundary(in)) in = mesh.next_on_vertex(in);
-  return in;
-}
 
 /// Whether the face of `h`, and with `is_reversed` that of opposite(h), read against its direction,
 /// has these corners, of which `h` leads from number `at` to the next.

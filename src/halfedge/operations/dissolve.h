@@ -5,7 +5,7 @@
 #include <halfedge/decorator/faces.h>
 #include <halfedge/decorator/vertices.h>
 #include <halfedge/operations/distinct.h>
-#include <halfedge/operations/holes.h>
+#include <halfedge/operations/fans.h>
 #include <halfedge/operations/insert_edge.h>
 #include <halfedge/operations/requirements.h>
 

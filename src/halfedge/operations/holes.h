@@ -3,20 +3,12 @@
 #include <halfedge/connectivity/array.h>
 #include <halfedge/decorator/faces.h>
 #include <halfedge/operations/distinct.h>
+#include <halfedge/operations/fans.h>
 #include <halfedge/operations/requirements.h>
 
 namespace halfedge::operations {
 
 namespace internal {
-
-/// Whether another boundary halfedge than `h`, one itself, leaves the same vertex: that or empty.
-/// O(valence)
-template <class Mesh>
-[[nodiscard]] Halfedge next_gap(const Mesh& mesh, Halfedge h) {
-  Halfedge out = mesh.rotate_cw(h);
-  while (!mesh.is_boundary(out)) out = mesh.rotate_cw(out);
-  return out == h ? Halfedge{} : out;
-}
 
 /// Whether a face could lie on the boundary loop from `first` to `last` and, where that doesn't
 /// lead to the vertex that `first` leaves, on an edge back to it: not if a vertex would be at two
