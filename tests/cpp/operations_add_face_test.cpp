@@ -1,10 +1,14 @@
 #include <gtest/gtest.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/operations/add_face.h>
+#include <halfedge/operations/deletion.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/canonical.h"
@@ -89,6 +93,224 @@ TEST(AddFace, MakesWhatTheBuilderMakesOfRandomPolygons) {
     add_in_random_order(shape, random, seed < 4);
     if (HasFatalFailure()) return;
   }
+}
+
+/// A mesh of these faces, with attributes and history.
+Mesh prepared(const Shape& shape) {
+  Mesh mesh = reference_build(shape);
+  add_attributes_of_all_kinds(mesh);
+  return mesh;
+}
+
+/// Random corners: often along edges and boundaries of the mesh, so that much can go wrong.
+std::vector<Index> random_corners(const Mesh& mesh, std::mt19937& random) {
+  const auto below = [&](Index count) { return Index(random() % count); };
+  std::vector<Index> corners;
+  Vertex v(below(mesh.vertex_slots()));
+  for (Index degree = 3 + below(3); degree > 0; --degree) {
+    corners.push_back(v.index());
+    const Halfedge out = mesh.vertex_halfedge(v);
+    if (out.valid() && below(4) > 0) {
+      Halfedge chosen = out;
+      for (Index turns = below(4); turns > 0; --turns) chosen = mesh.rotate_cw(chosen);
+      v = mesh.to_vertex(chosen);
+    } else {
+      v = Vertex(below(mesh.vertex_slots()));
+    }
+  }
+  return corners;
+}
+
+TEST(AddFace, IsAllowedJustWhereTheBuilderTakesTheFace) {
+  std::set<std::string> codes;
+  int added = 0;
+  std::uint32_t seed = 0;
+  for (auto& [name, mesh] : meshes_to_sweep(12)) {
+    if (mesh.vertex_slots() == 0) continue;
+    SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+    std::mt19937 random(seed++);
+    for (int i = 0; i < 60; ++i) {
+      const std::vector<Index> corners = random_corners(mesh, random);
+      SCOPED_TRACE(testing::PrintToString(corners));
+      Polys faces;
+      for (const Face f : mesh.faces()) faces.push_back(corners_of(mesh, mesh.face_halfedge(f)));
+      faces.push_back(corners);
+      const bool is_allowed = buildable(mesh.vertex_slots(), faces).has_value();
+      Mesh after;
+      const std::vector<Vertex> vertices = handles(corners);
+      EXPECT_EQ(is_allowed, holds_contract(
+                                mesh, [&](const Mesh& m) { return check_add_face(m, vertices); },
+                                [&](Mesh& m) { return add_face(m, vertices); }, after));
+      if (!is_allowed) {
+        codes.insert(check_add_face(mesh, vertices).error().code);
+        continue;
+      }
+      ++added;
+      EXPECT_EQ(polys_of(after), in_order(faces));
+      EXPECT_TRUE(operations::delete_face(after, Face(mesh.face_slots()),
+                                          {.keep_isolated_vertices = true}));
+      EXPECT_EQ(polys_of(after), polys_of(mesh));
+      EXPECT_EQ(after.edge_count(), mesh.edge_count());
+    }
+  }
+  EXPECT_GT(added, 100);
+  EXPECT_EQ(codes,
+            (std::set<std::string>{"duplicate-face", "edge-with-many-faces", "opposite-orientation",
+                                   "pinched-vertex", "repeated-vertex"}));
+}
+
+// ---- refusals -------------------------------------------------------------------------------
+
+TEST(AddFace, SaysWhyItCannot) {
+  const auto refused = [](const Shape& shape, const std::vector<Index>& corners,
+                          const std::string& code, const Witness& witness) {
+    SCOPED_TRACE(testing::PrintToString(corners));
+    Mesh mesh = prepared(shape);
+    const Snapshot before(mesh);
+    const Result<Face> result = add_face(mesh, handles(corners));
+    expect_refused(result, code, mesh, before);
+    EXPECT_EQ(result.error().witness, witness) << result.error().message;
+  };
+  const auto edge = [](const Shape& shape, Index a, Index b) {
+    return reference_build(shape).find_edge(Vertex(a), Vertex(b)).index();
+  };
+  const Shape one = triangle();
+  refused(one, {}, "degree-below-three", {});
+  refused(one, {0, 1}, "degree-below-three", {.vertices = {0, 1}});
+  refused(one, {0, 1, 7}, "not-a-vertex", {.vertices = {7}});
+  refused(one, {0, kNone, 1}, "not-a-vertex", {});
+  refused(with_isolated_vertices(), {0, 3, 5, 3}, "repeated-vertex", {.vertices = {3}});
+  std::vector<Index> many(40);  // too many to compare each with each
+  for (Index i = 0; i < 40; ++i) many[i] = i == 33 ? 5 : i;
+  refused(quad_grid(6, 6), many, "repeated-vertex", {.vertices = {5}});
+  refused(one, {1, 2, 0}, "duplicate-face", {.faces = {0}});
+  refused(pillow(), {0, 1, 2}, "duplicate-face", {.faces = {0}});
+  const Shape grid = quad_grid(2, 1);  // 3 4 5 over 0 1 2
+  refused(grid, {0, 1, 5}, "opposite-orientation",
+          {.vertices = {0, 1}, .edges = {edge(grid, 0, 1)}, .faces = {0}});
+  const Shape with_one("", 7, grid.faces);
+  refused(with_one, {4, 1, 6}, "edge-with-many-faces",
+          {.edges = {edge(grid, 4, 1)}, .faces = {1, 0}});
+  // The last side is the first that is looked for.
+  refused(with_one, {1, 6, 4}, "edge-with-many-faces",
+          {.edges = {edge(grid, 4, 1)}, .faces = {1, 0}});
+  // A quad repeated in reverse, where another face lies behind one of its edges.
+  refused(grid, {3, 4, 1, 0}, "duplicate-face", {.faces = {0}});
+  // Beside the closed fan of a disk, and closing one of two fans.
+  refused(Shape("", 6, disk(3).faces), {0, 4, 5}, "pinched-vertex",
+          {.vertices = {0}, .faces = {2}});
+  refused(Shape("", 7, {{0, 1, 2}, {0, 2, 3}, {0, 5, 6}}), {3, 1, 0}, "pinched-vertex",
+          {.vertices = {0}, .faces = {0, 2}});
+}
+
+TEST(AddFace, RefusesADeletedVertex) {
+  Mesh mesh = prepared(cube());
+  ASSERT_TRUE(operations::delete_vertex(mesh, Vertex(2)));
+  const Snapshot before(mesh);
+  expect_refused(add_face(mesh, handles({0, 1, 2})), "not-a-vertex", mesh, before);
+}
+
+// ---- fans -----------------------------------------------------------------------------------
+
+TEST(AddFace, JoinsAnyTwoFansOfAPinchedVertex) {
+  // Five fans of one triangle; a triangle between any two of them, whichever lie between.
+  for (Index i = 0; i < 5; ++i) {
+    for (Index j = 0; j < 5; ++j) {
+      if (i == j) continue;
+      Shape shape = pinched(5);
+      shape.faces.push_back({0, 2 + 2 * i, 1 + 2 * j});
+      SCOPED_TRACE(testing::PrintToString(shape.faces.back()));
+      Mesh mesh = reference_build(pinched(5));
+      ASSERT_TRUE(add_face(mesh, handles(shape.faces.back())));
+      expect_same(mesh, reference_build(Shape("", shape.vertices, shape.faces)));
+    }
+  }
+}
+
+TEST(AddFace, ClosesFansAndMovesAnchors) {
+  Mesh mesh = reference_build(Shape("", 5, {{0, 1, 2}, {0, 3, 4}, {0, 2, 3}}));
+  EXPECT_TRUE(mesh.is_boundary(Vertex(0)));
+  ASSERT_TRUE(add_face(mesh, handles({0, 4, 1})));
+  EXPECT_FALSE(mesh.is_boundary(Vertex(0)));
+  EXPECT_TRUE(validate(mesh).empty());
+  ASSERT_TRUE(add_face(mesh, handles({4, 3, 2, 1})));
+  EXPECT_TRUE(validate(mesh).empty());
+  EXPECT_EQ(mesh.vertex_count() + mesh.face_count(), mesh.edge_count() + 2);
+}
+
+// ---- attributes, recycled slots, other storage ----------------------------------------------
+
+TEST(AddFace, GivesNewItemsTheDefaults) {
+  Mesh mesh = reference_build(triangle());
+  (void)mesh.add_vertex({1, 1, 1});
+  const double five[] = {5};
+  std::vector<Attribute*> columns;
+  for (const ItemKind kind : {ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    columns.push_back(mesh.add_attribute(kind, "a", {.default_value = five}).value());
+    for (Index i = 0; i < mesh.slots(kind); ++i) columns.back()->set(i, 0, 9, nullptr);
+  }
+  ASSERT_TRUE(operations::delete_face(mesh, Face(0), {.keep_isolated_vertices = true}));
+  const Face f = add_face(mesh, handles({0, 1, 2})).value();
+  EXPECT_EQ(f, Face(0));  // its slot is used again
+  EXPECT_EQ(mesh.edge_slots(), 3U);
+  ASSERT_TRUE(add_face(mesh, handles({2, 1, 3})));
+  for (const Attribute* column : columns) {
+    for (Index i = 0; i < column->slots(); ++i) EXPECT_EQ(column->get(i, 0), 5) << i;
+  }
+}
+
+TEST(AddFace, WorksWherePrevIsNotStored) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Shape shape = seed == 0 ? pinched(5) : random_polygons(seed);
+    SCOPED_TRACE(shape.name);
+    BasicMesh<kWithoutPrev> mesh;
+    add_vertices(mesh, shape.polygons());
+    for (const std::vector<Index>& face : shape.faces) {
+      ASSERT_TRUE(add_face(mesh, handles(face)));
+    }
+    Mesh whole;
+    ASSERT_TRUE(convert(std::move(mesh), whole));
+    EXPECT_FALSE(has_errors(validate(whole)));
+    expect_same(whole, reference_build(shape));
+  }
+}
+
+// ---- real meshes ----------------------------------------------------------------------------
+
+TEST(AddFace, MakesRealMeshesInRandomOrder) {
+  HALFEDGE_NEEDS_DATA();
+  constexpr std::size_t kMaxFaces = 15000;  // or it takes minutes under the sanitizers
+  std::uint32_t seed = 0;
+  for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
+    SCOPED_TRACE(path.filename().string() + ", seed " + std::to_string(++seed));
+    const std::string bytes = read_file(path);
+    const Result<ParsedFile> file =
+        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    ASSERT_TRUE(file) << file.error().message;
+    const Polygons polygons = file.value().soup.view();
+    if (polygons.face_count() > kMaxFaces) continue;
+    std::vector<std::vector<Index>> faces;
+    for (std::size_t f = 0, c = 0; f < polygons.face_count(); ++f) {
+      const Index size = polygons.sizes.empty() ? 3 : polygons.sizes[f];
+      faces.emplace_back(&polygons.corners[c], &polygons.corners[c] + size);
+      c += size;
+    }
+    std::mt19937 random(seed);
+    std::shuffle(faces.begin(), faces.end(), random);
+
+    const Shape shuffled("", Index(polygons.vertex_count()), faces);
+    Mesh built;
+    BuildReport report;
+    ASSERT_TRUE(build_from_polygons(built, shuffled.polygons(), report));
+    Mesh mesh;
+    add_vertices(mesh, shuffled.polygons());
+    for (const std::vector<Index>& face : faces) {
+      const Result<Face> f = add_face(mesh, handles(face));
+      ASSERT_TRUE(f) << f.error().message;
+    }
+    expect_same(mesh, built);
+  }
+  EXPECT_GE(seed, 80U);
 }
 
 }  // namespace
