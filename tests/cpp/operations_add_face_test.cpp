@@ -196,6 +196,12 @@ TEST(AddFace, SaysWhyItCannot) {
           {.edges = {edge(grid, 4, 1)}, .faces = {1, 0}});
   // A quad repeated in reverse, where another face lies behind one of its edges.
   refused(grid, {3, 4, 1, 0}, "duplicate-face", {.faces = {0}});
+  // The hole of a cube without its bottom, turned over.
+  Polys sides = cube().faces;
+  sides.erase(sides.begin());
+  const Shape open("", 8, sides);
+  refused(open, {0, 1, 2, 3}, "opposite-orientation",
+          {.vertices = {3, 0}, .edges = {edge(open, 3, 0)}, .faces = {4}});
   // Beside the closed fan of a disk, and closing one of two fans.
   refused(Shape("", 6, disk(3).faces), {0, 4, 5}, "pinched-vertex",
           {.vertices = {0}, .faces = {2}});
