@@ -65,7 +65,6 @@ TEST(Glue, SweepOverAllPairs) {
       }
     }
   }
-  for (const auto& [code, count] : codes) std::cout << code << " " << count << "\n";
 }
 
 TEST(Cut, SweepOverAllHalfedges) {
@@ -101,7 +100,6 @@ TEST(Cut, SweepOverAllHalfedges) {
       ASSERT_FALSE(HasFailure());
     }
   }
-  for (const auto& [code, count] : codes) std::cout << code << " " << count << "\n";
 }
 
 }  // namespace

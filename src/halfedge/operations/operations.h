@@ -28,3 +28,4 @@
 #include <halfedge/operations/loops.h>
 #include <halfedge/operations/orientation.h>
 #include <halfedge/operations/split_face.h>
+#include <halfedge/operations/triangulate.h>

@@ -1,6 +1,9 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/surgery_refusals.h>
 
+#include <string>
+#include <utility>
+
 namespace halfedge::operations {
 
 using decorator::internal::number;
@@ -77,6 +80,18 @@ Error repeated_on_ring(Edge e, Vertex v) {
                  "the ring of quads over " + text(e) + " passes " + text(v) +
                      " more than once, expected different vertices",
                  {.vertices = {v.index()}, .edges = {e.index()}});
+}
+
+Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
+  Witness witness{.vertices = {a.index(), b.index()}, .faces = {f.index()}};
+  if (existing.valid()) witness.edges = {existing.index()};
+  return refusal("no-triangulation",
+                 text(f) + " can't be cut into triangles without a diagonal from " + text(a) +
+                     " to " + text(b) + ", which " +
+                     (existing.valid() ? text(existing) + " joins already"
+                                       : std::string("one across another face will join")) +
+                     ", expected diagonals that are new",
+                 std::move(witness));
 }
 
 }  // namespace halfedge::operations

@@ -26,5 +26,8 @@ namespace halfedge::operations {
 [[nodiscard]] Error ring_too_short(Face f, Face g);
 /// repeated-vertex: the ring of quads over `e` passes `v` more than once.
 [[nodiscard]] Error repeated_on_ring(Edge e, Vertex v);
+/// no-triangulation: of `f`, if `a` and `b`, which are joined by `existing`, or, if that is empty,
+/// will be across another face, may not be joined.
+[[nodiscard]] Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing);
 
 }  // namespace halfedge::operations

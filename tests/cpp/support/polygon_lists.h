@@ -103,9 +103,10 @@ Mesh try_operation(const Mesh& before, const Check& check, const Operation& oper
   expect_valid_mesh(mesh);
   const Snapshot after(mesh);
   mesh.end_step();
-  EXPECT_TRUE(mesh.undo());
+  const bool is_changed = !(after == snapshot);
+  EXPECT_EQ(mesh.undo(), is_changed);
   EXPECT_TRUE(Snapshot(mesh) == snapshot);
-  EXPECT_TRUE(mesh.redo());
+  EXPECT_EQ(mesh.redo(), is_changed);
   EXPECT_TRUE(Snapshot(mesh) == after);
   return mesh;
 }

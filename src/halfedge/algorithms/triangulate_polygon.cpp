@@ -1,0 +1,359 @@
+#include <halfedge/algorithms/triangulate_polygon.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halfedge {
+
+namespace {
+
+/// The sign of a sum, exactly: of its parts, none of which overlaps another, the largest decides.
+/// (Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: grow-expansion)
+int sign_of_sum(const double (&terms)[6]) {
+  double parts[6] = {};
+  int count = 0;
+  for (const double term : terms) {
+    double carried = term;
+    for (int i = 0; i < count; ++i) {
+      const double sum = carried + parts[i];
+      const double of_part = sum - carried;
+      parts[i] = (carried - (sum - of_part)) + (parts[i] - of_part);
+      carried = sum;
+    }
+    parts[count++] = carried;
+  }
+  for (int i = count; i-- > 0;) {
+    if (parts[i] != 0) return parts[i] > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
+/// 1 if a, b, c turn left, -1 if right, 0 on a line: exactly. Products of two floats are exact in
+/// double precision.
+int turn_of(float ax, float ay, float bx, float by, float cx, float cy) {
+  const double left = (double{ax} - double{cx}) * (double{by} - double{cy});
+  const double right = (double{ay} - double{cy}) * (double{bx} - double{cx});
+  const double area = left - right;
+  constexpr double kError = 4 * std::numeric_limits<double>::epsilon();
+  if (std::abs(area) > kError * (std::abs(left) + std::abs(right))) return area > 0 ? 1 : -1;
+  return sign_of_sum({double{ax} * double{by}, -double{ax} * double{cy}, -double{cx} * double{by},
+                      -double{ay} * double{bx}, double{ay} * double{cx}, double{cy} * double{bx}});
+}
+
+}  // namespace
+
+bool PolygonTriangulator::Cost::operator<(const Cost& other) const {
+  if (flips != other.flips) return flips < other.flips;
+  if (forbidden != other.forbidden) return forbidden < other.forbidden;
+  if (flat != other.flat) return flat < other.flat;
+  return length < other.length;
+}
+
+PolygonTriangulator::Cost PolygonTriangulator::Cost::operator+(const Cost& other) const {
+  return {flips + other.flips, forbidden + other.forbidden, flat + other.flat,
+          length + other.length};
+}
+
+// Leaves out the coordinate in which the normal (Newell's) is largest: what is left are the
+// numbers given, so that corners on a line stay on it.
+bool PolygonTriangulator::project() {
+  if (!planar_.recreate(points_.size())) return false;
+  double normal[3] = {};
+  const Point origin = points_[0];
+  const auto from_origin = [&](const Point& p, double(&v)[3]) {
+    v[0] = double{p.x} - double{origin.x};
+    v[1] = double{p.y} - double{origin.y};
+    v[2] = double{p.z} - double{origin.z};
+  };
+  double a[3];
+  double b[3];
+  from_origin(points_[points_.size() - 1], a);
+  for (const Point& p : points_) {
+    from_origin(p, b);
+    normal[0] += a[1] * b[2] - a[2] * b[1];
+    normal[1] += a[2] * b[0] - a[0] * b[2];
+    normal[2] += a[0] * b[1] - a[1] * b[0];
+    std::copy(std::begin(b), std::end(b), std::begin(a));
+  }
+  int axis = 2;
+  for (const int i : {0, 1}) {
+    if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
+  }
+  const bool is_reversed = normal[axis] < 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Point& p = points_[i];
+    Planar planar = axis == 2 ? Planar{p.x, p.y} : axis == 0 ? Planar{p.y, p.z} : Planar{p.z, p.x};
+    if (is_reversed) std::swap(planar.u, planar.v);
+    planar_[i] = planar;
+  }
+  return true;
+}
+
+int PolygonTriangulator::turn(Index a, Index b, Index c) const {
+  const Planar& p = planar_[a];
+  const Planar& q = planar_[b];
+  const Planar& r = planar_[c];
+  return turn_of(p.u, p.v, q.u, q.v, r.u, r.v);
+}
+
+double PolygonTriangulator::distance(Index a, Index b) const {
+  const Point& p = points_[a];
+  const Point& q = points_[b];
+  const double x = double{p.x} - double{q.x};
+  const double y = double{p.y} - double{q.y};
+  const double z = double{p.z} - double{q.z};
+  const double length = std::sqrt(x * x + y * y + z * z);
+  return length < std::numeric_limits<double>::max() ? length : 0;
+}
+
+bool PolygonTriangulator::is_forbidden(Index a, Index b) const {
+  if (forbidden_.empty()) return false;
+  const Diagonal diagonal = a < b ? Diagonal{a, b} : Diagonal{b, a};
+  return std::binary_search(forbidden_.begin(), forbidden_.end(), diagonal);
+}
+
+PolygonTriangulator::Outcome PolygonTriangulator::run(std::span<const Point> points,
+                                                      std::span<const Diagonal> forbidden,
+                                                      Array<Index>& ears) {
+  points_ = points;
+  forbidden_ = forbidden;
+  const std::size_t before = ears.size();
+  if (!project() || !ears.reserve(before + points.size())) return Outcome::kOutOfMemory;
+  std::size_t left = points.size();
+  rest_.clear();
+  if (left > kSmall) {
+    if (!begin_cutting()) return Outcome::kOutOfMemory;
+    for (; left > kSmall; --left) {
+      Index corner = best_ear();
+      if (corner == kNone) corner = any_corner();
+      if (corner == kNone) {
+        (void)ears.resize(before);
+        return Outcome::kBlocked;
+      }
+      (void)ears.push_back(corner);  // in the room made above
+      if (!cut_off(corner)) {
+        (void)ears.resize(before);
+        return Outcome::kOutOfMemory;
+      }
+    }
+  }
+  if (!rest_.reserve(kSmall) || !choices_.reserve(kSmall * kSmall)) {
+    (void)ears.resize(before);
+    return Outcome::kOutOfMemory;
+  }
+  Index corner = start_;
+  for (std::size_t i = 0; i < left; ++i) {
+    (void)rest_.push_back(left == points.size() ? Index(i) : corner);
+    if (left < points.size()) corner = next_[corner];
+  }
+  if (!choose_diagonals()) {
+    (void)ears.resize(before);
+    return Outcome::kBlocked;
+  }
+  list_ears(0, left - 1, ears);
+  ears.pop_back();  // the last three corners are left
+  return Outcome::kDone;
+}
+
+// ---- few corners ------------------------------------------------------------------------------
+
+// What the diagonal between corners i and j costs; a side of the polygon costs nothing.
+PolygonTriangulator::Cost PolygonTriangulator::side_cost(std::size_t i, std::size_t j) {
+  if (j - i == 1 || j - i + 1 == rest_.size()) return {};
+  return {0, is_forbidden(rest_[i], rest_[j]) ? 1U : 0U, 0, distance(rest_[i], rest_[j])};
+}
+
+// A simple polygon cut into triangles which all turn left isn't covered twice anywhere, so that
+// nothing needs to be known of crossings. (Klincsek, Minimal triangulations of polygonal domains,
+// 1980)
+bool PolygonTriangulator::choose_diagonals() {
+  const std::size_t n = rest_.size();
+  (void)choices_.resize(kSmall * kSmall);  // reserved
+  for (std::size_t i = 0; i + 1 < n; ++i) choice(i, i + 1) = {};
+  for (std::size_t span = 2; span < n; ++span) {
+    for (std::size_t i = 0; i + span < n; ++i) {
+      const std::size_t j = i + span;
+      Choice best;
+      for (std::size_t k = i + 1; k < j; ++k) {
+        const int turns = turn(rest_[i], rest_[k], rest_[j]);
+        Cost cost = choice(i, k).cost + choice(k, j).cost;
+        cost.flips += turns < 0 ? 1 : 0;
+        cost.flat += turns == 0 ? 1 : 0;
+        if (best.corner == kNone || cost < best.cost) best = {cost, Index(k)};
+      }
+      best.cost = best.cost + side_cost(i, j);
+      choice(i, j) = best;
+    }
+  }
+  if (choice(0, n - 1).cost.forbidden == 0) return true;
+  find_blocked(0, n - 1);
+  return false;
+}
+
+void PolygonTriangulator::list_ears(std::size_t i, std::size_t j, Array<Index>& ears) {
+  if (j - i < 2) return;
+  const std::size_t k = choice(i, j).corner;
+  list_ears(i, k, ears);
+  list_ears(k, j, ears);
+  (void)ears.push_back(rest_[k]);  // in the room made by run
+}
+
+void PolygonTriangulator::find_blocked(std::size_t i, std::size_t j) {
+  if (j - i < 2) return;
+  if (side_cost(i, j).forbidden > 0) {
+    blocked_ = {std::min(rest_[i], rest_[j]), std::max(rest_[i], rest_[j])};
+    return;
+  }
+  const std::size_t k = choice(i, j).corner;
+  find_blocked(choice(i, k).cost.forbidden > 0 ? i : k, choice(i, k).cost.forbidden > 0 ? k : j);
+}
+
+// ---- many corners -----------------------------------------------------------------------------
+
+bool PolygonTriangulator::begin_cutting() {
+  const std::size_t n = points_.size();
+  if (!next_.recreate(n) || !prev_.recreate(n) || !stamp_.recreate(n) || !is_concave_.recreate(n)) {
+    return false;
+  }
+  concave_.clear();
+  ears_.clear();
+  start_ = 0;
+  blocked_ = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    next_[i] = Index(i + 1 == n ? 0 : i + 1);
+    prev_[i] = Index(i == 0 ? n - 1 : i - 1);
+    stamp_[i] = 0;
+    is_concave_[i] = false;
+  }
+  for (Index i = 0; i < n; ++i) {
+    is_concave_[i] = turn(prev_[i], i, next_[i]) <= 0;
+    if (is_concave_[i] && !concave_.push_back(i)) return false;
+  }
+  for (Index i = 0; i < n; ++i) {
+    if (!look_at(i)) return false;
+  }
+  return true;
+}
+
+// Whether corner w, which lies where `corner` does, has a neighbour strictly between the two sides
+// of the triangle there.
+bool PolygonTriangulator::enters(Index w, Index corner, Index following, Index before) const {
+  for (const Index neighbour : {prev_[w], next_[w]}) {
+    if (turn(corner, following, neighbour) > 0 && turn(corner, before, neighbour) < 0) return true;
+  }
+  return false;
+}
+
+// Whether corner w keeps the triangle a, b, c, which turns left, from being cut off.
+bool PolygonTriangulator::lies_inside(Index w, Index a, Index b, Index c) const {
+  const int of_ab = turn(a, b, w);
+  if (of_ab < 0) return false;
+  const int of_bc = turn(b, c, w);
+  if (of_bc < 0) return false;
+  const int of_ca = turn(c, a, w);
+  if (of_ca < 0) return false;
+  if (of_ab > 0 && of_bc > 0) return true;  // inside, or on the diagonal
+  if (planar_[w] == planar_[a]) return enters(w, a, b, c);
+  if (planar_[w] == planar_[b]) return enters(w, b, c, a);
+  if (planar_[w] == planar_[c]) return enters(w, c, a, b);
+  // On a side: touching it from outside is no harm.
+  const Index from = of_ab == 0 ? a : b;
+  const Index to = of_ab == 0 ? b : c;
+  return turn(from, to, prev_[w]) > 0 || turn(from, to, next_[w]) > 0;
+}
+
+// If anything lies inside, a concave corner does: the one farthest from the diagonal.
+bool PolygonTriangulator::is_ear(Index corner) {
+  const Index a = prev_[corner];
+  const Index c = next_[corner];
+  if (turn(a, corner, c) <= 0) return false;
+  const Planar p[3] = {planar_[a], planar_[corner], planar_[c]};
+  const float min_u = std::min({p[0].u, p[1].u, p[2].u});
+  const float max_u = std::max({p[0].u, p[1].u, p[2].u});
+  const float min_v = std::min({p[0].v, p[1].v, p[2].v});
+  const float max_v = std::max({p[0].v, p[1].v, p[2].v});
+  for (std::size_t i = 0; i < concave_.size();) {
+    const Index w = concave_[i];
+    if (!is_concave_[w]) {
+      concave_[i] = concave_[concave_.size() - 1];
+      concave_.pop_back();
+      continue;
+    }
+    ++i;
+    const Planar q = planar_[w];
+    if (q.u < min_u || q.u > max_u || q.v < min_v || q.v > max_v) continue;
+    if (w != a && w != corner && w != c && lies_inside(w, a, corner, c)) return false;
+  }
+  return true;
+}
+
+// Puts a corner among the ears if it is one now. False when memory is exhausted.
+bool PolygonTriangulator::look_at(Index corner) {
+  if (!is_ear(corner)) return true;
+  if (is_forbidden(prev_[corner], next_[corner])) {
+    const Index a = prev_[corner];
+    const Index b = next_[corner];
+    blocked_ = {std::min(a, b), std::max(a, b)};
+    return true;
+  }
+  if (!ears_.push_back({distance(prev_[corner], next_[corner]), corner, stamp_[corner]})) {
+    return false;
+  }
+  std::push_heap(ears_.begin(), ears_.end(),
+                 [](const Ear& a, const Ear& b) { return a.length > b.length; });
+  return true;
+}
+
+Index PolygonTriangulator::best_ear() {
+  while (!ears_.empty()) {
+    std::pop_heap(ears_.begin(), ears_.end(),
+                  [](const Ear& a, const Ear& b) { return a.length > b.length; });
+    const Ear ear = ears_[ears_.size() - 1];
+    ears_.pop_back();
+    if (ear.stamp == stamp_[ear.corner]) return ear.corner;
+  }
+  return kNone;
+}
+
+// Where a polygon crosses itself, or has no area, there may be no ear: a corner on a line then, or
+// one that turns left, or just any.
+Index PolygonTriangulator::any_corner() {
+  Index found = kNone;
+  int best = 0;
+  Index corner = start_;
+  do {
+    const Index a = prev_[corner];
+    const Index b = next_[corner];
+    if (!is_forbidden(a, b)) {
+      const int turns = turn(a, corner, b);
+      if (turns == 0) return corner;
+      const int rank = turns > 0 ? 2 : 1;
+      if (rank > best) {
+        best = rank;
+        found = corner;
+      }
+    }
+    corner = next_[corner];
+  } while (corner != start_);
+  return blocked_.a == kNone ? found : kNone;
+}
+
+bool PolygonTriangulator::cut_off(Index corner) {
+  const Index a = prev_[corner];
+  const Index b = next_[corner];
+  next_[a] = b;
+  prev_[b] = a;
+  ++stamp_[corner];
+  is_concave_[corner] = false;
+  start_ = b;
+  for (const Index neighbour : {a, b}) {
+    ++stamp_[neighbour];
+    const bool was_concave = is_concave_[neighbour];
+    is_concave_[neighbour] = turn(prev_[neighbour], neighbour, next_[neighbour]) <= 0;
+    if (is_concave_[neighbour] && !was_concave && !concave_.push_back(neighbour)) return false;
+  }
+  return look_at(a) && look_at(b);
+}
+
+}  // namespace halfedge
