@@ -8,6 +8,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -132,6 +133,14 @@ class Attribute {
   /// Gives `to` what the policy makes of the items that were added. With no weight at all nothing
   /// changes.
   void store(const Sum& sum, Index to, Journal* journal);
+
+  /// The bytes of one item.
+  using Value = std::array<std::byte, kMaxComponents * sizeof(double)>;
+  [[nodiscard]] Value value(Index item) const {
+    Value copy = {};
+    std::memcpy(copy.data(), &bytes_[stride_ * item], stride_);
+    return copy;
+  }
 
   [[nodiscard]] bool interpolates() const {
     return on_split_ == OnSplit::kInterpolate || on_split_ == OnSplit::kNormalize;

@@ -179,4 +179,31 @@ void Attributes::swap_corners(Index a, Index b, Journal* journal) {
   }
 }
 
+Attributes::Contraction::Contraction(Attribute& column, const EdgeCorners (&sides)[2], double t,
+                                     Journal* journal)
+    : column_(column), sides_(sides), journal_(journal) {
+  for (const int i : {0, 1}) {
+    if (sides[i].has_face) before_[i] = {column.value(sides[i].gone), column.value(sides[i].kept)};
+  }
+  for (const EdgeCorners& side : sides) {
+    if (!side.has_face) continue;
+    if (t == 1) {  // exactly: a mean would be rounded, or brought to length 1
+      column.copy(side.result, side.kept, journal);
+      continue;
+    }
+    Attribute::Sum sum;
+    column.add(sum, side.gone, 1 - t);
+    column.add(sum, side.kept, t);
+    column.store(sum, side.result, journal);
+  }
+}
+
+void Attributes::Contraction::move(Index corner) const {
+  const Attribute::Value value = column_.value(corner);
+  for (const int i : {0, 1}) {
+    if (!sides_[i].has_face || (value != before_[i].gone && value != before_[i].kept)) continue;
+    return column_.copy(corner, sides_[i].result, journal_);
+  }
+}
+
 }  // namespace halfedge

@@ -70,6 +70,26 @@ class Attributes {
   void copy_corner(Index to, Index from, Journal* journal);
   void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
   void swap_corners(Index a, Index b, Journal* journal);
+  /// The corners of one side of an edge, by the halfedges that end there, at the end of the edge
+  /// that disappears and at the one that stays. `result` is one of the two.
+  struct EdgeCorners {
+    Index gone = kNone;
+    Index kept = kNone;
+    Index result = kNone;
+    bool has_face = false;
+  };
+  /// An edge is contracted to the point (1 - t) gone + t kept: corners move along with the side
+  /// whose value they share. `result` of each side gets the blend of its two corners; so do those
+  /// that `corners` lists which have the value of one of these; others, beyond a seam, keep theirs.
+  template <class Corners>
+  void contract_corners(const EdgeCorners (&sides)[2], double t, const Corners& corners,
+                        Journal* journal) {
+    for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+      if (!column->interpolates()) continue;
+      const Contraction contraction(*column, sides, t, journal);
+      corners([&](Index corner) { contraction.move(corner); });
+    }
+  }
   /// `to` gets the mean of all that `items` lists, each with the same weight: `items` is called
   /// with a function to be called with each index. Of halfedges, only the values of corners.
   template <class Items>
@@ -83,6 +103,23 @@ class Attributes {
   }
 
  private:
+  /// Of one column: the values of the four corners beside an edge before it was contracted.
+  class Contraction {
+   public:
+    Contraction(Attribute& column, const EdgeCorners (&sides)[2], double t, Journal* journal);
+    void move(Index corner) const;
+
+   private:
+    struct Side {
+      Attribute::Value gone = {};
+      Attribute::Value kept = {};
+    };
+    Attribute& column_;
+    const EdgeCorners (&sides_)[2];
+    Journal* journal_;
+    std::array<Side, 2> before_;
+  };
+
   std::array<Columns, 4> columns_;  // by kind
   Index serials_ = 0;
   Index generations_ = 0;  // so many were given

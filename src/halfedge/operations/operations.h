@@ -17,6 +17,7 @@
 /// These ask for more than the decorator of the combinatorial layer (halfedge/decorator), which
 /// allows degenerate complexes, and by which most of them are done.
 #include <halfedge/operations/add_face.h>
+#include <halfedge/operations/collapse.h>
 #include <halfedge/operations/components.h>
 #include <halfedge/operations/cut.h>
 #include <halfedge/operations/deletion.h>
@@ -27,5 +28,7 @@
 #include <halfedge/operations/insert_edge.h>
 #include <halfedge/operations/loops.h>
 #include <halfedge/operations/orientation.h>
+#include <halfedge/operations/split_edge.h>
 #include <halfedge/operations/split_face.h>
+#include <halfedge/operations/split_vertex.h>
 #include <halfedge/operations/triangulate.h>

@@ -140,4 +140,85 @@ Error not_finite(const char* name, double value) {
                                    ", expected a finite number");
 }
 
+// ---- edges divided and contracted -----------------------------------------------------------
+
+Error not_valence_two(Vertex v, Index valence) {
+  return refusal("not-valence-two", text(v) + " has valence " + number(valence) + ", expected 2",
+                 {.vertices = {v.index()}});
+}
+
+Error would_have_two_corners(Vertex v, Face f) {
+  return refusal("degree-below-three",
+                 text(f) + " has degree 3 and would lose its corner " + text(v) +
+                     ", expected four corners or more",
+                 {.vertices = {v.index()}, .faces = {f.index()}});
+}
+
+Error joins_boundary_vertices(Edge e, Vertex a, Vertex b) {
+  return refusal("boundary-vertices",
+                 text(e) + " lies inside, but " + text(a) + " and " + text(b) +
+                     " both lie on the boundary, which would meet itself there, expected at most "
+                     "one of them to",
+                 {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
+}
+
+Error would_leave_bare_edge(Face f, Edge g, Edge k) {
+  return refusal("edge-without-face",
+                 text(f) + " would vanish, and its edges " + number(g.index()) + " and " +
+                     number(k.index()) +
+                     ", both on the boundary, would become one without a face, expected a face "
+                     "beyond one of them",
+                 {.edges = {g.index(), k.index()}, .faces = {f.index()}});
+}
+
+Error is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b) {
+  return refusal("common-neighbour",
+                 text(v) + " is joined to both ends of " + text(e) + ", by " + text(to_a) +
+                     " and " + text(to_b) +
+                     ", which would become two edges between the same vertices, expected only "
+                     "corners of triangles at " +
+                     text(e) + " to be joined to both",
+                 {.vertices = {v.index()}, .edges = {to_a.index(), to_b.index()}});
+}
+
+Error has_both_ends(Face f, Edge e, Vertex a, Vertex b) {
+  return refusal("repeated-vertex",
+                 text(f) + " has both ends of " + text(e) + " as corners, " + text(a) + " and " +
+                     text(b) + ", which would become one, expected only faces at " + text(e) +
+                     " to have both",
+                 {.vertices = {a.index(), b.index()}, .faces = {f.index()}});
+}
+
+Error would_leave_pillow(Edge e, Face f, Face g) {
+  return refusal("leaves-pillow",
+                 "without " + text(e) + ", " + text(f) + " and " + text(g) +
+                     " would have the same corners and lie upon each other, expected another face "
+                     "between them",
+                 {.edges = {e.index()}, .faces = {f.index(), g.index()}});
+}
+
+Error leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w) {
+  return refusal("different-vertices",
+                 text(h) + " leaves " + text(v) + " and " + text(g) + " leaves " + text(w) +
+                     ", expected one vertex",
+                 {.vertices = {v.index(), w.index()}, .halfedges = {h.index(), g.index()}});
+}
+
+Error nothing_between(Halfedge h, Halfedge g) {
+  return refusal("nothing-between",
+                 "no halfedge lies counter-clockwise between " + text(h) + " and " + text(g) +
+                     ", and without a triangle the new vertex would have one edge, expected a "
+                     "halfedge between or a triangle",
+                 {.halfedges = {h.index(), g.index()}});
+}
+
+Error would_be_bare_edge(Vertex v, Halfedge h, Halfedge g) {
+  return refusal("edge-without-face",
+                 "the new edge at " + text(v) +
+                     " would have no face on either side: the boundary lies to the left of " +
+                     text(h) + " and to the right of " + text(g) +
+                     ", expected a face or a triangle on one side",
+                 {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
+}
+
 }  // namespace halfedge::operations

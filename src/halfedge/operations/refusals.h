@@ -51,4 +51,27 @@ namespace halfedge::operations {
 /// not-finite: the argument `name` is `value`.
 [[nodiscard]] Error not_finite(const char* name, double value);
 
+// ---- edges divided and contracted -----------------------------------------------------------
+
+/// not-valence-two
+[[nodiscard]] Error not_valence_two(Vertex v, Index valence);
+/// degree-below-three: the triangle `f` would lose its corner `v`.
+[[nodiscard]] Error would_have_two_corners(Vertex v, Face f);
+/// boundary-vertices: `e`, an interior edge, joins two vertices of the boundary.
+[[nodiscard]] Error joins_boundary_vertices(Edge e, Vertex a, Vertex b);
+/// edge-without-face: the triangle `f` would vanish, and `g` and `k`, on the boundary, become one.
+[[nodiscard]] Error would_leave_bare_edge(Face f, Edge g, Edge k);
+/// common-neighbour: `v` is joined to the ends of `e` by `to_a` and `to_b`.
+[[nodiscard]] Error is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b);
+/// repeated-vertex: both ends of `e` are corners of `f`, in which `e` doesn't lie.
+[[nodiscard]] Error has_both_ends(Face f, Edge e, Vertex a, Vertex b);
+/// leaves-pillow: contracting `e` would leave `f` and `g` on the same corners.
+[[nodiscard]] Error would_leave_pillow(Edge e, Face f, Face g);
+/// different-vertices: `h` and `g` don't leave the same vertex.
+[[nodiscard]] Error leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w);
+/// nothing-between: a new vertex between `h` and `g` would have one edge.
+[[nodiscard]] Error nothing_between(Halfedge h, Halfedge g);
+/// edge-without-face: the new edge would lie on the boundary with both sides.
+[[nodiscard]] Error would_be_bare_edge(Vertex v, Halfedge h, Halfedge g);
+
 }  // namespace halfedge::operations

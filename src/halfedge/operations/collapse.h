@@ -1,0 +1,353 @@
+#pragma once
+
+#include <halfedge/operations/parameter.h>
+#include <halfedge/operations/requirements.h>
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace halfedge::operations {
+
+namespace internal {
+
+/// The halfedges at an edge that may be contracted. A side is a triangle, a larger face, or nothing
+/// (the boundary); its apex is the third corner of a triangle, else empty.
+///
+///             b                    h leads from a to b, and a disappears
+///           ´ | `
+///     left ´  |  ` right
+///         `   h   ´
+///           ` | ´
+///             a
+struct CollapseSite {
+  Halfedge h, o, after_h, after_o;
+  Vertex a, b, left, right;
+  bool left_is_triangle = false;
+  bool right_is_triangle = false;
+
+  template <class Mesh>
+  CollapseSite(const Mesh& mesh, Halfedge collapsed)
+      : h(collapsed),
+        o(mesh.opposite(h)),
+        after_h(mesh.next(h)),
+        after_o(mesh.next(o)),
+        a(mesh.to_vertex(o)),
+        b(mesh.to_vertex(h)),
+        left_is_triangle(!mesh.is_boundary(h) && mesh.next(mesh.next(after_h)) == h),
+        right_is_triangle(!mesh.is_boundary(o) && mesh.next(mesh.next(after_o)) == o) {
+    if (left_is_triangle) left = mesh.to_vertex(after_h);
+    if (right_is_triangle) right = mesh.to_vertex(after_o);
+  }
+};
+
+/// Whether the vertex `v` is a corner of the loop of `h`.
+template <class Mesh>
+[[nodiscard]] bool is_on_loop(const Mesh& mesh, Halfedge h, Vertex v) {
+  Halfedge on_loop = h;
+  do {
+    if (mesh.to_vertex(on_loop) == v) return true;
+    on_loop = mesh.next(on_loop);
+  } while (on_loop != h);
+  return false;
+}
+
+/// A halfedge from b to a common neighbour of a and b that is not an apex, or empty. The neighbours
+/// of b are looked for in a set of 64 bits first, so few of them need a walk around a.
+template <class Mesh>
+[[nodiscard]] Halfedge find_common_neighbour(const Mesh& mesh, const CollapseSite& site) {
+  const auto bit = [](Vertex v) { return std::uint64_t{1} << (v.index() % 64); };
+  std::uint64_t around_a = 0;
+  for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
+    around_a |= bit(mesh.to_vertex(g));
+  }
+  for (Halfedge g = mesh.rotate_cw(site.o); g != site.o; g = mesh.rotate_cw(g)) {
+    const Vertex v = mesh.to_vertex(g);
+    if ((around_a & bit(v)) == 0 || v == site.left || v == site.right) continue;
+    for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
+      if (mesh.to_vertex(of_a) == v) return g;
+    }
+  }
+  return {};
+}
+
+/// A face that has both a and b as corners, and not the edge between them; or empty.
+template <class Mesh>
+[[nodiscard]] Face find_face_at_both_ends(const Mesh& mesh, const CollapseSite& site) {
+  for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
+    if (mesh.is_boundary(g) || g == site.after_o) continue;
+    if (mesh.next(mesh.next(mesh.next(g))) == g) continue;  // else b would be a common neighbour
+    if (is_on_loop(mesh, g, site.b)) return mesh.face(g);
+  }
+  return {};
+}
+
+/// The two faces of which a closed component would consist, glued along all their edges; else
+/// empty. They meet at b, which would have valence two then; this is rare, so the rest is rarely
+/// looked at.
+template <class Mesh>
+[[nodiscard]] std::pair<Face, Face> find_pillow(const Mesh& mesh, const CollapseSite& site) {
+  const auto has_valence_below_four = [&](Halfedge leaving) {
+    const Halfedge third = mesh.rotate_cw(mesh.rotate_cw(leaving));
+    return third == leaving || mesh.rotate_cw(third) == leaving;
+  };
+  if (!has_valence_below_four(site.h) || !has_valence_below_four(site.o)) return {};
+  // The faces at a and b that stay, each of them once.
+  Face found[2];
+  std::size_t count = 0;
+  Halfedge in_first;
+  for (const Halfedge start : {site.h, site.o}) {
+    Halfedge g = start;
+    do {
+      const Face f = mesh.face(g);
+      if (!f.valid()) return {};
+      const bool vanishes = (site.left_is_triangle && f == mesh.face(site.h)) ||
+                            (site.right_is_triangle && f == mesh.face(site.o));
+      if (!vanishes && f != found[0] && f != found[1]) {
+        if (count == 2) return {};
+        if (count == 0) in_first = g;
+        found[count++] = f;
+      }
+      g = mesh.rotate_cw(g);
+    } while (g != start);
+  }
+  const auto is_end = [&](Vertex v) { return v == site.a || v == site.b; };
+  Halfedge g = in_first;
+  do {
+    const Halfedge across = mesh.opposite(g);
+    if (!is_end(mesh.to_vertex(g)) && !is_end(mesh.to_vertex(across)) &&
+        mesh.face(across) != found[1]) {
+      return {};
+    }
+    g = mesh.next(g);
+  } while (g != in_first);
+  return {found[0], found[1]};
+}
+
+/// What makes a collapse impossible; the items say what of, where there are such.
+struct CollapseObstacle {
+  enum class Kind : std::uint8_t {
+    kNone,
+    kPinches,         // an interior edge between two boundary vertices
+    kSameApex,        // two triangles with the same corners
+    kBareEdge,        // the triangle of `side` has no face beyond its other edges
+    kRepeatedVertex,  // `face` has both ends as corners
+    kNeighbour,       // `side` leads to a common neighbour
+    kPillow,          // `face` and `other_face` would have the same corners
+  };
+  Kind kind = Kind::kNone;
+  Halfedge side = {};
+  Face face = {};
+  Face other_face = {};
+};
+
+}  // namespace internal
+
+/// What a collapse may leave of a closed component.
+enum class LinkCondition : std::uint8_t {
+  kStrict,     ///< the link condition: no two faces on the same corners, glued along all edges
+  kPermissive  ///< two such faces too, as of a tetrahedron (OpenMesh allows them)
+};
+
+namespace internal {
+
+template <class Mesh>
+[[nodiscard]] CollapseObstacle find_collapse_obstacle(const Mesh& mesh, Halfedge h,
+                                                      LinkCondition condition) {
+  using Kind = CollapseObstacle::Kind;
+  const CollapseSite site(mesh, h);
+  const bool is_interior = !mesh.is_boundary(site.h) && !mesh.is_boundary(site.o);
+  if (is_interior && mesh.is_boundary(site.a) && mesh.is_boundary(site.b)) return {Kind::kPinches};
+  if (site.left.valid() && site.left == site.right) return {Kind::kSameApex};
+  const auto has_bare_edges = [&](Halfedge after) {
+    return mesh.is_boundary(mesh.opposite(after)) &&
+           mesh.is_boundary(mesh.opposite(mesh.next(after)));
+  };
+  if (site.left_is_triangle && has_bare_edges(site.after_h)) return {Kind::kBareEdge, site.h};
+  if (site.right_is_triangle && has_bare_edges(site.after_o)) return {Kind::kBareEdge, site.o};
+  if (const Halfedge g = find_common_neighbour(mesh, site); g.valid()) {
+    return {Kind::kNeighbour, g};
+  }
+  if (const Face f = find_face_at_both_ends(mesh, site); f.valid()) {
+    return {Kind::kRepeatedVertex, {}, f};
+  }
+  if (condition == LinkCondition::kStrict) {
+    const auto [f, g] = find_pillow(mesh, site);
+    if (f.valid()) return {Kind::kPillow, {}, f, g};
+  }
+  return {};
+}
+
+template <class Mesh>
+[[nodiscard]] Error explain(const Mesh& mesh, Halfedge h, const CollapseObstacle& obstacle) {
+  using Kind = CollapseObstacle::Kind;
+  const CollapseSite site(mesh, h);
+  const Edge e = mesh.edge(h);
+  switch (obstacle.kind) {
+    case Kind::kPinches:
+      return joins_boundary_vertices(e, site.a, site.b);
+    case Kind::kSameApex:
+      return same_vertex(e, site.left);
+    case Kind::kBareEdge: {
+      const Halfedge after = mesh.next(obstacle.side);
+      return would_leave_bare_edge(mesh.face(obstacle.side), mesh.edge(after),
+                                   mesh.edge(mesh.next(after)));
+    }
+    case Kind::kRepeatedVertex:
+      return has_both_ends(obstacle.face, e, site.a, site.b);
+    case Kind::kNeighbour: {
+      const Vertex v = mesh.to_vertex(obstacle.side);
+      return is_common_neighbour(v, e, mesh.find_edge(site.a, v), mesh.edge(obstacle.side));
+    }
+    case Kind::kPillow:
+      return would_leave_pillow(e, obstacle.face, obstacle.other_face);
+    case Kind::kNone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace internal
+
+/// Whether collapse(h) can be done, without a sentence: allocates nothing. (OpenMesh:
+/// is_collapse_ok; CGAL: does_satisfy_link_condition)
+///
+/// pre: h is live. cost: as check_collapse
+template <EditableSurface Mesh>
+[[nodiscard]] bool is_collapse_ok(const Mesh& mesh, Halfedge h,
+                                  LinkCondition condition = LinkCondition::kStrict) {
+  return internal::find_collapse_obstacle(mesh, h, condition).kind ==
+         internal::CollapseObstacle::Kind::kNone;
+}
+
+/// Whether collapse(h) can be done. With a = from_vertex(h) and b = to_vertex(h), else:
+///
+///   not-a-halfedge
+///   boundary-vertices  a and b lie on the boundary, their edge doesn't: b would be pinched
+///   same-vertex        the triangles on both sides have the same third corner
+///   edge-without-face  a triangle on one side is on the boundary with its two other edges, which
+///                      would become one
+///   common-neighbour   a and b have a neighbour in common that isn't the third corner of a
+///   triangle
+///                      beside the edge: it would be joined to b twice
+///   repeated-vertex    a and b are corners of a face that doesn't have their edge
+///   leaves-pillow      two faces would have the same corners and all their edges in common;
+///   allowed
+///                      by LinkCondition::kPermissive
+///
+/// The witness has the items named: that neighbour with its two edges, those faces. For triangle
+/// meshes these are the link condition (Dey et al., Topology preserving edge contraction, 1999).
+///
+/// cost: O(valences of both ends, degrees of the faces at a) while the valences are in the tens;
+///       O(product of the valences) beyond
+template <EditableSurface Mesh>
+[[nodiscard]] Result<void> check_collapse(const Mesh& mesh, Halfedge h,
+                                          LinkCondition condition = LinkCondition::kStrict) {
+  if (Result<void> live = check_live(mesh, h); !live) return live;
+  const internal::CollapseObstacle obstacle = internal::find_collapse_obstacle(mesh, h, condition);
+  if (obstacle.kind == internal::CollapseObstacle::Kind::kNone) return {};
+  return internal::explain(mesh, h, obstacle);
+}
+
+namespace internal {
+
+/// Attributes of the point at (1 - t) a + t b that becomes of both ends.
+template <class Mesh>
+void blend_ends(Mesh& mesh, const CollapseSite& site, Halfedge before_h, Halfedge before_o,
+                double t) {
+  if (t != 1) mesh.blend_attributes(site.b, site.a, site.b, t);
+  if (mesh.attributes().of(ItemKind::kHalfedge).empty()) return;
+  mesh.contract_corners(site.h, before_h, before_o, t, [&](const auto& move) {
+    for (const Halfedge end : {site.o, site.h}) {
+      if (end == site.h && t == 1) break;  // the corners at b stay
+      for (Halfedge in = mesh.next_on_vertex(end); in != end; in = mesh.next_on_vertex(in)) {
+        if (!mesh.is_boundary(in)) move(in.index());
+      }
+    }
+  });
+}
+
+/// Takes away the triangle of which two edges are left: `kept` and `gone`, each other's next. The
+/// edge of `kept` stays, and takes the place of the other one in the face beyond that.
+template <class Mesh>
+void zip_triangle(Mesh& mesh, Halfedge kept, Halfedge gone) {
+  namespace steps = decorator::internal;
+  const Halfedge beyond = mesh.opposite(gone);
+  const Face f = mesh.face(beyond);
+  const Halfedge before = mesh.prev(beyond);
+  const Halfedge after = mesh.next(beyond);
+  steps::replace_anchor(mesh, mesh.from_vertex(gone), gone, mesh.opposite(kept));
+  steps::replace_anchor(mesh, mesh.from_vertex(beyond), beyond, kept);
+  mesh.release(mesh.face(kept));
+  mesh.copy_corner(kept, beyond);
+  mesh.link(before, kept);
+  mesh.link(kept, after);
+  mesh.set_face(kept, f);
+  steps::replace_in_face(mesh, f, beyond, kept);
+  mesh.release(mesh.edge(gone));
+}
+
+}  // namespace internal
+
+/// Contracts the edge of `h`: a = from_vertex(h) disappears into b = to_vertex(h). Triangles beside
+/// the edge vanish: of their other two edges the one at b stays. Larger faces lose a corner. The
+/// boundary may be anywhere. (CGAL: collapse_edge; OpenMesh: collapse)
+///
+///          b                   b
+///        ´ | `               ´   `
+///     c  h |   d     =>    c       d        one of the two is missing at a boundary edge
+///        ` | ´               ´ | `
+///          a                     the edges of a
+///        ´ | `
+///
+/// attributes: b stays where it is with what it has; given a position, it moves there, and gets the
+///             blend of a and b at the closest point of the edge. The edges c-b and d-b keep their
+///             own, those of a too, in their new place. Corners at a get the value that the corner
+///             beside h has at b, if they have the same value as that at a; others, beyond a seam
+///             of textures, keep theirs
+/// returns: b
+/// cost: O(valence of a), and finding prev where it isn't stored; and the check
+/// inverse: split_vertex(next(h), opposite(prev(opposite(h)))), these taken before; where there was
+///          no triangle, with SplitSide::kCorner
+/// errors: those of check_collapse
+template <EditableSurface Mesh>
+[[nodiscard]] Result<Vertex> collapse(Mesh& mesh, Halfedge h,
+                                      const std::optional<Point>& position = {},
+                                      LinkCondition condition = LinkCondition::kStrict) {
+  namespace steps = decorator::internal;
+  if (Result<void> can = check_collapse(mesh, h, condition); !can) return can.error();
+  const internal::CollapseSite site(mesh, h);
+  const Halfedge o = site.o;
+  const Halfedge before_h = mesh.prev(h);
+  const Halfedge before_o = mesh.prev(o);
+  internal::blend_ends(mesh, site, before_h, before_o,
+                       internal::parameter_on(mesh, h, position, 1));
+  internal::move_to(mesh, site.b, position);
+
+  for (Halfedge in = mesh.next_on_vertex(o); in != o; in = mesh.next_on_vertex(in)) {
+    mesh.set_to_vertex(in, site.b);
+  }
+  // If b was inside, or on the boundary with this edge only, it takes over the anchor of a.
+  const Halfedge anchor_of_a = mesh.vertex_halfedge(site.a);
+  const Halfedge anchor_of_b = mesh.vertex_halfedge(site.b);
+  if (anchor_of_b == o || !mesh.is_boundary(anchor_of_b)) {
+    const bool is_a_on_boundary = mesh.is_boundary(anchor_of_a);
+    const Halfedge from_a = anchor_of_a == h ? site.after_h : anchor_of_a;
+    if (is_a_on_boundary) {
+      mesh.set_vertex_halfedge(site.b, from_a);
+    } else if (anchor_of_b == o) {
+      mesh.set_vertex_halfedge(site.b, site.after_h);
+    }
+  }
+  mesh.link(before_h, site.after_h);
+  mesh.link(before_o, site.after_o);
+  steps::replace_in_face(mesh, mesh.face(h), h, site.after_h);
+  steps::replace_in_face(mesh, mesh.face(o), o, before_o);
+  mesh.release(mesh.edge(h));
+  mesh.release(site.a);
+  if (site.left_is_triangle) internal::zip_triangle(mesh, site.after_h, before_h);
+  if (site.right_is_triangle) internal::zip_triangle(mesh, before_o, site.after_o);
+  return site.b;
+}
+
+}  // namespace halfedge::operations
