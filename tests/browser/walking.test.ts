@@ -104,7 +104,9 @@ describe('The inspector', () => {
 
   test('shows the empty link of a boundary halfedge as ∅, which leads nowhere', async () => {
     await explorer.sample('annulus', 'Annulus');
+    await explorer.press('3');
     await explorer.page.click('.loops button');
+    await explorer.press('1');
     expect(await explorer.state('selected')).toMatch(/^h\d+$/);
     const face = explorer.page.locator('[data-link=face]');
     expect(await face.getAttribute('data-target')).toBe('∅');

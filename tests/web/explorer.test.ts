@@ -8,8 +8,8 @@ import {
 import {
   factsOf,
   type Item,
-  itemCount,
   itemName,
+  itemSlots,
   linksOf,
   parseItemName,
 } from '../../web/explorer/app/items.js';
@@ -156,7 +156,7 @@ describe('links of an item', () => {
 /** Everything that can be asked of any item of a mesh, in both directions. */
 function* allQueries(mesh: HalfedgeMesh): Iterable<Query> {
   for (const kind of ['vertex', 'halfedge', 'edge', 'face'] as const) {
-    for (let index = 0; index < itemCount(mesh, kind); index++) {
+    for (let index = 0; index < itemSlots(mesh, kind); index++) {
       for (const group of queriesFor(mesh, { kind, index })) {
         for (const { name } of group.circulators) {
           yield query(name, group.index, 'ccw', group.start);

@@ -6,17 +6,20 @@ import './styles/layout.css';
 import './styles/top-bar.css';
 import './styles/inspector.css';
 import './styles/circulator.css';
+import './styles/edit.css';
 import './styles/mesh.css';
 import './styles/sheet.css';
 import './styles/overlays.css';
 import './styles/narrow.css';
 import { init } from 'halfedge';
 import { Explorer } from './app/explorer.js';
+import { Signal } from './app/signal.js';
 import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
+import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { listenToKeys } from './ui/keyboard.js';
 import { busyNotice, dropTarget, failureNotice, helpDialog, repairNotice } from './ui/notices.js';
-import { panel } from './ui/panel.js';
+import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { listenToPointer } from './ui/pointer.js';
 import { publishState } from './ui/state-attributes.js';
@@ -39,19 +42,25 @@ async function start(): Promise<void> {
   document.body.append(app);
   const view = new View(explorer, canvas, labels);
   theme.current.subscribe(() => view.applyTheme());
-  const side = panel(explorer);
+  const tab = new Signal<Tab>('circulate');
+  const side = panel(explorer, tab, (item) => {
+    explorer.select(item);
+    view.focus();
+  });
   app.append(
     topBar(explorer, theme, openHelp),
     pickBar(explorer, () => view.focus()),
     side,
     failureNotice(explorer),
     repairNotice(explorer),
+    refusalNotice(explorer),
+    pendingNotice(explorer),
     busyNotice(explorer),
     dropTarget(explorer),
     help,
   );
   view.keepClearOf(side);
-  listenToKeys(explorer, view, openHelp);
+  listenToKeys(explorer, view, tab, openHelp);
   listenToPointer(explorer, view, canvas);
   publishState(explorer, view, stage);
   await init();

@@ -52,26 +52,3 @@ export function failureOf(error: unknown, name: string): OpenFailure {
   }
   return { title, message: String(error) };
 }
-
-/** What the mesh panel tells of a mesh. */
-export interface MeshFacts {
-  readonly characteristic: number;
-  readonly genus: number;
-  readonly components: number;
-  /** One halfedge of each boundary loop. */
-  readonly boundaryLoops: readonly number[];
-  readonly isolatedVertices: number;
-  readonly problems: ReturnType<HalfedgeMesh['validate']>;
-}
-
-/** Goes through the whole mesh: on a million faces this takes a noticeable moment. */
-export function factsOfMesh(mesh: HalfedgeMesh): MeshFacts {
-  return {
-    characteristic: mesh.eulerCharacteristic(),
-    genus: mesh.genus(),
-    components: mesh.components().length,
-    boundaryLoops: [...mesh.boundaryLoops()],
-    isolatedVertices: mesh.connectivity.vertexHalfedge.filter((h) => h === -1).length,
-    problems: mesh.validate(4),
-  };
-}

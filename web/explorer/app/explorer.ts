@@ -1,22 +1,33 @@
-import type { Direction } from 'halfedge';
+import type { Direction, HalfedgeMesh } from 'halfedge';
 import { type Sample, samples } from '../samples/index.js';
 import type { PickMode } from '../scene/picking.js';
 import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
 import {
-  factsOfMesh,
   failureOf,
   type MeshDocument,
-  type MeshFacts,
   type OpenFailure,
   openFile,
   openSample,
 } from './documents.js';
-import { type Item, itemCount, itemName, linksOf, sameItem, type WalkKey } from './items.js';
+import { Editor } from './editor.js';
+import { factsOfMesh, type MeshFacts } from './facts.js';
+import {
+  type Item,
+  isLive,
+  itemName,
+  itemSlots,
+  linksOf,
+  sameItem,
+  type WalkKey,
+} from './items.js';
 import { CirculatorPlayer } from './player.js';
 import { Signal } from './signal.js';
 
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
+
+/** Checking a mesh with more faces than this stops the picture for a noticeable moment. */
+const LARGE = 200_000;
 
 /** A circulator as the user chose it: one of the offered groups, one of its circulators. */
 export interface Choice {
@@ -48,10 +59,16 @@ export class Explorer {
   readonly failure = new Signal<OpenFailure | null>(null);
   /** A remark on the last key or entry that led nowhere; read out by screen readers. */
   readonly remark = new Signal('');
+  readonly editor: Editor;
 
   readonly #preferred = new Map<string, { group: number; name: string }>();
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #measuring: ReturnType<typeof setTimeout> | undefined;
   #opening = 0;
+
+  constructor() {
+    this.editor = new Editor(this);
+  }
 
   /** Opens a sample or a file. A failure leaves the mesh on show as it is. */
   async open(source: Sample | File): Promise<void> {
@@ -78,21 +95,30 @@ export class Explorer {
   /** Selects an item, or nothing. An index that the mesh does not have is remarked on instead. */
   select(item: Item | null): void {
     const mesh = this.document.value?.mesh;
-    if (item && mesh) {
-      const count = itemCount(mesh, item.kind);
-      if (item.index >= count) {
-        this.remark.value =
-          count === 0
-            ? `This mesh has no ${item.kind}.`
-            : `There is no ${itemName(item)}: this mesh has ${item.kind} 0 to ${count - 1}.`;
-        return;
-      }
+    if (item && mesh && !isLive(mesh, item)) {
+      this.remark.value = absence(mesh, item);
+      return;
     }
     this.remark.value = '';
     if (sameItem(item, this.selected.value)) return;
     this.pause();
     this.selected.value = item;
     this.#offerQueries();
+  }
+
+  /** Selects what was pointed at, or hands it to the operation that waits for a second item. */
+  pick(item: Item | null): void {
+    if (item && this.editor.pending.value) this.editor.complete(item);
+    else this.select(item);
+  }
+
+  /** After a change of the mesh: selects `item` afresh, and looks again at all that it changed. */
+  refresh(item: Item | null): void {
+    this.remark.value = '';
+    this.hovered.value = null;
+    this.selected.value = item && { ...item };
+    this.#offerQueries();
+    this.#measure();
   }
 
   /** Walks along the link with that key, as the inspector shows it. */
@@ -166,15 +192,24 @@ export class Explorer {
     this.hovered.value = null;
     this.facts.value = null;
     this.#offerQueries();
+    this.editor.open(opened.mesh);
     this.document.value = opened;
     before?.mesh.dispose();
     if (!this.selected.value && opened.mesh.vertexCount > 0) {
       this.select({ kind: 'vertex', index: opened.start ?? 0 });
     }
-    // Let the page show the mesh before the whole of it is checked.
-    setTimeout(() => {
-      if (this.document.value === opened) this.facts.value = factsOfMesh(opened.mesh);
-    }, 60);
+    this.#measure();
+  }
+
+  /** Lets the page show the mesh before the whole of it is checked; a large one when edits pause. */
+  #measure(): void {
+    clearTimeout(this.#measuring);
+    const faces = this.document.value?.mesh.faceCount ?? 0;
+    const measure = () => {
+      const mesh = this.document.value?.mesh;
+      if (mesh) this.facts.value = factsOfMesh(mesh, this.facts.value);
+    };
+    this.#measuring = setTimeout(measure, faces > LARGE ? 500 : 60);
   }
 
   #offerQueries(): void {
@@ -228,6 +263,14 @@ export class Explorer {
     if (player.done) return;
     this.#timer = setTimeout(() => this.#tick(), 1000 / SPEEDS[this.speed.value]);
   }
+}
+
+/** Why there is no such item. */
+function absence(mesh: HalfedgeMesh, item: Item): string {
+  const slots = itemSlots(mesh, item.kind);
+  if (slots === 0) return `This mesh has no ${item.kind}.`;
+  if (item.index < slots) return `${itemName(item)} was deleted.`;
+  return `There is no ${itemName(item)}: this mesh has ${item.kind} 0 to ${slots - 1}.`;
 }
 
 /** After the browser has shown what was changed so far; a hidden page shows nothing, so not long. */

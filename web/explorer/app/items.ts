@@ -32,17 +32,47 @@ export function parseItemName(text: string): Item | null {
   return kind ? { kind, index: Number(match[2]) } : null;
 }
 
-/** How many items of that kind the mesh has. */
-export function itemCount(mesh: HalfedgeMesh, kind: ItemKind): number {
+/** The range of the indices of that kind: live items and deleted ones. */
+export function itemSlots(mesh: HalfedgeMesh, kind: ItemKind): number {
   switch (kind) {
     case 'vertex':
-      return mesh.vertexCount;
+      return mesh.vertexSlots;
     case 'halfedge':
-      return mesh.halfedgeCount;
+      return mesh.halfedgeSlots;
     case 'edge':
-      return mesh.edgeCount;
+      return mesh.edgeSlots;
     case 'face':
-      return mesh.faceCount;
+      return mesh.faceSlots;
+  }
+}
+
+/** Whether the mesh has the item: its index is in range, and it was not deleted. */
+export function isLive(mesh: HalfedgeMesh, { kind, index }: Item): boolean {
+  if (index >= itemSlots(mesh, kind)) return false;
+  const { next, vertexHalfedge, faceHalfedge } = mesh.connectivity;
+  switch (kind) {
+    case 'vertex':
+      return vertexHalfedge[index] >= NONE;
+    case 'halfedge':
+      return next[index] >= NONE;
+    case 'edge':
+      return next[2 * index] >= NONE;
+    case 'face':
+      return faceHalfedge[index] >= NONE;
+  }
+}
+
+/** The vertices that an item has: one, two, or the corners of a face. */
+export function verticesOf(mesh: HalfedgeMesh, { kind, index }: Item): number[] {
+  switch (kind) {
+    case 'vertex':
+      return [index];
+    case 'halfedge':
+      return [...mesh.edgeVertices(mesh.edge(index))];
+    case 'edge':
+      return [...mesh.edgeVertices(index)];
+    case 'face':
+      return [...mesh.faceVertices(index)];
   }
 }
 

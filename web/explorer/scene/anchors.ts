@@ -73,3 +73,17 @@ export function reachOf(of: Item, surface: Surface): number {
   }
   return Math.max(longest, 1e-4);
 }
+
+/** The faces that an item touches. */
+export function facesAt({ mesh }: Surface, { kind, index }: Item): number[] {
+  switch (kind) {
+    case 'vertex':
+      return [...mesh.vertexFaces(index)];
+    case 'edge':
+      return [...mesh.edgeFaces(index)];
+    case 'halfedge':
+      return [...mesh.edgeFaces(mesh.edge(index))];
+    case 'face':
+      return [index];
+  }
+}

@@ -1,3 +1,4 @@
+import { NONE } from 'halfedge';
 import { Color, Matrix4 } from 'three';
 import { ARROW_FLOATS } from '../geometry/arrows.js';
 import type { FaceFrames } from './faces.js';
@@ -30,6 +31,8 @@ export class ArrowLayer {
   #seen = new Uint32Array(0);
   #queue: number[] = [];
   #colors = { faded: new Color(), arrow: new Color(), boundary: new Color() };
+  /** Faces that show no arrows, while they are changing. */
+  hidden: ReadonlySet<number> = new Set();
   /** Boundary halfedges that have an arrow in the picture: what can be picked beside the surface. */
   readonly boundary: number[] = [];
 
@@ -44,7 +47,8 @@ export class ArrowLayer {
     this.#glyphs = new Glyphs(surface, frames, this.#stage);
     this.#seen = new Uint32Array(surface.mesh.faceSlots);
     this.#stamp = 0;
-    this.#closed = !surface.mesh.connectivity.face.includes(-1);
+    const { face, next } = surface.mesh.connectivity;
+    this.#closed = !face.some((f, h) => f === NONE && next[h] >= 0);
   }
 
   setColors(faded: Color, arrow: Color, boundary: Color): void {
@@ -108,6 +112,7 @@ export class ArrowLayer {
    * of sight; says whether it did.
    */
   #draw(f: number, strength: number): boolean {
+    if (this.hidden.has(f)) return true;
     const frames = this.#frames as FaceFrames;
     const at = frames.at(f);
     const { data } = frames;

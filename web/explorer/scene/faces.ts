@@ -26,6 +26,11 @@ export class FaceFrames {
     return at;
   }
 
+  /** Forgets all that was computed, after vertices have moved. */
+  clear(): void {
+    this.#data.fill(0);
+  }
+
   get data(): Float32Array {
     return this.#data;
   }

@@ -12,7 +12,7 @@ import type { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import type { Item } from '../app/items.js';
 import { arrowSizes } from '../geometry/arrows.js';
 import type { Glyphs } from './glyphs.js';
-import { LineBatch, lineMaterial, lines } from './lines.js';
+import { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 import { Discs } from './points.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
@@ -173,14 +173,4 @@ export class Highlights {
     }
     this.#fills.setDrawRange(0, positions.length / 3);
   }
-}
-
-/** The same lines where something hides them: faint. */
-function ghostOf(material: LineMaterial): LineMaterial {
-  const ghost = material.clone();
-  ghost.depthFunc = GreaterDepth;
-  ghost.transparent = true;
-  ghost.opacity = 0.22;
-  ghost.depthWrite = false;
-  return ghost;
 }

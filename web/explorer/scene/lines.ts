@@ -1,6 +1,7 @@
 import {
   type Color,
   DynamicDrawUsage,
+  GreaterDepth,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
 } from 'three';
@@ -118,4 +119,14 @@ export function lines(batch: LineBatch, material: LineMaterial, order: number): 
   object.frustumCulled = false;
   object.renderOrder = order;
   return object;
+}
+
+/** The same lines where something hides them: faint. */
+export function ghostOf(material: LineMaterial, opacity = 0.22): LineMaterial {
+  const ghost = material.clone();
+  ghost.depthFunc = GreaterDepth;
+  ghost.transparent = true;
+  ghost.opacity = opacity;
+  ghost.depthWrite = false;
+  return ghost;
 }

@@ -28,12 +28,17 @@ export function overlayOf(explorer: Explorer, palette: Palette, anchors: Anchors
   const mesh = explorer.document.value?.mesh;
   if (!mesh) return overlay;
   const selected = explorer.selected.value;
+  const refused = explorer.editor.refused.value;
+  const pending = explorer.editor.pending.value;
   const onTrail = (explorer.play.value?.position ?? 0) > 0;
   if (selected) {
     addSelected(overlay, palette, anchors, selected);
-    if (onTrail) addTrail(overlay, explorer, palette, anchors);
-    else addLinks(overlay, mesh, palette, anchors, selected);
+    // A refusal has the picture to itself: what its sentence names, and nothing else.
+    if (onTrail && !refused) addTrail(overlay, explorer, palette, anchors);
+    else if (!refused && !pending) addLinks(overlay, mesh, palette, anchors, selected);
   }
+  if (refused) addWitness(overlay, refused.witness, palette, anchors);
+  if (pending) addFirst(overlay, pending.first, palette, anchors);
   const hovered = explorer.hovered.value;
   if (hovered && !sameItem(hovered, selected)) {
     overlay.marks.push({ item: hovered, color: palette.ink, weight: 'faint' });
@@ -61,6 +66,42 @@ function addSelected(
     point: anchors.point(selected),
     side: anchors.side(selected),
     lift: selected.kind === 'face' ? 0 : 22,
+  });
+}
+
+/** The items that make an operation impossible, each with its name. */
+function addWitness(
+  { marks, labels }: Overlay,
+  witness: readonly Item[],
+  palette: Palette,
+  anchors: Anchors,
+): void {
+  for (const item of witness) {
+    marks.push({ item, color: palette.opposite, weight: 'strong' });
+    labels.unshift({
+      text: `✕ ${itemName(item)}`,
+      look: 'witness',
+      point: anchors.point(item),
+      side: anchors.side(item),
+      lift: item.kind === 'face' ? 0 : 22,
+    });
+  }
+}
+
+/** The item from which an operation goes that waits for its second one. */
+function addFirst(
+  { marks, labels }: Overlay,
+  first: Item,
+  palette: Palette,
+  anchors: Anchors,
+): void {
+  marks.push({ item: first, color: palette.next, weight: 'strong' });
+  labels.unshift({
+    text: `from ${itemName(first)}`,
+    look: 'first',
+    point: anchors.point(first),
+    side: anchors.side(first),
+    lift: 22,
   });
 }
 

@@ -1,19 +1,15 @@
-import { DoubleSide, type Intersection, Raycaster, Vector2, Vector3 } from 'three';
+import { Raycaster, Vector2, Vector3 } from 'three';
 import type { Item } from '../app/items.js';
 import { ARROW_FLOATS } from '../geometry/arrows.js';
 import { ARROWS_FROM_PX } from './arrow-layer.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';
+import type { RayHit } from './ray-tree.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
 /** What the pointer picks: whatever is nearest, or only items of one kind. */
 export type PickMode = 'auto' | 'vertex' | 'edge' | 'halfedge' | 'face';
-
-interface Hit {
-  readonly face: number;
-  readonly distance: number;
-}
 
 /** The corner, edge or arrow of a face that is nearest to the pointer, in CSS pixels. */
 interface Nearest {
@@ -134,7 +130,7 @@ export class Picker {
     x: number,
     y: number,
     boundary: readonly number[],
-    hit: Hit | null,
+    hit: RayHit | null,
     reach: number,
   ): number | null {
     let found: number | null = null;
@@ -213,19 +209,17 @@ export class Picker {
     return distanceToSegment(x, y, a, b);
   }
 
-  #hit(x: number, y: number): Hit | null {
+  #hit(x: number, y: number): RayHit | null {
     const { size, camera } = this.#stage;
     this.#raycaster.setFromCamera(
       this.#ndc.set((2 * x) / size.x - 1, 1 - (2 * y) / size.y),
       camera,
     );
-    const hit = this.#cast();
-    if (!hit) return null;
-    return { face: this.#surface.faceOf[hit.faceIndex as number], distance: hit.distance };
+    return this.#cast();
   }
 
-  #cast(): Intersection | null {
-    return this.#surface.bvh?.raycastFirst(this.#raycaster.ray, DoubleSide) ?? null;
+  #cast(): RayHit | null {
+    return this.#surface.tree.cast(this.#raycaster.ray);
   }
 }
 

@@ -40,6 +40,7 @@ export class Stage {
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #frame = 0;
   #flight: ((now: number) => boolean) | null = null;
+  #motion: ((now: number) => boolean) | null = null;
 
   constructor(canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -69,6 +70,12 @@ export class Stage {
   onChange(begins: () => void, rests: () => void): void {
     this.#woken.push(begins);
     this.#rested.push(rests);
+  }
+
+  /** Calls `step` before each frame as long as it says that it goes on; instead of one before. */
+  animate(step: (now: number) => boolean): void {
+    this.#motion = step;
+    this.invalidate();
   }
 
   /** Asks for one more frame. */
@@ -236,6 +243,8 @@ export class Stage {
     this.#frame = 0;
     const flying = this.#flight?.(now) ?? false;
     if (!flying) this.#flight = null;
+    const animated = this.#motion?.(now) ?? false;
+    if (!animated) this.#motion = null;
     const moving = this.controls.update();
     const distance = this.camera.position.distanceTo(this.controls.target);
     this.camera.near = Math.max(distance / 500, 1e-5);
@@ -244,7 +253,7 @@ export class Stage {
     this.camera.updateMatrixWorld();
     for (const listener of this.#listeners) listener();
     this.#renderer.render(this.scene, this.camera);
-    if (flying || moving) this.invalidate();
+    if (flying || animated || moving) this.invalidate();
     else for (const listener of this.#rested) listener();
   }
 }

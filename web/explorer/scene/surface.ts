@@ -1,51 +1,56 @@
-import type { HalfedgeMesh } from 'halfedge';
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  Matrix4,
-  Mesh,
-  MeshLambertMaterial,
-  ShapeUtils,
-  Vector2,
-} from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
+import { type HalfedgeMesh, NONE } from 'halfedge';
+import { BufferAttribute, Matrix4, ShapeUtils, Vector2 } from 'three';
+import { type ChangedTriangles, changedTriangles, type Drawn } from '../geometry/change.js';
 import { newellNormal } from '../geometry/polygon.js';
+import { RayTree } from './ray-tree.js';
+
+/** Changes of more triangles than this are not told one by one. */
+const MOST_CHANGES = 4000;
 
 /**
  * A mesh made ready for the scene: its positions moved into the unit sphere, its faces
  * triangulated for drawing, and a tree over the triangles that picks the faces they are part of.
  */
-export class Surface {
+export class Surface implements Drawn {
   readonly mesh: HalfedgeMesh;
-  /** xyz by vertex, centred, within distance 1 of the origin. */
+  /** xyz by vertex, centred, within distance 1 of the origin; the origin for deleted vertices. */
   readonly points: Float32Array;
+  readonly vertexHalfedge: Int32Array;
+  readonly toVertex: Int32Array;
+  readonly triangles: Uint32Array;
   /** Takes a position of the mesh to its place in the scene. */
   readonly placement: Matrix4;
-  readonly geometry = new BufferGeometry();
-  /** Null for a mesh without faces. */
-  readonly bvh: MeshBVH | null;
+  /** The points, as layers share them. */
+  readonly position: BufferAttribute;
+  readonly tree: RayTree;
+  /** What changed since the earlier surface; null where there is none, or all may have changed. */
+  readonly change: ChangedTriangles | null;
   /** By triangle: the face it is part of. */
   readonly faceOf: Uint32Array;
   /** A typical length of an edge. */
   readonly medianEdge: number;
+  readonly #bounds: Bounds;
 
-  constructor(mesh: HalfedgeMesh) {
+  /** With a surface that was made from the mesh earlier, before an edit: in the same place. */
+  constructor(mesh: HalfedgeMesh, earlier?: Surface) {
     this.mesh = mesh;
-    const { centre, scale } = bounds(mesh.positions);
-    this.points = mesh.positions.map((x, i) =>
-      Number.isFinite(x) ? (x - centre[i % 3]) * scale : 0,
-    );
+    // What this was made from, as it was then: the mesh itself goes on to change.
+    this.vertexHalfedge = mesh.connectivity.vertexHalfedge.slice();
+    this.toVertex = mesh.connectivity.toVertex.slice();
+    this.#bounds = earlier ? earlier.#bounds : bounds(mesh.positions);
+    const { centre, scale } = this.#bounds;
+    this.points = placed(mesh.positions, this.vertexHalfedge, this.#bounds);
     this.placement = new Matrix4()
       .makeScale(scale, scale, scale)
       .multiply(new Matrix4().makeTranslation(-centre[0], -centre[1], -centre[2]));
     const { triangles, faceOf } = triangulate(mesh, this.points);
     this.faceOf = faceOf;
-    this.geometry.setAttribute('position', new BufferAttribute(this.points, 3));
-    this.geometry.setIndex(new BufferAttribute(triangles, 1));
-    // Indirect: the tree must not reorder the triangles, because `faceOf` follows their order.
-    this.bvh = faceOf.length > 0 ? new MeshBVH(this.geometry, { indirect: true }) : null;
-    this.medianEdge = medianEdge(mesh, this.points);
+    this.triangles = triangles;
+    this.position = new BufferAttribute(this.points, 3);
+    this.change = earlier ? changedTriangles(earlier, this, MOST_CHANGES) : null;
+    const updated = earlier && this.change && earlier.tree.update(this.change.faces, this);
+    this.tree = updated ? earlier.tree : new RayTree(this);
+    this.medianEdge = earlier ? earlier.medianEdge : medianEdge(mesh, this.points);
   }
 
   /** Writes xyz of the corners of a face to `out`, and returns its degree. */
@@ -69,45 +74,31 @@ export class Surface {
   facePieces(face: number): number[] {
     return triangulateFace(this.mesh, this.points, face);
   }
-
-  dispose(): void {
-    this.geometry.dispose();
-  }
 }
 
-/** The surface as an object of the scene: flat facets, back sides in a tint of their own. */
-export class SurfaceView {
-  readonly object: Mesh;
-  readonly material: MeshLambertMaterial;
-  readonly #back = { value: new Array<number>(3).fill(0) };
+interface Bounds {
+  readonly centre: readonly number[];
+  readonly scale: number;
+}
 
-  constructor() {
-    this.material = new MeshLambertMaterial({ flatShading: true, side: DoubleSide });
-    this.material.polygonOffset = true;
-    this.material.polygonOffsetFactor = 1;
-    this.material.polygonOffsetUnits = 1;
-    this.material.onBeforeCompile = (shader) => {
-      shader.uniforms.backColor = this.#back;
-      shader.fragmentShader = `uniform vec3 backColor;\n${shader.fragmentShader.replace(
-        '#include <color_fragment>',
-        '#include <color_fragment>\nif (!gl_FrontFacing) diffuseColor.rgb = backColor;',
-      )}`;
-    };
-    this.object = new Mesh(new BufferGeometry(), this.material);
+function placed(
+  positions: Float32Array,
+  vertexHalfedge: Int32Array,
+  { centre, scale }: Bounds,
+): Float32Array {
+  const points = new Float32Array(positions.length);
+  for (let v = 0; v < vertexHalfedge.length; v++) {
+    if (vertexHalfedge[v] < NONE) continue;
+    for (let k = 0; k < 3; k++) {
+      const x = (positions[3 * v + k] - centre[k]) * scale;
+      if (Number.isFinite(x)) points[3 * v + k] = x;
+    }
   }
-
-  setColors(front: readonly number[], back: readonly number[]): void {
-    this.material.color.setRGB(front[0], front[1], front[2]);
-    this.#back.value = [...back];
-  }
-
-  show(surface: Surface): void {
-    this.object.geometry = surface.geometry;
-  }
+  return points;
 }
 
 /** The middle of the bounding box, and the scale that makes everything fit into the unit sphere. */
-function bounds(positions: Float32Array): { centre: number[]; scale: number } {
+function bounds(positions: Float32Array): Bounds {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {

@@ -1,72 +1,81 @@
-import { Color, Matrix4, Spherical, Vector3 } from 'three';
+import { Color, Matrix4, Vector3 } from 'three';
 import type { MeshDocument } from '../app/documents.js';
-import type { Explorer, Play } from '../app/explorer.js';
+import type { Explorer } from '../app/explorer.js';
 import type { Item } from '../app/items.js';
-import { anchorOf, reachOf, sideOf } from './anchors.js';
+import type { Edit } from '../app/motion.js';
+import { anchorOf, facesAt, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
 import { Labels } from './labels.js';
 import { overlayOf } from './marks.js';
+import { AT_REST, type InMotion, Morph } from './morph.js';
 import { type Palette, readPalette } from './palette.js';
 import { Picker } from './picking.js';
 import { Stage } from './stage.js';
-import { Surface, SurfaceView } from './surface.js';
+import { Surface } from './surface.js';
+import { SurfaceLook, SurfaceView } from './surface-view.js';
+import { type Shown, Travel } from './travel.js';
 import { Wire } from './wire.js';
-
-/** A walk whose edges are shorter than this on the screen is looked at more closely. */
-const TOO_SMALL_PX = 44;
-/** Walks longer than this go too far to be looked at from near. */
-const LONG_WALK = 40;
-
-/** Everything that belongs to the mesh on show. */
-interface Shown {
-  readonly surface: Surface;
-  readonly frames: FaceFrames;
-  readonly glyphs: Glyphs;
-  readonly picker: Picker;
-}
 
 /** The picture of the explorer's state: follows its signals, draws when something changed. */
 export class View {
   readonly stage: Stage;
+  readonly travel: Travel;
   readonly #explorer: Explorer;
-  readonly #surfaceView = new SurfaceView();
+  readonly #look = new SurfaceLook();
+  readonly #surfaceView = new SurfaceView(this.#look);
   readonly #wire: Wire;
   readonly #arrows: ArrowLayer;
   readonly #highlights: Highlights;
   readonly #labels: Labels;
+  readonly #morph: Morph;
   #palette: Palette = readPalette();
   #shown: Shown | null = null;
+  #inMotion: InMotion = AT_REST;
 
   constructor(explorer: Explorer, canvas: HTMLCanvasElement, labels: HTMLElement) {
     this.#explorer = explorer;
     this.stage = new Stage(canvas);
+    this.travel = new Travel(this.stage);
     this.stage.scene.add(this.#surfaceView.object);
     this.#wire = new Wire(this.stage);
     this.#arrows = new ArrowLayer(this.stage);
     this.#highlights = new Highlights(this.stage);
     this.#labels = new Labels(this.stage, labels);
+    this.#morph = new Morph(this.stage, this.#look);
     this.stage.onFrame(() => this.#beforeFrame());
     this.applyTheme();
     explorer.document.subscribe((opened) => this.#show(opened));
+    explorer.editor.edit.subscribe((edit) => {
+      if (edit) this.#change(edit);
+    });
     let before = 0;
     explorer.play.subscribe((play) => {
       const begins = before === 0 && play?.position === 1;
       before = play?.position ?? 0;
-      if (play && before > 0) this.#follow(play, begins);
+      const { value: selected } = explorer.selected;
+      if (play && selected && before > 0) this.travel.follow(play.player, selected, begins);
     });
-    for (const signal of [explorer.selected, explorer.hovered, explorer.play]) {
+    const { refused, pending } = explorer.editor;
+    for (const signal of [explorer.selected, explorer.hovered, explorer.play, refused, pending]) {
       signal.subscribe(() => this.#mark());
     }
+    refused.subscribe((refusal) => this.travel.bringIntoSight(refusal?.witness ?? []));
+  }
+
+  /** Flies to the selected item, or back to the whole mesh if nothing is selected. */
+  focus(): void {
+    this.travel.focus(this.#explorer.selected.value);
   }
 
   /** Takes over the colours of the page after a change of theme. */
   applyTheme(): void {
     const palette = readPalette();
     this.#palette = palette;
-    this.#surfaceView.setColors(palette.surface.toArray(), palette.back.toArray());
+    this.#look.setColors(palette.surface.toArray(), palette.back.toArray());
+    this.#morph.setColor(palette.self);
     this.#wire.setColors(palette.wire, palette.boundary);
     this.#arrows.setColors(palette.arrowFar, palette.arrow, palette.boundary);
     this.#highlights.setColors(palette.surface, palette.background);
@@ -80,44 +89,6 @@ export class View {
   pick(x: number, y: number, reach: number): Item | null {
     const { value: mode } = this.#explorer.pickMode;
     return this.#shown?.picker.pick(x, y, mode, this.#arrows.boundary, reach) ?? null;
-  }
-
-  /** Flies to the selected item, near enough to see its arrows; to the whole mesh if there is none. */
-  focus(): void {
-    const shown = this.#shown;
-    const item = this.#explorer.selected.value;
-    if (!shown || !item) {
-      this.fit();
-      return;
-    }
-    const target = this.#anchor(item, shown);
-    const distance = this.stage.distanceFor(1.8 * reachOf(item, shown.surface));
-    this.stage.fly(target, this.#towards(item, shown), distance);
-  }
-
-  /** Flies back to where the whole mesh is seen. */
-  fit(): void {
-    const { camera, controls } = this.stage;
-    const direction = camera.position.clone().sub(controls.target);
-    if (this.#shown) this.stage.flyToAll(this.#shown.surface.points, direction);
-  }
-
-  /** Turns the camera around the middle of the picture, by angles in radians. */
-  orbit(horizontal: number, vertical: number): void {
-    const { camera, controls } = this.stage;
-    const offset = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
-    offset.theta += horizontal;
-    offset.phi += vertical;
-    offset.makeSafe();
-    const direction = new Vector3().setFromSpherical(offset);
-    this.stage.look(controls.target.clone(), direction, offset.radius);
-  }
-
-  /** Moves the camera to `factor` times its distance. */
-  zoom(factor: number): void {
-    const { camera, controls } = this.stage;
-    const direction = camera.position.clone().sub(controls.target);
-    this.stage.look(controls.target.clone(), direction, factor * direction.length());
   }
 
   /** Centres the picture in the part of the window that the panel leaves free. */
@@ -151,63 +122,54 @@ export class View {
     return matrix.elements.map((x) => Number(x.toPrecision(8))).join(' ');
   }
 
-  /**
-   * Keeps the player in sight: comes near when a walk begins that is too small to be seen, and
-   * turns to the current item when it has left the picture.
-   */
-  #follow({ player }: Play, begins: boolean): void {
-    const shown = this.#shown;
-    const item = player.current?.item;
-    const selected = this.#explorer.selected.value;
-    if (!shown || !item || !selected) return;
-    const point = this.#anchor(item, shown);
-    const { x, y, z } = point;
-    const pixels =
-      reachOf(selected, shown.surface) / this.stage.pixelAt(this.stage.depthOf(x, y, z));
-    if (begins && pixels < TOO_SMALL_PX && player.count < LONG_WALK) {
-      this.focus();
-    } else if (!this.stage.inSight(point)) {
-      const { camera, controls } = this.stage;
-      const distance = camera.position.distanceTo(controls.target);
-      this.stage.fly(point, this.#towards(item, shown), distance);
-    }
-  }
-
-  #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
-    return anchorOf(item, surface, frames, glyphs);
-  }
-
-  /** The direction to look from: the present one, turned to the front of the item if it is behind. */
-  #towards(item: Item, { surface, frames }: Shown): Vector3 {
-    const { camera, controls } = this.stage;
-    const direction = camera.position.clone().sub(controls.target).normalize();
-    const normal = new Vector3();
-    for (const f of facesAt(surface, item)) {
-      const at = frames.at(f) + 3;
-      normal.add(new Vector3().fromArray(frames.data, at));
-    }
-    if (normal.lengthSq() < 1e-9) return direction;
-    normal.normalize();
-    if (direction.dot(normal) > 0.55) return direction;
-    return direction.lerp(normal, 0.7).normalize();
-  }
-
   #show(opened: MeshDocument | null): void {
-    this.#shown?.surface.dispose();
-    this.#shown = null;
+    this.#morph.stop();
+    this.#shown = this.travel.shown = null;
     if (!opened) return;
-    const surface = new Surface(opened.mesh);
+    const { surface, picker } = this.#present(new Surface(opened.mesh));
+    this.#rest();
+    this.stage.lookAtAll(surface.points, new Vector3(...opened.view));
+    this.#explorer.select(this.#inFront(picker, opened));
+  }
+
+  /** Moves on to the mesh after an edit; the camera stays. */
+  #change(edit: Edit): void {
+    const before = this.#shown;
+    if (!before) return;
+    this.#morph.stop();
+    const { surface, frames } = this.#present(new Surface(before.surface.mesh, before.surface));
+    const moved = () => {
+      frames.clear();
+      this.#mark();
+    };
+    const inMotion = this.#morph.start(before.surface, surface, edit, moved, () => {
+      frames.clear();
+      this.#rest();
+    });
+    this.#rest(inMotion);
+  }
+
+  #present(surface: Surface): Shown {
     const frames = new FaceFrames(surface);
     const glyphs = new Glyphs(surface, frames, this.stage);
     const picker = new Picker(this.stage, surface, frames, glyphs);
-    this.#surfaceView.show(surface);
-    this.#wire.show(surface);
     this.#arrows.show(surface, frames);
     this.#highlights.show(surface, glyphs);
     this.#shown = { surface, frames, glyphs, picker };
-    this.stage.lookAtAll(surface.points, new Vector3(...opened.view));
+    this.travel.shown = this.#shown;
+    return this.#shown;
+  }
+
+  /** Draws the mesh as it lies, but for what is in motion. */
+  #rest(inMotion: InMotion = AT_REST): void {
+    this.#inMotion = inMotion;
+    if (!this.#shown) return;
+    const { surface } = this.#shown;
+    this.#surfaceView.show(surface, inMotion.triangles);
+    this.#wire.show(surface, inMotion.edges);
+    this.#arrows.hidden = inMotion.faces;
     this.#mark();
-    this.#explorer.select(this.#inFront(picker, opened));
+    this.stage.invalidate();
   }
 
   /** The vertex that is selected first: the one that the sample names, or one in plain sight. */
@@ -221,12 +183,17 @@ export class View {
   #mark(): void {
     const shown = this.#shown;
     if (!shown) return;
-    const { glyphs } = shown;
+    const { surface, frames, glyphs } = shown;
     const { marks, labels } = overlayOf(this.#explorer, this.#palette, {
-      point: (item) => this.#anchor(item, shown),
+      point: (item) => anchorOf(item, surface, frames, glyphs),
       side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
     });
-    this.#highlights.setMarks(marks);
+    const { edges } = this.#inMotion;
+    const still = marks.filter(({ item: { kind, index } }) => {
+      if (kind === 'edge') return !edges.has(index);
+      return kind !== 'halfedge' || !edges.has(index >> 1);
+    });
+    this.#highlights.setMarks(still);
     this.#labels.set(labels);
   }
 
@@ -244,19 +211,5 @@ export class View {
   #near({ surface }: Shown): number[] {
     const items = [this.#explorer.selected.value, this.#explorer.hovered.value];
     return items.flatMap((item) => (item ? facesAt(surface, item) : []));
-  }
-}
-
-/** The faces that an item touches. */
-function facesAt({ mesh }: Surface, { kind, index }: Item): number[] {
-  switch (kind) {
-    case 'vertex':
-      return [...mesh.vertexFaces(index)];
-    case 'edge':
-      return [...mesh.edgeFaces(index)];
-    case 'halfedge':
-      return [...mesh.edgeFaces(mesh.edge(index))];
-    case 'face':
-      return [index];
   }
 }

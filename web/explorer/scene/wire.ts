@@ -22,6 +22,7 @@ export class Wire {
   readonly #boundaryMaterial = lineMaterial(2.25, 1);
   #surface: Surface | null = null;
   #colored: Color | null = null;
+  #hidden: ReadonlySet<number> = new Set();
 
   constructor(stage: Stage) {
     this.#stage = stage;
@@ -30,8 +31,10 @@ export class Wire {
     stage.scene.add(this.#hairlines, lines(this.#boundary, this.#boundaryMaterial, 2));
   }
 
-  show(surface: Surface): void {
+  /** Shows the edges of a surface, but for some. */
+  show(surface: Surface, hidden: ReadonlySet<number> = new Set()): void {
     this.#surface = surface;
+    this.#hidden = hidden;
     this.#hairlines.geometry.dispose();
     this.#hairlines.geometry = new BufferGeometry();
     this.#writeBoundary();
@@ -61,12 +64,12 @@ export class Wire {
     const index = new Uint32Array(toVertex.length);
     let count = 0;
     for (let h = 0; h < toVertex.length; h += 2) {
-      if (next[h] < 0) continue;
+      if (next[h] < 0 || this.#hidden.has(h >> 1)) continue;
       index[count++] = toVertex[h + 1];
       index[count++] = toVertex[h];
     }
     const { geometry } = this.#hairlines;
-    geometry.setAttribute('position', surface.geometry.getAttribute('position'));
+    geometry.setAttribute('position', surface.position);
     geometry.setIndex(new BufferAttribute(index.subarray(0, count), 1));
   }
 
@@ -76,7 +79,7 @@ export class Wire {
       const { toVertex, face, next } = this.#surface.mesh.connectivity;
       const { points } = this.#surface;
       for (let h = 0; h < face.length; h++) {
-        if (face[h] !== -1 || next[h] < 0) continue;
+        if (face[h] !== -1 || next[h] < 0 || this.#hidden.has(h >> 1)) continue;
         this.#boundary.add(points, 3 * toVertex[h ^ 1], 3 * toVertex[h], this.#colored);
       }
     }

@@ -64,6 +64,10 @@ const PATHS = {
   arrow: 'M5 12h14M13 6l6 6-6 6',
   warning: 'M12 4.5l8.5 15h-17zM12 10v4.5M12 17v.1',
   check: 'M5 12.5l4.5 4.5L19 7.5',
+  undo: 'M8.5 5L4 9.5 8.5 14M4.5 9.5H14a5 5 0 0 1 0 10h-3',
+  redo: 'M15.5 5L20 9.5 15.5 14M19.5 9.5H10a5 5 0 0 0 0 10h3',
+  refused: 'M12 3.5a8.5 8.5 0 1 0 0 17 8.5 8.5 0 0 0 0-17M6.2 6.2l11.6 11.6',
+  target: 'M12 6a6 6 0 1 0 0 12 6 6 0 0 0 0-12M12 3v5M12 16v5M3 12h5M16 12h5',
 } as const;
 
 export type IconName = keyof typeof PATHS;

@@ -4,6 +4,11 @@ import { fill, h } from './dom.js';
 
 const TITLES = { vertex: 'Vertex', halfedge: 'Halfedge', edge: 'Edge', face: 'Face' } as const;
 
+/** `Vertex 12`. */
+export function itemTitle({ kind, index }: Item): string {
+  return `${TITLES[kind]} ${index}`;
+}
+
 /** The selected item: what it is, and its links as buttons that walk. */
 export function inspector(explorer: Explorer): HTMLElement {
   const title = h('h2', { id: 'inspector-title' });
@@ -22,7 +27,7 @@ export function inspector(explorer: Explorer): HTMLElement {
       fill(links);
       return;
     }
-    title.textContent = `${TITLES[selected.kind]} ${selected.index}`;
+    title.textContent = itemTitle(selected);
     const parts = [...factsOf(mesh, selected).map(fact), position(explorer, selected)];
     fill(facts, ...parts.flatMap((part) => [part, ' ']));
     // Keep the keyboard where it is when a walk rebuilds the list.

@@ -1,13 +1,21 @@
 import type { Explorer } from '../app/explorer.js';
 import type { WalkKey } from '../app/items.js';
+import type { Signal } from '../app/signal.js';
 import type { View } from '../scene/view.js';
+import type { Tab } from './panel.js';
 
 const WALKS: ReadonlySet<string> = new Set<WalkKey>(['n', 'p', 'o', 'v', 'e', 'f', 'h', 'u']);
 const ORBIT = 0.12;
 
 /** Keys for everything; they leave fields, sliders and open dialogs alone. */
-export function listenToKeys(explorer: Explorer, view: View, openHelp: () => void): void {
-  const orbit = (dx: number, dy: number) => view.orbit(dx * ORBIT, dy * ORBIT);
+export function listenToKeys(
+  explorer: Explorer,
+  view: View,
+  tab: Signal<Tab>,
+  openHelp: () => void,
+): void {
+  const { editor } = explorer;
+  const orbit = (dx: number, dy: number) => view.travel.orbit(dx * ORBIT, dy * ORBIT);
   const actions: Record<string, () => void> = {
     ' ': () => explorer.toggle(),
     ',': () => explorer.step(-1),
@@ -16,29 +24,50 @@ export function listenToKeys(explorer: Explorer, view: View, openHelp: () => voi
     End: () => explorer.seek(Number.MAX_SAFE_INTEGER),
     c: () => explorer.setDirection(explorer.direction.value === 'ccw' ? 'cw' : 'ccw'),
     z: () => view.focus(),
-    '0': () => view.fit(),
+    '0': () => view.travel.fit(),
     g: () => document.querySelector<HTMLInputElement>('.goto input')?.focus(),
     '?': openHelp,
     ArrowLeft: () => orbit(-1, 0),
     ArrowRight: () => orbit(1, 0),
     ArrowUp: () => orbit(0, -1),
     ArrowDown: () => orbit(0, 1),
-    '+': () => view.zoom(1 / 1.2),
-    '=': () => view.zoom(1 / 1.2),
-    '-': () => view.zoom(1.2),
+    '+': () => view.travel.zoom(1 / 1.2),
+    '=': () => view.travel.zoom(1 / 1.2),
+    '-': () => view.travel.zoom(1.2),
+    Delete: () => editor.runKey('Delete'),
+    Backspace: () => editor.runKey('Delete'),
+    Enter: () => {
+      if (explorer.selected.value) editor.complete(explorer.selected.value);
+    },
     Escape: () => {
       if (explorer.failure.value) explorer.failure.value = null;
+      else if (editor.pending.value || editor.refused.value) editor.cancel();
       else explorer.select(null);
     },
   };
+  ['circulate', 'edit', 'mesh'].forEach((id, i) => {
+    actions[i + 1] = () => {
+      tab.value = id as Tab;
+    };
+  });
   window.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || belongsToControl(event)) return;
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const action = WALKS.has(key) ? () => explorer.walk(key as WalkKey) : actions[key];
+    if (event.altKey || belongsToControl(event)) return;
+    const action = actionOf(event);
     if (!action) return;
     event.preventDefault();
     action();
   });
+
+  /** Capitals are operations; letters walk; control or command with Z and Y goes through history. */
+  function actionOf({ key, shiftKey, ctrlKey, metaKey }: KeyboardEvent): (() => void) | undefined {
+    const letter = key.length === 1 ? key.toLowerCase() : key;
+    if (ctrlKey || metaKey) {
+      if (letter === 'y' || (letter === 'z' && shiftKey)) return () => editor.redo();
+      return letter === 'z' ? () => editor.undo() : undefined;
+    }
+    if (shiftKey && /^[a-z]$/.test(letter)) return () => editor.runKey(letter.toUpperCase());
+    return WALKS.has(letter) ? () => explorer.walk(letter as WalkKey) : actions[letter];
+  }
 }
 
 /** Whether the focused control has a use of its own for the key. */

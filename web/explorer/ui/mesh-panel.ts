@@ -1,42 +1,50 @@
-import type { MeshFacts } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
+import { grouped, type MeshFacts, type Numbers } from '../app/facts.js';
+import type { Item } from '../app/items.js';
 import { fill, h, icon } from './dom.js';
+import { changeBadge } from './history-bar.js';
 
 const LOOPS_SHOWN = 12;
 const PROBLEMS_SHOWN = 5;
+const MORE = 50;
 
-const number = (value: number) => value.toLocaleString('en-US').replace('-', '−');
+const ENTRIES: readonly [keyof Numbers, string, string?][] = [
+  ['vertices', 'Vertices'],
+  ['edges', 'Edges'],
+  ['faces', 'Faces'],
+  ['characteristic', 'Euler χ', 'V − E + F'],
+  ['genus', 'Genus', 'handles, over all components'],
+  ['loops', 'Boundary loops'],
+];
 
-/** The topology numbers of the mesh, its boundary loops, and whether it is sound. */
-export function meshPanel(explorer: Explorer): HTMLElement {
+/** Selects an item and flies there. */
+export type GoTo = (item: Item) => void;
+
+/** The topology numbers of the mesh, whether it is sound and where it is not, its boundary loops. */
+export function meshPanel(explorer: Explorer, goTo: GoTo): HTMLElement {
   const title = h('h2', { id: 'mesh-title' });
   const counts = h('dl', { class: 'counts' });
   const validity = h('p', { class: 'validity', role: 'status' });
-  const problems = h('ul', { class: 'problems', 'aria-label': 'Problems' });
-  const loops = h('ul', { class: 'loops', 'aria-label': 'Boundary loops' });
+  const problems = longList('problems', 'Problems');
+  const loops = longList('loops', 'Boundary loops');
   const show = () => {
     const opened = explorer.document.value;
+    const facts = explorer.facts.value;
     if (!opened) return;
     const { mesh } = opened;
-    const facts = explorer.facts.value;
     title.textContent = opened.name;
-    const entries: [string, string, string?][] = [
-      ['Vertices', number(mesh.vertexCount)],
-      ['Edges', number(mesh.edgeCount)],
-      ['Faces', number(mesh.faceCount)],
-      ['Euler χ', facts ? number(facts.characteristic) : '…', 'V − E + F'],
-      ['Genus', facts ? number(facts.genus) : '…', 'handles, over all components'],
-      ['Boundary loops', facts ? number(facts.boundaryLoops.length) : '…'],
-    ];
-    fill(
-      counts,
-      ...entries.map(([term, value, hint]) =>
-        h('div', { title: hint }, h('dt', {}, term), h('dd', {}, value)),
-      ),
-    );
+    const numbers = facts?.numbers ?? {
+      vertices: mesh.vertexCount,
+      edges: mesh.edgeCount,
+      faces: mesh.faceCount,
+    };
+    fill(counts, ...ENTRIES.map((entry) => count(entry, numbers, facts?.changes ?? {})));
     showValidity(validity, facts);
-    fill(problems, ...problemButtons(explorer, facts));
-    fill(loops, ...loopButtons(explorer, facts));
+    problems.show(facts ? problemLines(facts, goTo) : [], PROBLEMS_SHOWN);
+    const lines = (facts?.boundaryLoops ?? []).map(
+      (index) => () => loopLine(index, [...mesh.halfedgeLoop(index)].length, goTo),
+    );
+    loops.show(lines, LOOPS_SHOWN);
   };
   explorer.document.subscribe(show);
   explorer.facts.subscribe(show);
@@ -46,66 +54,110 @@ export function meshPanel(explorer: Explorer): HTMLElement {
     title,
     counts,
     validity,
-    problems,
-    loops,
+    problems.element,
+    loops.element,
+  );
+}
+
+function count(
+  [name, term, hint]: (typeof ENTRIES)[number],
+  numbers: Partial<Numbers>,
+  changes: Partial<Numbers>,
+): HTMLElement {
+  const [value, change] = [numbers[name], changes[name]];
+  return h(
+    'div',
+    { title: hint },
+    h('dt', {}, term),
+    h(
+      'dd',
+      {},
+      value === undefined ? '…' : grouped(value),
+      change !== undefined && changeBadge(change),
+    ),
   );
 }
 
 function showValidity(line: HTMLElement, facts: MeshFacts | null): void {
+  line.classList.remove('broken');
   if (!facts) {
     fill(line, 'Checking the mesh …');
     return;
   }
-  const errors = facts.problems.filter(({ severity }) => severity === 'error').length;
+  const { numbers, isolatedVertices, problems } = facts;
+  const errors = problems.filter(({ severity }) => severity === 'error').length;
   line.classList.toggle('broken', errors > 0);
   if (errors > 0) {
-    const count =
-      errors === 1 ? 'one invariant is broken' : `invariants are broken ${number(errors)} times`;
-    fill(line, icon('warning'), h('span', {}, `Not valid: ${count}.`));
+    const times =
+      errors === 1 ? 'one invariant is broken' : `invariants are broken ${grouped(errors)} times`;
+    fill(line, icon('warning'), h('span', {}, `Not valid: ${times}.`));
     return;
   }
-  const parts = [facts.components === 1 ? 'one component' : `${facts.components} components`];
-  parts.push(facts.boundaryLoops.length === 0 ? 'closed' : 'with a boundary');
-  if (facts.isolatedVertices > 0) parts.push(`${number(facts.isolatedVertices)} isolated vertices`);
+  const parts = [numbers.components === 1 ? 'one component' : `${numbers.components} components`];
+  parts.push(numbers.loops === 0 ? 'closed' : 'with a boundary');
+  if (isolatedVertices > 0) {
+    const vertices = isolatedVertices === 1 ? 'vertex' : 'vertices';
+    parts.push(`${grouped(isolatedVertices)} isolated ${vertices}`);
+  }
   fill(line, icon('check'), h('span', {}, `Valid: all invariants hold; ${parts.join(', ')}.`));
 }
 
 /** What validation found, the worst first; a click goes to the item that it is about. */
-function problemButtons(explorer: Explorer, facts: MeshFacts | null): HTMLElement[] {
+function problemLines({ problems }: MeshFacts, goTo: GoTo): (() => HTMLElement)[] {
   const order = ['error', 'warning', 'info'];
-  const problems = [...(facts?.problems ?? [])].sort(
+  const sorted = [...problems].sort(
     (a, b) => order.indexOf(a.severity) - order.indexOf(b.severity),
   );
-  const lines = problems.slice(0, PROBLEMS_SHOWN).map(({ message, kind, index, severity }) => {
-    const text = h('span', { class: severity }, message);
-    if (kind === 'mesh' || index < 0) return h('li', {}, text);
-    const act = () => explorer.select({ kind, index });
-    return h('li', {}, h('button', { type: 'button', title: 'Select it', onclick: act }, text));
+  return sorted.map(({ message, kind, index, severity, code }) => () => {
+    const text = [
+      h('span', { class: `severity ${severity}` }, severity === 'info' ? 'note' : severity),
+      h('span', {}, message),
+    ];
+    if (kind === 'mesh' || index < 0) return h('li', {}, ...text);
+    const act = () => goTo({ kind, index });
+    const attributes = { type: 'button', 'data-problem': code, title: 'Go there', onclick: act };
+    return h('li', {}, h('button', attributes, ...text));
   });
-  const rest = problems.length - lines.length;
-  if (rest > 0) lines.push(h('li', { class: 'empty' }, `and ${number(rest)} more`));
-  return lines;
 }
 
-/** One button for each boundary loop, which selects a halfedge of it. */
-function loopButtons(explorer: Explorer, facts: MeshFacts | null): HTMLElement[] {
-  const halfedges = facts?.boundaryLoops ?? [];
-  const buttons = halfedges.slice(0, LOOPS_SHOWN).map((index) =>
+/** A boundary loop by a halfedge of it; a click goes there. */
+function loopLine(index: number, length: number, goTo: GoTo): HTMLElement {
+  const act = () => goTo({ kind: 'halfedge', index });
+  const edges = length === 1 ? '1 edge' : `${grouped(length)} edges`;
+  return h(
+    'li',
+    {},
     h(
-      'li',
-      {},
-      h(
+      'button',
+      { type: 'button', title: 'Go to this boundary loop', onclick: act },
+      `loop h${index}`,
+      h('small', {}, edges),
+    ),
+  );
+}
+
+/** A list that shows its first lines, and more of them when asked to. */
+function longList(name: string, label: string) {
+  const element = h('ul', { class: name, 'aria-label': label });
+  const show = (lines: readonly (() => HTMLElement)[], most: number): void => {
+    const rest = lines.length - most;
+    const shown = lines.slice(0, most).map((make) => make());
+    if (rest > 0) {
+      const more = h(
         'button',
         {
           type: 'button',
-          title: 'Select a halfedge of this boundary loop',
-          onclick: () => explorer.select({ kind: 'halfedge', index }),
+          class: 'more',
+          onclick: () => {
+            show(lines, most + MORE);
+            element.querySelectorAll('button')[most]?.focus();
+          },
         },
-        `loop h${index}`,
-      ),
-    ),
-  );
-  const rest = halfedges.length - buttons.length;
-  if (rest > 0) buttons.push(h('li', { class: 'empty' }, `and ${number(rest)} more`));
-  return buttons;
+        `and ${grouped(rest)} more`,
+      );
+      shown.push(h('li', {}, more));
+    }
+    fill(element, ...shown);
+  };
+  return { element, show };
 }

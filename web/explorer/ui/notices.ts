@@ -118,6 +118,10 @@ const KEYS: readonly [string[], string][] = [
   [['←', '→', '↑', '↓'], 'orbit'],
   [['+', '−'], 'zoom'],
   [['G'], 'go to an item by name'],
+  [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
+  [['Del'], 'delete the selected vertex, edge or face'],
+  [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
+  [['1', '2', '3'], 'show the circulator, the operations, the mesh'],
   [['Esc'], 'close, or select nothing'],
 ];
 

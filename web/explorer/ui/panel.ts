@@ -1,42 +1,61 @@
 import type { Explorer } from '../app/explorer.js';
+import type { Signal } from '../app/signal.js';
 import { circulatorPanel } from './circulator-panel.js';
 import { h } from './dom.js';
+import { editPanel } from './edit-panel.js';
+import { historyBar } from './history-bar.js';
 import { inspector } from './inspector.js';
-import { meshPanel } from './mesh-panel.js';
+import { type GoTo, meshPanel } from './mesh-panel.js';
 
-const TABS = { inspect: 'Inspect', circulate: 'Circulate', mesh: 'Mesh' } as const;
+/** The parts of the panel of which one is shown at a time. */
+export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh';
+
+const TABS: readonly [Tab, string, string?][] = [
+  ['inspect', 'Inspect'],
+  ['circulate', 'Circulate', '1'],
+  ['edit', 'Edit', '2'],
+  ['mesh', 'Mesh', '3'],
+];
 const SHEETS = ['low', 'half', 'tall'] as const;
 
 /**
- * Inspector, circulator and mesh, one below the other; in narrow windows a sheet at the bottom
- * that shows one of them at a time and can be pulled up or down.
+ * The inspector, and below it one of circulator, operations and mesh; in narrow windows a sheet at
+ * the bottom, with the inspector as one more tab, that can be pulled up or down.
  */
-export function panel(explorer: Explorer): HTMLElement {
-  const tab = (id: keyof typeof TABS) =>
-    h('button', { type: 'button', 'data-tab-button': id, onclick: () => choose(id) }, TABS[id]);
+export function panel(explorer: Explorer, tab: Signal<Tab>, goTo: GoTo): HTMLElement {
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
   const element = h(
     'aside',
     { class: 'panel card', 'aria-label': 'Panel', 'data-sheet': 'half' },
     grip(),
+    inspector(explorer),
     tabs,
     h(
       'div',
       { class: 'sections' },
-      inspector(explorer),
       circulatorPanel(explorer),
-      meshPanel(explorer),
+      editPanel(explorer),
+      meshPanel(explorer, goTo),
     ),
+    historyBar(explorer),
   );
-  tabs.append(tab('inspect'), tab('circulate'), tab('mesh'));
-  const choose = (id: keyof typeof TABS) => {
-    element.dataset.tab = id;
-    for (const button of tabs.querySelectorAll('button')) {
-      button.setAttribute('aria-current', String(button.dataset.tabButton === id));
-    }
-    if (element.dataset.sheet === 'low') element.dataset.sheet = 'half';
-  };
-  choose('circulate');
+  for (const [id, text, key] of TABS) {
+    const choose = () => {
+      tab.value = id;
+      if (element.dataset.sheet === 'low') element.dataset.sheet = 'half';
+    };
+    const title = key ? `${text} (${key})` : text;
+    const button = h(
+      'button',
+      { type: 'button', 'data-tab-button': id, title, onclick: choose },
+      text,
+    );
+    tab.subscribe((chosen) => button.setAttribute('aria-current', String(chosen === id)));
+    tabs.append(button);
+  }
+  tab.subscribe((chosen) => {
+    element.dataset.tab = chosen;
+  });
 
   function grip(): HTMLElement {
     let from: number | null = null;

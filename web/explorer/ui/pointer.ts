@@ -46,7 +46,7 @@ export function listenToPointer(explorer: Explorer, view: View, canvas: HTMLCanv
     if (!event.isPrimary) return;
     const click = pressed && !pressed.moved && event.button === 0;
     pressed = null;
-    if (click) explorer.select(pickAt(event));
+    if (click) explorer.pick(pickAt(event));
   });
   canvas.addEventListener('pointercancel', () => {
     pressed = null;

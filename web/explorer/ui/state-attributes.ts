@@ -1,3 +1,4 @@
+import { digestOf } from '../app/digest.js';
 import type { Explorer } from '../app/explorer.js';
 import { itemName } from '../app/items.js';
 import type { View } from '../scene/view.js';
@@ -23,6 +24,20 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
     publish('player', play ? (play.playing ? 'playing' : done ? 'done' : 'paused') : null);
     publish('position', play?.position ?? null);
     publish('count', play?.player.count ?? null);
+  });
+  const { editor } = explorer;
+  editor.past.subscribe(({ undoCount, redoCount }) => {
+    publish('undo', undoCount);
+    publish('redo', redoCount);
+  });
+  editor.refused.subscribe((refused) => {
+    publish('refusal', refused?.refusal.code ?? null);
+    publish('witness', refused?.witness.map(itemName).join(' ') ?? null);
+  });
+  editor.pending.subscribe((pending) => publish('pending', pending?.operation.stem ?? null));
+  explorer.facts.subscribe((facts) => {
+    const mesh = explorer.document.value?.mesh;
+    publish('digest', facts && mesh ? digestOf(mesh) : null);
   });
   let frames = 0;
   view.stage.onFrame(() => {

@@ -1,0 +1,273 @@
+import { type HalfedgeMesh, NONE } from 'halfedge';
+import type { PickMode } from '../scene/picking.js';
+import type { Explorer } from './explorer.js';
+import { type Item, isLive, item, itemName } from './items.js';
+import { type Edit, motionOf, renumbering, reversed, stateBefore } from './motion.js';
+import {
+  checkOperation,
+  type Operands,
+  type Operation,
+  type Refusal,
+  refusalOf,
+  runOperation,
+  witnessItems,
+} from './operation.js';
+import { operationsFor } from './operations.js';
+import { Signal, together } from './signal.js';
+
+/** An operation as it stands for the selection: possible, or refused. */
+export interface Offer {
+  readonly operation: Operation;
+  readonly refusal: Refusal | null;
+}
+
+/** A refusal on show. */
+export interface Refused {
+  readonly title: string;
+  readonly refusal: Refusal;
+  readonly witness: readonly Item[];
+}
+
+/** An operation that waits for its second item. */
+export interface Pending {
+  readonly operation: Operation;
+  readonly first: Item;
+}
+
+/** A step of history: what it is called, how it moved, and what was selected around it. */
+interface Step {
+  readonly title: string;
+  readonly edit: Edit;
+  readonly before: Item | null;
+  readonly after: Item | null;
+}
+
+/** The names of the next steps back and forth, and how many there are. */
+export interface Past {
+  readonly undo: string | null;
+  readonly redo: string | null;
+  readonly undoCount: number;
+  readonly redoCount: number;
+}
+
+const NO_PAST: Past = { undo: null, redo: null, undoCount: 0, redoCount: 0 };
+
+/** Operations on the selection, their refusals, and the way back. */
+export class Editor {
+  readonly offers = new Signal<readonly Offer[]>([]);
+  readonly refused = new Signal<Refused | null>(null);
+  readonly pending = new Signal<Pending | null>(null);
+  readonly past = new Signal<Past>(NO_PAST);
+  /** The change that the picture has to show next; a new object for each. */
+  readonly edit = new Signal<Edit | null>(null);
+  /** What the last key or button did, in words; read out by screen readers. */
+  readonly outcome = new Signal('');
+
+  readonly #explorer: Explorer;
+  #done: Step[] = [];
+  #undone: Step[] = [];
+  #keepsRefusal = false;
+  #pickModeBefore: PickMode = 'auto';
+
+  constructor(explorer: Explorer) {
+    this.#explorer = explorer;
+    explorer.selected.subscribe(() => this.#select());
+  }
+
+  /** Begins anew with a mesh that was opened. */
+  open(mesh: HalfedgeMesh): void {
+    mesh.history.enabled = true;
+    this.#done = [];
+    this.#undone = [];
+    this.edit.value = null;
+    this.#wait(null);
+    this.refused.value = null;
+    this.outcome.value = '';
+    this.#publish();
+  }
+
+  /** Does an operation on the selection; one with two operands first waits for the second. */
+  run(operation: Operation): void {
+    const selected = this.#explorer.selected.value;
+    if (operation.on !== 'mesh' && selected?.kind !== operation.on) return;
+    if (operation.second && selected) {
+      this.refused.value = null;
+      this.#wait({ operation, first: selected });
+      this.outcome.value = `${operation.label}: pick ${operation.second.ask}.`;
+      return;
+    }
+    this.#apply(operation, selected, null);
+  }
+
+  /** The operation on the selection with that key. False if there is none. */
+  runKey(key: string): boolean {
+    const offer = this.offers.value.find(({ operation }) => operation.key === key);
+    if (offer) this.run(offer.operation);
+    return offer !== undefined;
+  }
+
+  /** Gives the operation that waits its second item. */
+  complete(second: Item): void {
+    const pending = this.pending.value;
+    if (!pending) return;
+    const { operation, first } = pending;
+    if (second.kind !== operation.second?.kind) {
+      this.outcome.value = `${itemName(second)} is no ${operation.second?.kind}: pick ${operation.second?.ask}.`;
+      return;
+    }
+    this.#wait(null);
+    this.#apply(operation, first, second);
+  }
+
+  cancel(): void {
+    this.#wait(null);
+    this.refused.value = null;
+    this.outcome.value = '';
+  }
+
+  /** Selects an item of the witness; the refusal stays on show. */
+  selectWitness(witness: Item): void {
+    this.#keepsRefusal = true;
+    this.#explorer.select(witness);
+    this.#keepsRefusal = false;
+  }
+
+  undo(): void {
+    this.#travel('undo', this.#done, this.#undone);
+  }
+
+  redo(): void {
+    this.#travel('redo', this.#undone, this.#done);
+  }
+
+  #travel(way: 'undo' | 'redo', from: Step[], to: Step[]): void {
+    const mesh = this.#mesh;
+    const step = from.pop();
+    if (!mesh || !step) {
+      this.outcome.value = `There is nothing to ${way}.`;
+    } else if (mesh.history[way]()) {
+      to.push(step);
+      const back = way === 'undo';
+      const edit = back ? reversed(step.edit) : { ...step.edit };
+      const verb = back ? 'Undone' : 'Redone';
+      this.#finish(`${verb}: ${step.title}.`, edit, back ? step.before : step.after);
+    } else {
+      this.#forget();
+    }
+  }
+
+  get #mesh(): HalfedgeMesh | undefined {
+    return this.#explorer.document.value?.mesh;
+  }
+
+  #apply(operation: Operation, first: Item | null, second: Item | null): void {
+    const mesh = this.#mesh;
+    if (!mesh) return;
+    const operands: Operands = { mesh, item: first ?? { kind: 'face', index: NONE }, second };
+    const title = titleOf(operation, first, second);
+    const refusal = checkOperation(operation, operands);
+    if (refusal) this.#refuse(title, refusal);
+    else this.#commit(operation, operands, first, title);
+  }
+
+  #commit(operation: Operation, operands: Operands, first: Item | null, title: string): void {
+    const { mesh } = operands;
+    const state = stateBefore(operation, operands);
+    let result: unknown;
+    try {
+      result = runOperation(operation, operands);
+    } catch (error) {
+      this.#refuse(title, refusalOf(error));
+      return;
+    }
+    const edit = operation.stem === 'compact' ? renumbering : motionOf(operation, state, mesh);
+    const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
+    this.#done.push({ title, edit, before: first, after });
+    this.#undone = [];
+    this.#finish(`Done: ${title}.`, { ...edit }, after);
+  }
+
+  #finish(outcome: string, edit: Edit, selection: Item | null): void {
+    const mesh = this.#mesh;
+    together(() => {
+      this.edit.value = edit;
+      this.refused.value = null;
+      this.#wait(null);
+      this.outcome.value = outcome;
+      this.#publish();
+      this.#explorer.refresh(selection && mesh && isLive(mesh, selection) ? selection : null);
+    });
+  }
+
+  /** Waits for a second item, or no longer; as long as it does, only items of that kind are picked. */
+  #wait(pending: Pending | null): void {
+    const { pickMode } = this.#explorer;
+    if (pending && !this.pending.value) {
+      this.#pickModeBefore = pickMode.value;
+      pickMode.value = pending.operation.second?.kind ?? pickMode.value;
+    } else if (!pending && this.pending.value) {
+      pickMode.value = this.#pickModeBefore;
+    }
+    this.pending.value = pending;
+  }
+
+  #refuse(title: string, refusal: Refusal): void {
+    const mesh = this.#mesh;
+    const items = witnessItems(refusal.witness);
+    const witness = mesh ? items.filter((found) => isLive(mesh, found)) : [];
+    this.outcome.value = '';
+    this.refused.value = { title, refusal, witness };
+  }
+
+  /** Offers the operations on what is selected now. */
+  #select(): void {
+    if (!this.#keepsRefusal) this.refused.value = null;
+    const mesh = this.#mesh;
+    const selected = this.#explorer.selected.value;
+    if (!mesh) return;
+    this.offers.value = operationsFor(mesh, selected).map((operation) => ({
+      operation,
+      // An operation on the whole mesh may have to look at all of it: not before it is asked for.
+      refusal:
+        selected && operation.on !== 'mesh'
+          ? checkOperation(operation, { mesh, item: selected, second: null })
+          : null,
+    }));
+  }
+
+  #publish(): void {
+    this.past.value = {
+      undo: this.#done.at(-1)?.title ?? null,
+      redo: this.#undone.at(-1)?.title ?? null,
+      undoCount: this.#done.length,
+      redoCount: this.#undone.length,
+    };
+  }
+
+  /** The package has no such step any more: its memory is limited. */
+  #forget(): void {
+    this.#done = [];
+    this.#undone = [];
+    this.outcome.value = 'That step is too far back: it was forgotten.';
+    this.#publish();
+  }
+}
+
+/** `flip e12`, `insert edge h3, h9`, `reverse all`. */
+function titleOf({ label, on }: Operation, first: Item | null, second: Item | null): string {
+  const name = label.toLowerCase();
+  if (on === 'mesh') return `${name} all`;
+  return [`${name} ${itemName(first)}`, ...(second ? [itemName(second)] : [])].join(', ');
+}
+
+/** What the operation returned, if it is an item; else the first of `candidates` that is left. */
+function selectionAfter(
+  { returns }: Operation,
+  result: unknown,
+  mesh: HalfedgeMesh,
+  candidates: readonly (Item | null)[],
+): Item | null {
+  const returned = returns && typeof result === 'number' ? item(returns, result) : null;
+  const found = [returned, ...candidates].find((it) => it && isLive(mesh, it));
+  return found ?? null;
+}
