@@ -1,9 +1,9 @@
 // The WebAssembly module of the JavaScript package: the functions of these files, and its memory.
 //
-// Design. Nothing here is called per item. JavaScript walks a mesh by reading its arrays in place,
-// as typed arrays over this memory; `layout` says where they lie. What is called works on a whole
-// mesh, so embind's cost of a call doesn't matter, and its conversions are used only for numbers
-// and for the few objects that report something.
+// Design. JavaScript walks a mesh by reading its arrays in place, as typed arrays over this memory;
+// `layout` says where they lie. What is called here works on a whole mesh, so embind's cost of a
+// call doesn't matter, and its conversions are used only for numbers and for the few objects that
+// report something. Edits are called per item, without embind: see operation_bindings.h.
 //
 // - A mesh is named by its address, a number. The wrapper (web/src/links.ts) keeps it to itself,
 //   calls `destroyMesh` once, and never passes it on after that. No embind class: no garbage
@@ -18,7 +18,6 @@
 
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/topology.h>
-#include <halfedge/decorator/complexes.h>
 #include <halfedge/halfedge.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>
@@ -51,16 +50,6 @@ Address clone_mesh(Address address) {
     if (!copy || !std::get_if<AMesh>(&*copy)->assign(original)) return 0;
     return copy.release();
   });
-}
-
-/// The halfedge that an operation has made; kNone when memory is exhausted.
-Index index_of(const Result<Halfedge>& made) { return made.ok() ? made.value().index() : kNone; }
-
-Index make_loop(Address address) {
-  return visit_mesh(address, [](auto& mesh) { return index_of(decorator::make_loop(mesh)); });
-}
-Index make_segment(Address address) {
-  return visit_mesh(address, [](auto& mesh) { return index_of(decorator::make_segment(mesh)); });
 }
 
 Address layout(Address address) {
@@ -221,8 +210,6 @@ EMSCRIPTEN_BINDINGS(halfedge) {
   function("cloneMesh", &clone_mesh);
   function("destroyMesh", &destroy_mesh);
   function("layout", &layout);
-  function("makeLoop", &make_loop);
-  function("makeSegment", &make_segment);
   function("build", &build);
   function("parse", &parse_file);
   function("write", &write_file);

@@ -5,9 +5,9 @@
 // numbers in, a number out. JavaScript names it with an underscore: `core._flip_edge(mesh, ...)`.
 //
 // Each function takes the address of a mesh, a mode (a sum of bits), and the arguments. It returns
-// the index of what was made, or 0 where that is nothing; kRefused, and `lastRefusal` tells why; or
-// kNoRoom, if memory is exhausted to the last bytes. When it has changed something, or tried to,
-// `layout_words` are those of the mesh.
+// the index of what was made, which may be none, -1, or 0 where nothing is; kRefused, and
+// `lastRefusal` tells why; or kNoRoom, if memory is exhausted to the last bytes. When it has
+// changed something, or tried to, `layout_words` are those of the mesh.
 
 #include <emscripten/em_macros.h>
 #include <halfedge/result.h>
@@ -26,8 +26,8 @@ inline constexpr Index kKeepStepOpen = 2;  ///< more changes belong to the same 
 inline constexpr Index kAt = 4;            ///< a position is given
 inline constexpr Index kOption = 8;        ///< what the operation itself gives the choice of
 
-inline constexpr int kRefused = -1;
-inline constexpr int kNoRoom = -2;
+inline constexpr int kRefused = -2;
+inline constexpr int kNoRoom = -3;
 
 /// Why the last call that returned kRefused did so, until it is asked for.
 inline std::optional<Error> last_refusal;
@@ -42,7 +42,7 @@ template <class Item>
 int answer(const Result<Item>& result) {
   if (!result) return refuse(result.error());
   if constexpr (std::is_integral_v<Item>) {
-    return static_cast<int>(result.value());
+    return static_cast<int>(result.value());  // a number of items
   } else {
     return static_cast<int>(result.value().index());
   }
@@ -68,6 +68,13 @@ int operate(Address address, Index mode, const Check& check, const Apply& apply)
   return visit_mesh(address, [&](const auto& mesh) { return answer(check(mesh)); });
 }
 
+/// Items that JavaScript has listed.
+template <class Item>
+std::span<const Item> items_at(Address address, std::size_t count) {
+  static_assert(sizeof(Item) == sizeof(Index) && std::is_trivially_copyable_v<Item>);
+  return {reinterpret_cast<const Item*>(address), count};
+}
+
 inline std::optional<Point> position_if_given(Index mode, double x, double y, double z) {
   if ((mode & kAt) == 0) return std::nullopt;
   return Point{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
@@ -77,3 +84,10 @@ inline std::optional<Point> position_if_given(Index mode, double x, double y, do
 
 /// A function for JavaScript, called without embind.
 #define HALFEDGE_EXPORT extern "C" EMSCRIPTEN_KEEPALIVE
+
+/// Checks or does the operation of this name, whose check has the same arguments.
+#define HALFEDGE_OPERATE(operation, ...)                                                      \
+  halfedge::bindings::operate(                                                                \
+      mesh, mode,                                                                             \
+      [&](const auto& m) { return halfedge::operations::check_##operation(m, __VA_ARGS__); }, \
+      [&](auto& m) { return halfedge::operations::operation(m, __VA_ARGS__); })

@@ -1,5 +1,5 @@
 import { checkOptions, describe, lengthOfArrayLike } from './arguments.js';
-import { done, modeOf } from './edit.js';
+import { done, KINDS, kindIndex, modeOf } from './edit.js';
 import type { ItemKind } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import { withInputs } from './memory.js';
@@ -18,9 +18,6 @@ const TYPES = {
 };
 /** In the order of the enum OnSplit in C++. */
 const POLICIES = ['interpolate', 'normalize', 'copy', 'default'] as const;
-/** In the order of the enum ItemKind in C++. */
-const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face'];
-
 const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
 
 /** The type of the numbers of an attribute. */
@@ -168,10 +165,10 @@ export class Attributes {
    * history notes this. Integers are rounded and kept in their range.
    */
   set(kind: ItemKind, name: string, item: number, values: number | ArrayLike<number>): void {
-    const { info, address } = this.#find(kind, name);
     const links = this.#links;
+    const numbers = numbersOf('values', values, this.#find(kind, name).info.components);
+    const { address } = this.#find(kind, name); // again: reading the values may have removed it
     checkItem(links, kind, item);
-    const numbers = numbersOf('values', values, info.components);
     const { core } = links;
     links.groups += 1; // all components are one step
     try {
@@ -248,7 +245,7 @@ const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;
 
 /** The key of a column. Throws a sentence for what is no kind or no name. */
 function checkColumn(kind: unknown, name: unknown): string {
-  checkOneOf('kind', kind, KINDS);
+  kindIndex(kind);
   if (typeof name !== 'string') {
     throw new TypeError(`name is ${describe(name)}; expected a string.`);
   }

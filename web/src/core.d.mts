@@ -78,10 +78,6 @@ export interface RawCore {
   /** Where the arrays of a mesh lie: 19 words, in the order that `Links` reads them. */
   layout(mesh: number): number;
 
-  /** A halfedge of what was added to the mesh; all bits set when memory is exhausted. */
-  makeLoop(mesh: number): number;
-  makeSegment(mesh: number): number;
-
   /** Counts are numbers of elements; without sizes all faces are triangles. */
   build(
     positions: number,
@@ -137,12 +133,53 @@ export interface RawCore {
     count: number,
   ): RawRows | RawFailure;
 
-  // Operations (operation_bindings.cpp), plain exports, which cost next to nothing to call. `mode` is a
-  // sum of bits (edit.ts). They return what was made, or -1 for a refusal, -2 for want of memory.
+  // Operations: plain exports, which cost next to nothing to call (operation_bindings.h). `mode` is a sum
+  // of bits (edit.ts). They return what was made, -2 for a refusal, or -3 for want of memory.
 
-  _flip_edge(mesh: number, mode: number, e: number): number;
+  // One by one (construction_bindings.cpp).
+  _add_vertex(mesh: number, mode: number, x: number, y: number, z: number): number;
   _set_position(mesh: number, mode: number, v: number, x: number, y: number, z: number): number;
-  /** Why the last call that returned -1 did so. To be asked for once, as it is forgotten then. */
+  _add_face(mesh: number, mode: number, corners: number, count: number): number;
+  _delete_vertex(mesh: number, mode: number, v: number): number;
+  _delete_edge(mesh: number, mode: number, e: number): number;
+  _delete_face(mesh: number, mode: number, f: number): number;
+  _delete_isolated_vertices(mesh: number, mode: number): number;
+  _delete_component(mesh: number, mode: number, kind: number, item: number): number;
+  _keep_largest_components(mesh: number, mode: number, keep: number): number;
+  _make_loop(mesh: number, mode: number): number;
+  _make_segment(mesh: number, mode: number): number;
+  _reserve(mesh: number, vertices: number, edges: number, faces: number): number;
+  _clear(mesh: number): void;
+  compact(
+    mesh: number,
+    mode: number,
+  ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
+  /** Where a list of up to 64 items can be written. */
+  _short_list(): number;
+
+  // Euler operations (operation_bindings.cpp).
+  _flip_edge(mesh: number, mode: number, e: number): number;
+  _insert_edge(mesh: number, mode: number, h: number, g: number): number;
+  _remove_edge(mesh: number, mode: number, e: number): number;
+  _dissolve_edge(mesh: number, mode: number, e: number): number;
+  _split_face(mesh: number, mode: number, f: number, x: number, y: number, z: number): number;
+  _dissolve_vertex(mesh: number, mode: number, v: number): number;
+  _make_hole(mesh: number, mode: number, f: number): number;
+  _fill_hole(mesh: number, mode: number, h: number): number;
+
+  // Surgery (surgery_bindings.cpp).
+  _glue(mesh: number, mode: number, h: number, g: number): number;
+  _glue_path(mesh: number, mode: number, h: number, g: number, count: number): number;
+  _cut(mesh: number, mode: number, h: number): number;
+  _cut_path(mesh: number, mode: number, path: number, count: number): number;
+  _split_loop(mesh: number, mode: number, cycle: number, count: number): number;
+  _join_loop(mesh: number, mode: number, h: number, g: number): number;
+  _bridge(mesh: number, mode: number, h: number, g: number): number;
+  _remove_bridge(mesh: number, mode: number, s: number): number;
+  _reverse(mesh: number, mode: number): number;
+  _reverse_component(mesh: number, mode: number, h: number): number;
+
+  /** Why the last call that returned -2 did so. To be asked for once, as it is forgotten then. */
   lastRefusal(): RawProblem;
 
   // History (history_bindings.cpp).

@@ -1,8 +1,9 @@
 import { describe, lengthOfArrayLike } from './arguments.js';
 import { HalfedgeError, type Witness } from './errors.js';
+import type { ItemKind } from './items.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
-import { outOfMemory } from './memory.js';
+import { outOfMemory, withInputs } from './memory.js';
 import { problemOf } from './reports.js';
 
 // How an operation crosses into the core, and back. The functions of the core are plain exports:
@@ -25,8 +26,19 @@ const AT = 4;
 export const OPTION = 8;
 
 /** What the core returns for a refusal; and if there is no memory even for its sentence. */
-const REFUSED = -1;
-const NO_ROOM = -2;
+const REFUSED = -2;
+const NO_ROOM = -3;
+
+/** In the order of the enum ItemKind in C++. */
+export const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face'];
+
+/** The value of `kind` in C++. Throws a sentence for what is no kind. */
+export function kindIndex(kind: unknown): number {
+  const i = KINDS.indexOf(kind as ItemKind);
+  if (i >= 0) return i;
+  const sentence = `kind is ${describe(kind)}; expected 'vertex', 'halfedge', 'edge' or 'face'.`;
+  throw typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
 
 /** A place for a vertex: x, y, z. */
 export type Position = ArrayLike<number>;
@@ -63,26 +75,78 @@ function lastRefusal(core: Core): Refusal {
 
 const noRoom = () => outOfMemory('The change');
 
-const ORIGIN = [0, 0, 0];
-
-/** The position, or any if none is given. Throws a sentence for what is none. */
-export function checkPosition(position: Position | undefined, argument = 'position'): Position {
-  if (position === undefined) return ORIGIN;
+/** A copy of the position, or the origin if none is given. Throws a sentence for what is none. */
+export function checkPosition(
+  position: Position | undefined,
+  argument = 'position',
+): [x: number, y: number, z: number] {
+  if (position === undefined) return [0, 0, 0];
   const expected = 'three numbers, x, y and z';
   if (lengthOfArrayLike(argument, position, expected) !== 3) {
     throw new RangeError(`${argument} is ${describe(position)}; expected ${expected}.`);
   }
-  for (let i = 0; i < 3; i++) checkCoordinate(position[i], `${argument}[${i}]`);
-  return position;
+  return [
+    coordinate(position, 0, argument),
+    coordinate(position, 1, argument),
+    coordinate(position, 2, argument),
+  ];
 }
 
-function checkCoordinate(value: unknown, argument: string): void {
-  if (typeof value !== 'number') {
-    throw new TypeError(`${argument} is ${describe(value)}; expected a number.`);
-  }
-  if (!Number.isFinite(Math.fround(value))) {
-    throw new RangeError(
-      `${argument} is ${describe(value)}; expected a finite number that fits a 32-bit float.`,
-    );
-  }
+function coordinate(position: Position, i: number, argument: string): number {
+  const value: unknown = position[i];
+  if (typeof value === 'number' && Number.isFinite(Math.fround(value))) return value;
+  const expected = 'a finite number that fits a 32-bit float';
+  const sentence = `${argument}[${i}] is ${describe(value)}; expected ${expected}.`;
+  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
 }
+
+/** The room for a list in the core, in place: most are short. */
+let shortList = new Uint32Array(0);
+const SHORT = 64;
+
+/**
+ * Calls `use` with a list of items where the core can read it. Throws a sentence for what is no list, or
+ * has something in it that is no live item.
+ */
+export function withList(
+  links: Links,
+  argument: string,
+  list: ArrayLike<number>,
+  kind: 'vertex' | 'halfedge',
+  use: (address: number, count: number) => number,
+): number {
+  links.revive();
+  const { core } = links;
+  const plural = kind === 'vertex' ? 'vertices' : 'halfedges';
+  const count = lengthOfArrayLike(argument, list, `an array of ${plural}`);
+  for (let i = 0; i < count; i++) checkListed(links, argument, list, kind, i);
+  if (count > SHORT) {
+    return withInputs(core, (inputs) => {
+      const block = inputs.indices(argument, Uint32Array.from(list));
+      return use(block.address, count);
+    });
+  }
+  if (shortList.length === 0 || shortList.buffer !== core.memory.buffer) {
+    shortList = new Uint32Array(core.memory.buffer, core._short_list() >>> 0, SHORT);
+  }
+  for (let i = 0; i < count; i++) shortList[i] = list[i];
+  return use(shortList.byteOffset, count);
+}
+
+function checkListed(
+  links: Links,
+  argument: string,
+  list: ArrayLike<number>,
+  kind: 'vertex' | 'halfedge',
+  i: number,
+): void {
+  const item = list[i];
+  const link = typeof item === 'number' ? linksOfKind(links, kind)[item] : undefined;
+  if (link !== undefined && link >= -1) return;
+  const name = `${argument}[${i}]`;
+  if (kind === 'vertex') links.checkVertex(item, name);
+  else links.checkHalfedge(item, name);
+}
+
+const linksOfKind = (links: Links, kind: 'vertex' | 'halfedge') =>
+  kind === 'vertex' ? links.vertexHalfedge : links.next;

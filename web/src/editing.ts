@@ -1,11 +1,11 @@
 import { Attributes } from './attributes.js';
-import { EulerOperations } from './euler.js';
 import { Generations } from './generations.js';
 import { History } from './history.js';
 import { linksOf } from './navigation.js';
+import { Surgery } from './surgery.js';
 
 /** All operations of a mesh, and what goes along with them: history, attributes, generations. */
-export abstract class Editing extends EulerOperations {
+export abstract class Editing extends Surgery {
   #history: History | undefined;
   #attributes: Attributes | undefined;
   #generations: Generations | undefined;

@@ -1,4 +1,4 @@
-import { Circulation } from './circulation.js';
+import { Construction } from './construction.js';
 import {
   answer,
   CHECK_ONLY,
@@ -7,59 +7,202 @@ import {
   modeOf,
   type Position,
   type Refusal,
+  withPosition,
 } from './edit.js';
-import type { Edge, EdgeLike, VertexLike } from './items.js';
+import type {
+  Edge,
+  EdgeLike,
+  Face,
+  FaceLike,
+  Halfedge,
+  HalfedgeLike,
+  NONE,
+  Vertex,
+  VertexLike,
+} from './items.js';
 import { linksOf } from './navigation.js';
 
 /**
- * Operations on the surface. A mesh that is valid stays valid through all of them.
- *
- * What can't be done is refused, and then nothing has changed: the operation throws a HalfedgeError with
- * a code, a sentence, and the items that make it impossible as its `witness`. `check` and the name of an
- * operation tells beforehand: null, or the refusal. Wrong arguments (an index that is out of range or
- * deleted, a position that is none) are a RangeError or a TypeError of both.
- *
- * Live items keep their indices. New items take deleted slots first, and have defined positions and
- * attributes: their docs say which. Each edit ends circulators, orbits and lists of items: get new ones.
+ * The Euler operations, each beside its inverse: what changes edges, faces and vertices of one surface. The
+ * contract is that of `Construction`.
  */
-export abstract class EulerOperations extends Circulation {
+export abstract class EulerOperations extends Construction {
   /**
    * Turns `e` counter-clockwise in the quad of its two triangles: the diagonal 0-2 of the quad 0123
    * becomes 1-3. The edge and both faces keep their indices and attributes. O(valence).
    *
    * Inverse: the same three times; twice turns the edge around.
    *
-   * @throws HalfedgeError `boundary-edge`, `not-a-triangle`, `same-vertex` (if the corners opposite to
-   * it are one vertex), `edge-exists` (if they are joined already)
+   * @throws HalfedgeError `boundary-edge`, `not-a-triangle`, `same-vertex` (if the corners opposite to it
+   * are one vertex), `edge-exists` (if they are joined already)
    */
   flipEdge(e: EdgeLike): Edge {
     const links = linksOf(this);
-    links.checkEdge(e, 'e');
+    links.checkEdge(e);
     return done(links, links.core._flip_edge(links.address, modeOf(links), e)) as Edge;
   }
 
   /** Why {@link flipEdge} would be refused, or null. */
   checkFlipEdge(e: EdgeLike): Refusal | null {
     const links = linksOf(this);
-    links.checkEdge(e, 'e');
+    links.checkEdge(e);
     return answer(links, links.core._flip_edge(links.address, CHECK_ONLY, e));
   }
 
-  /** A copy of the position of `v`: x, y, z. */
-  position(v: VertexLike): [x: number, y: number, z: number] {
+  /**
+   * Adds an edge from `toVertex(h0)` to `toVertex(h1)`, two corners of one face, which is cut in two: the
+   * part after `h0`, up to `h1`, becomes a new face like it. Of a boundary loop that part is covered by a new
+   * face, with default attributes, and the rest stays open.
+   *
+   * Inverse: `removeEdge(returned)`.
+   *
+   * @throws HalfedgeError `different-loops`, `same-corner`, `adjacent-corners`, `edge-exists`,
+   * `repeated-vertex` (if the new face would pass a pinched vertex twice)
+   */
+  insertEdge(h0: HalfedgeLike, h1: HalfedgeLike): Edge {
     const links = linksOf(this);
-    links.checkVertex(v);
-    const { positions } = links;
-    return [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+    links.checkHalfedge(h0, 'h0');
+    links.checkHalfedge(h1, 'h1');
+    return done(links, links.core._insert_edge(links.address, modeOf(links), h0, h1)) as Edge;
+  }
+
+  /** Why {@link insertEdge} would be refused, or null. */
+  checkInsertEdge(h0: HalfedgeLike, h1: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h0, 'h0');
+    links.checkHalfedge(h1, 'h1');
+    return answer(links, links.core._insert_edge(links.address, CHECK_ONLY, h0, h1));
   }
 
   /**
-   * Moves `v`, as writing to `positions` does; but history notes this. It is no change of connectivity.
+   * Removes an edge, and makes one face of the two beside it: that of its side 0 stays. Of an edge on the
+   * boundary the face goes, and the boundary runs along the rest of it.
+   *
+   * Inverse: `insertEdge` from the halfedges before the two of the edge.
+   *
+   * @returns the face that stays; `NONE` of an edge on the boundary
+   * @throws HalfedgeError `faces-share-edges`, `faces-share-vertex` (if the two faces have more in common),
+   * `edge-without-face` (if another edge of the face is on the boundary, too)
    */
-  setPosition(v: VertexLike, position: Position): void {
+  removeEdge(e: EdgeLike): Face | typeof NONE {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return done(links, links.core._remove_edge(links.address, modeOf(links), e)) as
+      | Face
+      | typeof NONE;
+  }
+
+  /** Why {@link removeEdge} would be refused, or null. */
+  checkRemoveEdge(e: EdgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return answer(links, links.core._remove_edge(links.address, CHECK_ONLY, e));
+  }
+
+  /**
+   * As {@link removeEdge} of an edge inside, as modellers mean it: also removes the edges that it goes on in,
+   * if both faces share them, and its ends, if only two edges are left there.
+   *
+   * Inverse: none; undo.
+   *
+   * @throws HalfedgeError `boundary-edge`, `faces-share-edges`, `faces-share-vertex`
+   */
+  dissolveEdge(e: EdgeLike): Face {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return done(links, links.core._dissolve_edge(links.address, modeOf(links), e)) as Face;
+  }
+
+  /** Why {@link dissolveEdge} would be refused, or null. */
+  checkDissolveEdge(e: EdgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return answer(links, links.core._dissolve_edge(links.address, CHECK_ONLY, e));
+  }
+
+  /**
+   * Adds a vertex in a face, by default at the mean of its corners, joined to each of the n corners: the face
+   * becomes n triangles like it. The vertex gets the means of the attributes of the corners. O(degree).
+   *
+   * Inverse: `dissolveVertex(returned)`.
+   */
+  splitFace(f: FaceLike, position?: Position): Vertex {
+    const links = linksOf(this);
+    links.checkFace(f);
+    const p = checkPosition(position);
+    const mode = withPosition(modeOf(links), position);
+    return done(links, links.core._split_face(links.address, mode, f, p[0], p[1], p[2])) as Vertex;
+  }
+
+  /** Why {@link splitFace} would be refused, or null. */
+  checkSplitFace(f: FaceLike, position?: Position): Refusal | null {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkPosition(position);
+    return answer(links, links.core._split_face(links.address, CHECK_ONLY, f, 0, 0, 0));
+  }
+
+  /**
+   * Removes a vertex and its edges, and makes one face of those around it; on the boundary, its two
+   * neighbours there are joined by what becomes of the two boundary edges.
+   *
+   * Inverse: `splitFace(returned)`, if the faces were triangles around it.
+   *
+   * @throws HalfedgeError `isolated-vertex`, `pinched-vertex`, `degree-below-three`, `repeated-vertex` (of the
+   * face that would be), `edge-exists` (between the neighbours on the boundary)
+   */
+  dissolveVertex(v: VertexLike): Face {
     const links = linksOf(this);
     links.checkVertex(v);
-    const p = checkPosition(position);
-    done(links, links.core._set_position(links.address, modeOf(links), v, p[0], p[1], p[2]));
+    return done(links, links.core._dissolve_vertex(links.address, modeOf(links), v)) as Face;
+  }
+
+  /** Why {@link dissolveVertex} would be refused, or null. */
+  checkDissolveVertex(v: VertexLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return answer(links, links.core._dissolve_vertex(links.address, CHECK_ONLY, v));
+  }
+
+  /**
+   * Removes a face and leaves its edges: they become a boundary loop. O(degree).
+   *
+   * Inverse: `fillHole(returned)`.
+   *
+   * @returns a halfedge of the boundary loop
+   * @throws HalfedgeError `edge-without-face` (if an edge of it has no other face: see `deleteFace`)
+   */
+  makeHole(f: FaceLike): Halfedge {
+    const links = linksOf(this);
+    links.checkFace(f);
+    return done(links, links.core._make_hole(links.address, modeOf(links), f)) as Halfedge;
+  }
+
+  /** Why {@link makeHole} would be refused, or null. */
+  checkMakeHole(f: FaceLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkFace(f);
+    return answer(links, links.core._make_hole(links.address, CHECK_ONLY, f));
+  }
+
+  /**
+   * Adds a face on the boundary loop of `h`, with default attributes. O(sum of the valences along it).
+   *
+   * Inverse: `makeHole(returned)`.
+   *
+   * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex` (if the loop passes a pinched vertex
+   * twice)
+   */
+  fillHole(h: HalfedgeLike): Face {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return done(links, links.core._fill_hole(links.address, modeOf(links), h)) as Face;
+  }
+
+  /** Why {@link fillHole} would be refused, or null. */
+  checkFillHole(h: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return answer(links, links.core._fill_hole(links.address, CHECK_ONLY, h));
   }
 }

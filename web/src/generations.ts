@@ -1,11 +1,9 @@
 import { describe } from './arguments.js';
+import { kindIndex } from './edit.js';
 import { HalfedgeError } from './errors.js';
 import type { ItemKind } from './items.js';
 import { checkIndex, checkItem, type Links, slotCount } from './links.js';
 import { unwrap } from './reports.js';
-
-/** In the order of the enum ItemKind in C++. */
-const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face'];
 
 /** An item as it was when the reference was made: its index, and the stamp that its slot had then. */
 export interface Reference {
@@ -89,11 +87,7 @@ export class Generations {
   }
 
   #checkKind(kind: unknown): number {
-    const i = KINDS.indexOf(kind as ItemKind);
-    if (i < 0) {
-      const sentence = `kind is ${describe(kind)}; expected 'vertex', 'halfedge', 'edge' or 'face'.`;
-      throw typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
-    }
+    const i = kindIndex(kind);
     if (this.enabled) return i;
     throw new HalfedgeError(
       'no-generations',

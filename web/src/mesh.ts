@@ -237,27 +237,6 @@ export class HalfedgeMesh extends Editing {
     return trianglesOf(linksOf(this));
   }
 
-  /**
-   * Adds the smallest complex, a loop: one edge with the same vertex, at the origin, at both ends, and a
-   * face on either side. Degenerate complexes are valid up to level 3 of {@link validate}; level 4 is
-   * for polygon meshes.
-   *
-   * @returns one of its two halfedges, which is its own `next`
-   */
-  makeLoop(): Halfedge {
-    return made(linksOf(this), 'makeLoop', 'A loop');
-  }
-
-  /**
-   * Adds a segment: one edge with two vertices, at the origin, in a single face. As {@link makeLoop},
-   * valid up to level 3.
-   *
-   * @returns one of its two halfedges, whose `next` is its opposite
-   */
-  makeSegment(): Halfedge {
-    return made(linksOf(this), 'makeSegment', 'A segment');
-  }
-
   /** Frees the memory of this mesh at once. Any later use throws; disposing twice does nothing. */
   dispose(): void {
     linksOf(this).dispose();
@@ -272,13 +251,6 @@ export class HalfedgeMesh extends Editing {
   [disposeSymbol](): void {
     this.dispose();
   }
-}
-
-function made(links: Links, operation: 'makeLoop' | 'makeSegment', title: string): Halfedge {
-  const h = links.core[operation](links.address) | 0;
-  links.refresh();
-  if (h < 0) throw outOfMemory(title);
-  return h as Halfedge;
 }
 
 function emptyLinks(options: unknown): Links {

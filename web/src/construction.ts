@@ -1,0 +1,272 @@
+import { checkOptions, describe } from './arguments.js';
+import { Circulation } from './circulation.js';
+import {
+  answer,
+  CHECK_ONLY,
+  checkPosition,
+  done,
+  kindIndex,
+  modeOf,
+  OPTION,
+  type Position,
+  type Refusal,
+  withList,
+} from './edit.js';
+import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike } from './items.js';
+import { checkItem, type Links } from './links.js';
+import { linksOf } from './navigation.js';
+import { unwrap } from './reports.js';
+import { take } from './rings.js';
+
+/** What is kept by a deletion. */
+export interface DeleteOptions {
+  /** Whether vertices stay that have no edge any more. Default: false, they are deleted too. */
+  keepIsolatedVertices?: boolean;
+}
+
+/** Where `compact()` moved items to: by old index the new one, -1 for what was deleted. */
+export interface CompactMaps {
+  readonly vertices: Int32Array;
+  readonly halfedges: Int32Array;
+  readonly edges: Int32Array;
+  readonly faces: Int32Array;
+}
+
+/**
+ * Items one by one: adding, moving and deleting them. What a mesh that is valid allows, leaves it valid.
+ *
+ * What can't be done is refused, and then nothing has changed: the operation throws a HalfedgeError with
+ * a code, a sentence, and the items that make it impossible as its `witness`. `check` and the name of an
+ * operation tells beforehand: null, or the refusal. Wrong arguments (an index that is out of range or
+ * deleted, a position that is none) are a RangeError or a TypeError of both. Each may also throw
+ * `out-of-memory`.
+ *
+ * Live items keep their indices. New items take deleted slots first, and have defined positions and
+ * attributes: the docs of each operation say which. Each edit ends circulators, orbits and lists of
+ * items: ask for new ones.
+ */
+export abstract class Construction extends Circulation {
+  /** Adds an isolated vertex, by default at the origin, with default attributes. Amortised O(1). */
+  addVertex(position?: Position): Vertex {
+    const links = linksOf(this);
+    links.checkAlive();
+    const p = checkPosition(position);
+    return done(
+      links,
+      links.core._add_vertex(links.address, modeOf(links), p[0], p[1], p[2]),
+    ) as Vertex;
+  }
+
+  /** A copy of the position of `v`: x, y, z. */
+  position(v: VertexLike): [x: number, y: number, z: number] {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    const { positions } = links;
+    return [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+  }
+
+  /**
+   * Moves `v`, as writing to `positions` does; but history notes this. It is no change of connectivity.
+   */
+  setPosition(v: VertexLike, position: Position): void {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    const p = checkPosition(position);
+    done(links, links.core._set_position(links.address, modeOf(links), v, p[0], p[1], p[2]));
+  }
+
+  /**
+   * Adds a face with these corners, counter-clockwise, and the edges between them that don't exist yet.
+   * The faces of a mesh that can be built can be added in any order, and become the same mesh. The face and
+   * new edges have default attributes. Amortised O(sum of the valences of the corners).
+   *
+   * Inverse: `deleteFace`, keeping isolated vertices.
+   *
+   * @throws HalfedgeError `degree-below-three`, `repeated-vertex`, `duplicate-face`,
+   * `edge-with-many-faces`, `opposite-orientation` (a neighbour runs along an edge in the same direction),
+   * `pinched-vertex` (the faces around a vertex would be closed, or are, and others not among them)
+   */
+  addFace(vertices: ArrayLike<VertexLike>): Face {
+    const links = linksOf(this);
+    const add = (address: number, count: number) =>
+      links.core._add_face(links.address, modeOf(links), address, count);
+    return done(links, withList(links, 'vertices', vertices, 'vertex', add)) as Face;
+  }
+
+  /** Why {@link addFace} would be refused, or null. */
+  checkAddFace(vertices: ArrayLike<VertexLike>): Refusal | null {
+    const links = linksOf(this);
+    const check = (address: number, count: number) =>
+      links.core._add_face(links.address, CHECK_ONLY, address, count);
+    return answer(links, withList(links, 'vertices', vertices, 'vertex', check));
+  }
+
+  /**
+   * Deletes a vertex with the faces and edges around it, and those of their vertices that have no edge any
+   * more. O(sum of the valences around it).
+   *
+   * Inverse: none; undo.
+   */
+  deleteVertex(v: VertexLike, options?: DeleteOptions): void {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    done(links, links.core._delete_vertex(links.address, deletion(links, options), v));
+  }
+
+  /** Null: a live vertex can always be deleted. */
+  checkDeleteVertex(v: VertexLike): Refusal | null {
+    linksOf(this).checkVertex(v);
+    return null;
+  }
+
+  /**
+   * Deletes the one or two faces of an edge, and by that the edge; see {@link deleteFace}.
+   *
+   * Inverse: `addFace`, where vertices were kept.
+   */
+  deleteEdge(e: EdgeLike, options?: DeleteOptions): void {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    done(links, links.core._delete_edge(links.address, deletion(links, options), e));
+  }
+
+  /** Null: a live edge can always be deleted. */
+  checkDeleteEdge(e: EdgeLike): Refusal | null {
+    linksOf(this).checkEdge(e);
+    return null;
+  }
+
+  /**
+   * Deletes a face, those of its edges that have no other face, and those of its vertices that have no other
+   * edge. Where two faces only touch in a vertex then, that is a pinched vertex. `makeHole` leaves all edges.
+   * O(sum of the valences of the corners).
+   *
+   * Inverse: `addFace`, where vertices were kept.
+   */
+  deleteFace(f: FaceLike, options?: DeleteOptions): void {
+    const links = linksOf(this);
+    links.checkFace(f);
+    done(links, links.core._delete_face(links.address, deletion(links, options), f));
+  }
+
+  /** Null: a live face can always be deleted. */
+  checkDeleteFace(f: FaceLike): Refusal | null {
+    linksOf(this).checkFace(f);
+    return null;
+  }
+
+  /** Deletes all vertices without an edge, and returns how many. O(vertices). */
+  deleteIsolatedVertices(): number {
+    const links = linksOf(this);
+    return done(links, links.core._delete_isolated_vertices(links.address, modeOf(links)));
+  }
+
+  /**
+   * Deletes the connected component of an item: all that is reached from it over edges, also through
+   * pinched vertices.
+   *
+   * @returns the number of faces deleted
+   */
+  deleteComponent(kind: ItemKind, item: number): number {
+    const links = linksOf(this);
+    links.checkAlive();
+    const i = kindIndex(kind);
+    checkItem(links, kind, item);
+    return done(links, links.core._delete_component(links.address, modeOf(links), i, item));
+  }
+
+  /**
+   * Deletes all components but the `count` largest, by their numbers of vertices, and all isolated vertices.
+   *
+   * @returns the number of components deleted, not counting isolated vertices
+   */
+  keepLargestComponents(count = 1): number {
+    const links = linksOf(this);
+    links.checkAlive();
+    checkCount('count', count);
+    const { core, address } = links;
+    return done(links, core._keep_largest_components(address, modeOf(links), count));
+  }
+
+  /**
+   * Closes the gaps that deletions have left: then the slots are as many as the items. Items keep their
+   * order. History notes all links, positions and attributes: so this step costs more than others. O(slots).
+   *
+   * @returns where each item went
+   */
+  compact(): CompactMaps {
+    const links = linksOf(this);
+    const { core, address } = links;
+    const raw = core.compact(address, modeOf(links));
+    links.update();
+    const { vertices, edges, faces } = unwrap(raw);
+    const maps = take(core, vertices, edges, faces).map((map) => new Int32Array(map.buffer));
+    const halfedges = new Int32Array(2 * maps[1].length);
+    maps[1].forEach((e, old) => {
+      halfedges[2 * old] = e < 0 ? e : 2 * e;
+      halfedges[2 * old + 1] = e < 0 ? e : 2 * e + 1;
+    });
+    return { vertices: maps[0], halfedges, edges: maps[1], faces: maps[2] };
+  }
+
+  /**
+   * Makes room for so many slots, live and deleted, so that adding items up to there moves no array.
+   */
+  reserve(vertices: number, edges: number, faces: number): void {
+    const links = linksOf(this);
+    links.checkAlive();
+    checkCount('vertices', vertices);
+    checkCount('edges', edges);
+    checkCount('faces', faces);
+    done(links, links.core._reserve(links.address, vertices, edges, faces));
+  }
+
+  /** Removes all items, with their slots. Attributes stay, without values; history is forgotten. */
+  clear(): void {
+    const links = linksOf(this);
+    links.core._clear(links.address);
+    links.update();
+  }
+
+  /**
+   * Adds the smallest complex, a loop: one edge with the same vertex, at the origin, at both ends, and a
+   * face on either side. Degenerate complexes are valid up to level 3 of `validate`; level 4 is for polygon
+   * meshes, and so are the operations.
+   *
+   * @returns one of its two halfedges, which is its own `next`
+   */
+  makeLoop(): Halfedge {
+    const links = linksOf(this);
+    return done(links, links.core._make_loop(links.address, modeOf(links))) as Halfedge;
+  }
+
+  /**
+   * Adds a segment: one edge with two vertices, at the origin, in a single face. As {@link makeLoop},
+   * valid up to level 3.
+   *
+   * @returns one of its two halfedges, whose `next` is its opposite
+   */
+  makeSegment(): Halfedge {
+    const links = linksOf(this);
+    return done(links, links.core._make_segment(links.address, modeOf(links))) as Halfedge;
+  }
+}
+
+function deletion(links: Links, options: DeleteOptions | undefined): number {
+  if (options === undefined) return modeOf(links);
+  const { keepIsolatedVertices = false } = checkOptions(options) as DeleteOptions;
+  if (typeof keepIsolatedVertices !== 'boolean') {
+    throw new TypeError(
+      `keepIsolatedVertices is ${describe(keepIsolatedVertices)}; expected true or false.`,
+    );
+  }
+  return modeOf(links) | (keepIsolatedVertices ? OPTION : 0);
+}
+
+/** Throws a sentence unless `count` is a number of items. */
+export function checkCount(argument: string, count: unknown, least = 0): void {
+  const sentence = `${argument} is ${describe(count)}; expected an integer from ${least}.`;
+  if (typeof count !== 'number') throw new TypeError(sentence);
+  if (!(Number.isInteger(count) && count >= least && count < 2 ** 31))
+    throw new RangeError(sentence);
+}

@@ -1,0 +1,227 @@
+import { checkCount } from './construction.js';
+import { answer, CHECK_ONLY, done, modeOf, type Refusal, withList } from './edit.js';
+import { EulerOperations } from './euler.js';
+import type { Edge, Halfedge, HalfedgeLike } from './items.js';
+import { linksOf } from './navigation.js';
+
+/**
+ * Gluing and cutting, along edges, paths and loops: what changes boundaries, components and genus. The
+ * contract is that of `Construction`.
+ */
+export abstract class Surgery extends EulerOperations {
+  /**
+   * Makes one edge of two on the boundary: of `h`, and of `g`, which runs the other way. The edge of `h` and
+   * its ends stay, with positions and attributes; those of `g` go. With `next(h) === g` it closes a gap like a
+   * zipper.
+   *
+   * Inverse: `cut(opposite(h))`.
+   *
+   * @returns the edge of `h`
+   * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex`, `edge-exists`, `duplicate-edge`,
+   * `pinched-vertex`
+   */
+  glue(h: HalfedgeLike, g: HalfedgeLike): Edge {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return done(links, links.core._glue(links.address, modeOf(links), h, g)) as Edge;
+  }
+
+  /** Why {@link glue} would be refused, or null. */
+  checkGlue(h: HalfedgeLike, g: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return answer(links, links.core._glue(links.address, CHECK_ONLY, h, g));
+  }
+
+  /**
+   * Glues `count` edges at once: `h` to `g`, `next(h)` to `prev(g)`, and so on. Whole boundary loops are glued
+   * by {@link joinLoop}.
+   *
+   * Inverse: {@link cutPath} along the same edges, from the last on.
+   *
+   * @returns the edge of `h`
+   * @throws HalfedgeError those of {@link glue}, `not-a-path`
+   */
+  gluePath(h: HalfedgeLike, g: HalfedgeLike, count: number): Edge {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    checkCount('count', count, 1);
+    return done(links, links.core._glue_path(links.address, modeOf(links), h, g, count)) as Edge;
+  }
+
+  /** Why {@link gluePath} would be refused, or null. */
+  checkGluePath(h: HalfedgeLike, g: HalfedgeLike, count: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    checkCount('count', count, 1);
+    return answer(links, links.core._glue_path(links.address, CHECK_ONLY, h, g, count));
+  }
+
+  /**
+   * Makes two edges on the boundary of one inside that ends on the boundary: the edge of `h` keeps the face of
+   * `h`, a copy gets the other. Each end that lies on the boundary becomes two vertices.
+   *
+   * Inverse: `glue(opposite(h), returned)`.
+   *
+   * @returns the new halfedge without a face, which leads the same way as `h`
+   * @throws HalfedgeError `boundary-edge`, `no-boundary-end` (both edges would join the same vertices)
+   */
+  cut(h: HalfedgeLike): Halfedge {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return done(links, links.core._cut(links.address, modeOf(links), h)) as Halfedge;
+  }
+
+  /** Why {@link cut} would be refused, or null. */
+  checkCut(h: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return answer(links, links.core._cut(links.address, CHECK_ONLY, h));
+  }
+
+  /**
+   * Cuts the surface open along a path of edges, each beginning where the one before ends; it may end where it
+   * began. Copies of edges and vertices get the faces on its right. Inside the surface it leaves a slit.
+   *
+   * Inverse: `gluePath(opposite(last of the path), returned, count)`, if it passes no boundary vertex.
+   *
+   * @returns the copy, without a face, of the last halfedge of the path
+   * @throws HalfedgeError `not-a-path`, `boundary-edge`, `no-boundary-end`
+   */
+  cutPath(path: ArrayLike<HalfedgeLike>): Halfedge {
+    const links = linksOf(this);
+    const cut = (address: number, count: number) =>
+      links.core._cut_path(links.address, modeOf(links), address, count);
+    return done(links, withList(links, 'path', path, 'halfedge', cut)) as Halfedge;
+  }
+
+  /** Why {@link cutPath} would be refused, or null. */
+  checkCutPath(path: ArrayLike<HalfedgeLike>): Refusal | null {
+    const links = linksOf(this);
+    const check = (address: number, count: number) =>
+      links.core._cut_path(links.address, CHECK_ONLY, address, count);
+    return answer(links, withList(links, 'path', path, 'halfedge', check));
+  }
+
+  /**
+   * Cuts the surface open along a cycle of n halfedges and closes both ends with a face of degree n: that
+   * separates the surface, or cuts a handle of it. Copies of vertices and edges belong to the left side; the
+   * two faces have default attributes.
+   *
+   * Inverse: `joinLoop(cycle[0], returned)`.
+   *
+   * @returns a halfedge of the second new face; the first is that of `cycle[0]`
+   * @throws HalfedgeError `not-a-cycle`, `repeated-vertex`
+   */
+  splitLoop(cycle: ArrayLike<HalfedgeLike>): Halfedge {
+    const links = linksOf(this);
+    const split = (address: number, count: number) =>
+      links.core._split_loop(links.address, modeOf(links), address, count);
+    return done(links, withList(links, 'cycle', cycle, 'halfedge', split)) as Halfedge;
+  }
+
+  /** Why {@link splitLoop} would be refused, or null. */
+  checkSplitLoop(cycle: ArrayLike<HalfedgeLike>): Refusal | null {
+    const links = linksOf(this);
+    const check = (address: number, count: number) =>
+      links.core._split_loop(links.address, CHECK_ONLY, address, count);
+    return answer(links, withList(links, 'cycle', cycle, 'halfedge', check));
+  }
+
+  /**
+   * Glues the loop of `h` to that of `g`, which runs the other way: two faces, or boundary loops, of the same
+   * degree. Their faces disappear, and the vertices and edges of the loop of `g`. In one component this adds a
+   * handle; of two it makes one.
+   *
+   * Inverse: {@link splitLoop} along the loop.
+   *
+   * @returns `h`
+   * @throws HalfedgeError `same-loop`, `different-degrees`, `repeated-vertex`, `edge-without-face`,
+   * `edge-exists`, `duplicate-edge`
+   */
+  joinLoop(h: HalfedgeLike, g: HalfedgeLike): Halfedge {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return done(links, links.core._join_loop(links.address, modeOf(links), h, g)) as Halfedge;
+  }
+
+  /** Why {@link joinLoop} would be refused, or null. */
+  checkJoinLoop(h: HalfedgeLike, g: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return answer(links, links.core._join_loop(links.address, CHECK_ONLY, h, g));
+  }
+
+  /**
+   * Joins the loops of `h` and `g`, faces or boundary loops of n edges each, by a tube of n quads, the first
+   * between `h` and `g`; the two faces disappear. The quads have the attributes of the face of `h`, else of `g`.
+   *
+   * Inverse: `removeBridge(returned)`, and `makeHole` where there was no face.
+   *
+   * @returns the new halfedge from `toVertex(h)` to `fromVertex(g)`
+   * @throws HalfedgeError `same-loop`, `different-degrees`, `repeated-vertex`, `edge-exists`
+   */
+  bridge(h: HalfedgeLike, g: HalfedgeLike): Halfedge {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return done(links, links.core._bridge(links.address, modeOf(links), h, g)) as Halfedge;
+  }
+
+  /** Why {@link bridge} would be refused, or null. */
+  checkBridge(h: HalfedgeLike, g: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    links.checkHalfedge(g, 'g');
+    return answer(links, links.core._bridge(links.address, CHECK_ONLY, h, g));
+  }
+
+  /**
+   * Removes a ring of quads, with the edges between them, of which `s` is one, and closes both ends with a face.
+   *
+   * Inverse: `bridge(returned, next(s) as it was before)`.
+   *
+   * @returns the halfedge that was before `s`: one of the first new face
+   * @throws HalfedgeError `boundary-edge`, `not-a-quad`, `degree-below-three`, `repeated-vertex`
+   */
+  removeBridge(s: HalfedgeLike): Halfedge {
+    const links = linksOf(this);
+    links.checkHalfedge(s, 's');
+    return done(links, links.core._remove_bridge(links.address, modeOf(links), s)) as Halfedge;
+  }
+
+  /** Why {@link removeBridge} would be refused, or null. */
+  checkRemoveBridge(s: HalfedgeLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(s, 's');
+    return answer(links, links.core._remove_bridge(links.address, CHECK_ONLY, s));
+  }
+
+  /**
+   * Reverses all orientations: each face and each boundary loop runs the other way. Attributes of corners
+   * go along; values that are directions, such as normals, are not turned around. O(slots).
+   *
+   * Inverse: itself.
+   */
+  reverse(): void {
+    const links = linksOf(this);
+    done(links, links.core._reverse(links.address, modeOf(links)));
+  }
+
+  /**
+   * As {@link reverse}, for the connected component of `h`.
+   *
+   * @returns the number of edges in it
+   */
+  reverseComponent(h: HalfedgeLike): number {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return done(links, links.core._reverse_component(links.address, modeOf(links), h));
+  }
+}
