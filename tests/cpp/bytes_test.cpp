@@ -153,7 +153,9 @@ TEST(Bytes, SayWhatIsWrong) {
   EXPECT_EQ(with_word(16, kNone).code, "parse-error");
   EXPECT_EQ(with_word(20, 7).code, "parse-error");
   EXPECT_EQ(with_word(52, 3).code, "parse-error");
-  EXPECT_EQ(with_word(52, kNone).code, "truncated");
+  EXPECT_EQ(with_word(52, 8).code, "truncated");
+  EXPECT_EQ(with_word(52, kNone).message,
+            "Byte 52: there are 4294967295 sections, expected at most 4096.");
   EXPECT_EQ(with_word(56, 0x21212121).message, "Byte 56: the section is of no known kind.");
   EXPECT_EQ(with_word(28, 0).code, "parse-error");  // the first deleted vertex
   EXPECT_EQ(with_word(32, 1).code, "parse-error");  // how many
@@ -161,7 +163,7 @@ TEST(Bytes, SayWhatIsWrong) {
   Bytes of_cube = bytes_of(reference_build(cube()));
   put_word(of_cube, 56 + 16, 12345);  // the first next
   EXPECT_EQ(refusal_of(of_cube).message,
-            "The bytes hold links that are none of a mesh: the next of halfedge 0 is halfedge "
+            "The bytes hold links that are none of a mesh. The next of halfedge 0 is halfedge "
             "12345, expected less than 24.");
   // The length of a section: as long as can be written down.
   EXPECT_EQ(with_word(56 + 12, kNone).code, "truncated");

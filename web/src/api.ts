@@ -35,9 +35,23 @@ export {
 export type { ConnectivityViews } from './links.js';
 export type { LiveItems } from './live.js';
 export { HalfedgeMesh } from './mesh.js';
+export type { ItemSet, Items } from './neighbourhoods.js';
 export type { Orbit } from './orbit.js';
 export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
 export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';
 export type { RingKind, Rows } from './rings.js';
+export type {
+  Cap,
+  ConeOptions,
+  CubeOptions,
+  CylinderOptions,
+  GridOptions,
+  PrismOptions,
+  QuadOptions,
+  SphereOptions,
+  TorusOptions,
+  UvSphereOptions,
+} from './shapes.js';
 export type { Component } from './topology.js';
+export type { AppendMaps } from './transfer.js';
 export type { FileEncoding, WriteOptions } from './write.js';

@@ -217,7 +217,7 @@ function isBuffer(source: unknown): boolean {
 }
 
 /** Throws unless `options` is an object; returns it. */
-export function checkOptions(options: unknown): object {
+export function checkOptions(options: unknown, argument = 'options'): object {
   if (typeof options === 'object' && options !== null) return options;
-  throw new TypeError(`options is ${describe(options)}; expected an object.`);
+  throw new TypeError(`${argument} is ${describe(options)}; expected an object.`);
 }

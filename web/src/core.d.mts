@@ -118,6 +118,44 @@ export interface RawCore {
     storesPrev: boolean,
   ): ({ mesh: number } & RawRepair) | RawFailure;
 
+  /** `kind` is an index into SHAPES, `faces` and `caps` are values of their enums in C++. */
+  shape(
+    kind: number,
+    a: number,
+    b: number,
+    x: number,
+    y: number,
+    faces: number,
+    caps: number,
+    storesPrev: boolean,
+  ): { mesh: number } | RawFailure;
+  dual(mesh: number): { mesh: number } | RawFailure;
+  /** `mode` as of an operation. Maps by slot of `other`. */
+  append(
+    mesh: number,
+    other: number,
+    mode: number,
+  ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
+  /** The bytes are JavaScript's to copy and to free. */
+  toBytes(mesh: number): { bytes: { address: number; count: number } } | RawFailure;
+  fromBytes(bytes: number, count: number): { mesh: number } | RawFailure;
+
+  isClosed(mesh: number): boolean;
+  /** Whether all faces have three, or else four, corners. */
+  onlyTrianglesOrQuads(mesh: number, triangles: boolean): boolean;
+  kRing(mesh: number, vertices: number, count: number, k: number): RawRows | RawFailure;
+  /** `which` is a value of the enum Surroundings in C++. */
+  surroundings(
+    mesh: number,
+    which: number,
+    vertices: number,
+    vertexCount: number,
+    edges: number,
+    edgeCount: number,
+    faces: number,
+    faceCount: number,
+  ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
+
   validate(mesh: number, level: number): RawFinding[];
   eulerCharacteristic(mesh: number): number;
   genus(mesh: number): { genus: number } | RawFailure;

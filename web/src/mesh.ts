@@ -1,6 +1,7 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import { describe } from './arguments.js';
 import {
   type BuildOptions,
   type FaceOptions,
@@ -11,7 +12,6 @@ import {
   storesPrev,
   triangleLinks,
 } from './build.js';
-import { Editing } from './editing.js';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
 import { Links } from './links.js';
@@ -21,6 +21,7 @@ import { linksOf } from './navigation.js';
 import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
 import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
 import { unwrap } from './reports.js';
+import { makeMeshesWith, Shapes } from './shapes.js';
 import {
   boundaryLoopsOf,
   type Component,
@@ -29,6 +30,7 @@ import {
   problemsOf,
   trianglesOf,
 } from './topology.js';
+import { type AppendMaps, appendLinks, bytesOfLinks, dualLinks, linksOfBytes } from './transfer.js';
 import { type WriteOptions, writeFile } from './write.js';
 
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
@@ -46,13 +48,17 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
  * for (const w of mesh.vertexVertices(0)) console.log(w);
  * ```
  */
-export class HalfedgeMesh extends Editing {
+export class HalfedgeMesh extends Shapes {
   /** An empty mesh. */
   constructor(options?: StorageOptions);
   /** @internal */
   constructor(links: Links);
   constructor(given: unknown = {}) {
     super(given instanceof Links ? given : emptyLinks(given));
+  }
+
+  static {
+    makeMeshesWith((links) => new HalfedgeMesh(links));
   }
 
   /**
@@ -173,6 +179,58 @@ export class HalfedgeMesh extends Editing {
   write(format: FileFormat, options?: WriteOptions): string | Uint8Array;
   write(format: FileFormat, options: WriteOptions = {}): string | Uint8Array {
     return writeFile(linksOf(this), format, options);
+  }
+
+  /**
+   * The mesh to the last word, deleted slots and attributes included, to keep it or to send it to a
+   * worker: what {@link fromBytes} reads. History and generations are no part of it. The format is
+   * documented in src/halfedge/io/bytes.h, and has a version.
+   */
+  toBytes(): Uint8Array {
+    return bytesOfLinks(linksOf(this));
+  }
+
+  /**
+   * The mesh that {@link toBytes} was asked of. The bytes may come from anywhere: everything that a
+   * mesh needs to be safe is checked, levels 0 to 2 of {@link validate} included.
+   *
+   * @throws HalfedgeError `unknown-format`, `unsupported-version`, `truncated`, `parse-error` (with what
+   * was expected at which byte), `corrupt-connectivity`, `out-of-memory`; TypeError for what are no bytes
+   */
+  static fromBytes(bytes: ArrayBuffer | ArrayBufferView): HalfedgeMesh {
+    return new HalfedgeMesh(linksOfBytes(bytes));
+  }
+
+  /**
+   * Adds a copy of the live items of `other`, which may be this mesh itself, and returns where they
+   * went. The parts are not joined. Deleted slots are taken first; items that are here keep their
+   * indices. Attributes that both have (the same kind, name, type and number of components) are
+   * copied; what only this mesh has gets its default; what only `other` has is left out, so add it
+   * here first if it should be kept. One step of history.
+   *
+   * @throws HalfedgeError `too-large`, `out-of-memory`, `corrupt-connectivity` (of `other`); then nothing
+   * has changed
+   */
+  append(other: HalfedgeMesh): AppendMaps {
+    if (!(other instanceof HalfedgeMesh)) {
+      throw new TypeError(`other is ${describe(other)}; expected a HalfedgeMesh.`);
+    }
+    return appendLinks(linksOf(this), linksOf(other));
+  }
+
+  /**
+   * The dual: a new mesh with a vertex in the centroid of each face, and a face around each vertex that
+   * is not on the boundary. Its vertex i is in the i-th live face, its face j around the j-th live
+   * interior vertex. So the dual of the dual of a closed mesh has the same vertices and faces, in the
+   * same order. Attributes are not carried over.
+   *
+   * @throws HalfedgeError where the dual would be no polygon mesh: `degree-below-three` (an interior
+   * vertex of valence 1 or 2), `duplicate-edge` (two faces that share two edges), `same-face-twice` (an
+   * edge with one face on both sides), `pinched-vertex` (a face whose interior corners are not side by
+   * side); or `corrupt-connectivity`, `non-finite-position`, `out-of-memory`
+   */
+  dual(): HalfedgeMesh {
+    return new HalfedgeMesh(dualLinks(linksOf(this)));
   }
 
   /** A copy of this mesh with the same indices, of its own memory. */

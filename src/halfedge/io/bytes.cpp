@@ -25,6 +25,9 @@ constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kHeaderSize = 56;
 constexpr std::size_t kSectionHeaderSize = 16;
 constexpr std::size_t kAttributeHeaderSize = 20;
+// More can't be read back: bytes may come from anywhere, and each attribute is looked up by its
+// name.
+constexpr std::uint32_t kMaxSections = 4096;
 
 // The sections of the arrays, in the order of `array_of`; then those of attributes.
 constexpr std::string_view kTags[] = {"next", "prev", "to-v", "face", "v-he", "f-he", "posi"};
@@ -113,16 +116,20 @@ void for_columns(const Attributes& attributes, const Visit& visit) {
   }
 }
 
-void write_all(Pen& pen, const BytesSource& source) {
-  const Links& links = source.links;
+std::uint32_t count_sections(const BytesSource& source) {
   std::uint32_t sections = source.stores_prev ? 7 : 6;
   for_columns(source.attributes, [&](const Attribute&) { ++sections; });
+  return sections;
+}
+
+void write_all(Pen& pen, const BytesSource& source) {
+  const Links& links = source.links;
   pen.characters(kMagic);
   for (const std::uint32_t word :
        {kVersion, std::uint32_t{source.stores_prev}, std::uint32_t(links.vertex_halfedge.size()),
         std::uint32_t(links.next.size()), std::uint32_t(links.face_halfedge.size()),
         source.free[0].head, source.free[0].count, source.free[1].head, source.free[1].count,
-        source.free[2].head, source.free[2].count, sections}) {
+        source.free[2].head, source.free[2].count, count_sections(source)}) {
     pen.word(word);
   }
   for (std::size_t i = 0; i < kPositions; ++i) {
@@ -198,6 +205,10 @@ Result<Header> read_header(Bytes bytes) {
     }
   }
   header.sections = word_at(bytes, 52);
+  if (header.sections > kMaxSections) {
+    return wrong(52, "there are " + std::to_string(header.sections) +
+                         " sections, expected at most " + std::to_string(kMaxSections));
+  }
   return header;
 }
 
@@ -382,7 +393,7 @@ Result<void> read_all(Bytes bytes, const Header& header, BasicMesh<kStored>& mes
     if (problem.severity != Severity::kError) continue;
     if (problem.code == "out-of-memory") return out_of_memory();
     return Error{"corrupt-connectivity",
-                 "The bytes hold links that are none of a mesh: " + problem.message + "."};
+                 "The bytes hold links that are none of a mesh. " + problem.message};
   }
   return {};
 }
@@ -390,6 +401,11 @@ Result<void> read_all(Bytes bytes, const Header& header, BasicMesh<kStored>& mes
 }  // namespace
 
 Result<Array<std::uint8_t>> to_bytes(const BytesSource& source) {
+  if (const std::uint32_t count = count_sections(source); count > kMaxSections) {
+    return Error{"too-large", "A mesh with " + std::to_string(count - std::size(kTags)) +
+                                  " attributes has no room in bytes, expected at most " +
+                                  std::to_string(kMaxSections - std::size(kTags)) + "."};
+  }
   Pen counting(nullptr);
   write_all(counting, source);
   Array<std::uint8_t> bytes;

@@ -21,7 +21,7 @@
 ///   12  uint32        1 if the mesh stores prev, else 0
 ///   16  uint32[3]     slots of vertices, halfedges, faces
 ///   28  uint32[6]     chains of deleted vertices, edges, faces: the first one, and how many
-///   52  uint32        number of sections
+///   52  uint32        number of sections, at most 4096
 ///   56  sections      4 characters, 4 bytes of zeros, uint64 length in bytes, and so many bytes:
 ///
 ///   "next" "prev" "to-v" "face"  uint32 for each halfedge; prev only if it is stored

@@ -13,9 +13,11 @@ Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room f
 
 template <class Item>
 Error leads_nowhere(const char* link, Item item) {
-  return {"corrupt-connectivity", "the " + std::string(link) + " of " + name_of(kind_of(item)) +
-                                      " " + std::to_string(item.index()) +
-                                      " is no live item: validate names what is wrong"};
+  return {
+      "corrupt-connectivity",
+      "the " + std::string(link) + " of " + name_of(kind_of(item)) + " " +
+          std::to_string(item.index()) +
+          " is no live item, which breaks the invariants of a mesh: validate names what is wrong"};
 }
 
 // Whether all links of live items lead to live items.

@@ -37,16 +37,17 @@ class DualPlanner {
       if (links_.is_live(to) && links_.is_live(from_vertex(Halfedge(h))) &&
           (!across.valid() || links_.is_live(across)))
         continue;
-      return Error{"corrupt-connectivity", "the links of halfedge " + number(h) +
-                                               " lead to items that don't exist: validate names "
-                                               "what is wrong"};
+      return Error{"corrupt-connectivity",
+                   "the links of halfedge " + number(h) +
+                       " lead to items that don't exist, which breaks the invariants of a mesh: "
+                       "validate names what is wrong"};
     }
     for (const Index f : around_vertex_.items) {
       if (links_.is_live(Face(f))) continue;
       return Error{"corrupt-connectivity",
                    "face " + number(f) +
-                       " doesn't exist, but lies at a vertex: validate names "
-                       "what is wrong"};
+                       " doesn't exist, but lies at a vertex, which breaks the invariants of a "
+                       "mesh: validate names what is wrong"};
     }
     return done;
   }

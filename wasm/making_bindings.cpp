@@ -1,0 +1,117 @@
+// Meshes out of nothing, out of other meshes, and out of bytes. See the design in bindings.cpp.
+
+#include <halfedge/build/build.h>
+#include <halfedge/io/bytes.h>
+#include <halfedge/operations/append.h>
+#include <halfedge/operations/dual.h>
+#include <halfedge/shapes/shapes.h>
+
+#include <type_traits>
+
+#include "operation_bindings.h"
+
+using namespace halfedge;
+using namespace halfedge::bindings;
+
+namespace {
+
+/// `kind` is an index into the SHAPES of web/src/shapes.ts; `a` and `b` are its numbers of parts,
+/// `x` and `y` its lengths; `faces` and `caps` are values of their enums.
+Result<PolygonSoup> polygons_of(int kind, Index a, Index b, double x, double y, shapes::Faces faces,
+                                shapes::Caps caps) {
+  switch (kind) {
+    case 0:
+      return shapes::tetrahedron(x);
+    case 1:
+      return shapes::cube(x);
+    case 2:
+      return shapes::octahedron(x);
+    case 3:
+      return shapes::icosahedron(x);
+    case 4:
+      return shapes::dodecahedron(x);
+    case 5:
+      return shapes::prism(a, x, y);
+    case 6:
+      return shapes::cone(a, caps, x, y);
+    case 7:
+      return shapes::cylinder(a, b, caps, faces, x, y);
+    case 8:
+      return shapes::grid(a, b, faces, x, y);
+    case 9:
+      return shapes::torus(a, b, faces, x, y);
+    case 10:
+      return shapes::uv_sphere(a, b, faces, x);
+    default:
+      return shapes::ico_sphere(a, x);
+  }
+}
+
+val shape(int kind, Index a, Index b, double x, double y, int faces, int caps, bool stores_prev) {
+  NewMesh mesh(stores_prev);
+  if (!mesh) return failure(no_room_for_a_mesh());
+  const Result<PolygonSoup> polygons = polygons_of(
+      kind, a, b, x, y, static_cast<shapes::Faces>(faces), static_cast<shapes::Caps>(caps));
+  if (!polygons) return failure(polygons.error());
+  BuildReport report;
+  const bool is_built = visit(
+      *mesh, [&](auto& m) { return build_from_polygons(m, polygons.value().view(), report); });
+  if (!is_built) return failure(report.problems, report.problem_count);
+  return success("mesh", val(mesh.release()));
+}
+
+val dual_of(Address address) {
+  return visit_mesh(address, [](const auto& original) {
+    using AMesh = std::remove_cvref_t<decltype(original)>;
+    NewMesh mesh(StoresPrev<AMesh>);
+    if (!mesh) return failure(no_room_for_a_mesh());
+    const Result<DualMaps> maps = dual(original, *std::get_if<AMesh>(&*mesh));
+    if (!maps) return failure(maps.error());
+    return success("mesh", val(mesh.release()));
+  });
+}
+
+/// Returns where vertices, edges and faces went, by slot. `mode` as of an operation.
+val append_mesh(Address address, Address other, Index mode) {
+  return visit_mesh(address, [&](auto& mesh) {
+    Result<CompactMaps> maps =
+        visit_mesh(other, [&](const auto& added) { return append(mesh, added); });
+    if ((mode & kKeepStepOpen) == 0) mesh.end_step();
+    write_layout(mesh);
+    if (!maps) return failure(maps.error());
+    val result = success("vertices", hand_over(maps.value().vertices));
+    result.set("edges", hand_over(maps.value().edges));
+    result.set("faces", hand_over(maps.value().faces));
+    return result;
+  });
+}
+
+val mesh_to_bytes(Address address) {
+  Result<Array<std::uint8_t>> bytes =
+      visit_mesh(address, [](const auto& mesh) { return to_bytes(mesh); });
+  if (!bytes) return failure(bytes.error());
+  return success("bytes", hand_over(bytes.value()));
+}
+
+val mesh_from_bytes(Address address, std::size_t count) {
+  const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
+  const Result<bool> with_prev = stores_prev(bytes);
+  if (!with_prev) return failure(with_prev.error());
+  NewMesh mesh(with_prev.value());
+  if (!mesh) return failure(no_room_for_a_mesh());
+  const Result<void> done = visit(*mesh, [&](auto& m) { return from_bytes(bytes, m); });
+  if (!done) return failure(done.error());
+  return success("mesh", val(mesh.release()));
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(halfedge_making) {
+  using emscripten::function;
+
+  function("shape", &shape);
+  function("dual", &dual_of);
+  function("append", &append_mesh);
+  function("toBytes", &mesh_to_bytes);
+  function("fromBytes", &mesh_from_bytes);
+}

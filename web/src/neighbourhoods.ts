@@ -1,0 +1,126 @@
+import {
+  checkNotNegative,
+  checkOptions,
+  describe,
+  indices,
+  type NumberArray,
+} from './arguments.js';
+import { Editing } from './editing.js';
+import type { VertexLike } from './items.js';
+import type { Links } from './links.js';
+import { withInputs } from './memory.js';
+import { linksOf } from './navigation.js';
+import { unwrap } from './reports.js';
+import { type Rows, take } from './rings.js';
+
+/** Some items of a mesh, in any order. */
+export interface Items {
+  readonly vertices?: ArrayLike<number>;
+  readonly edges?: ArrayLike<number>;
+  readonly faces?: ArrayLike<number>;
+}
+
+/** Some items of a mesh, each once, in ascending order. Can be given where {@link Items} are asked for. */
+export interface ItemSet {
+  readonly vertices: Uint32Array;
+  readonly edges: Uint32Array;
+  readonly faces: Uint32Array;
+}
+
+/** In the order of the enum Surroundings in C++. */
+const SURROUNDINGS = ['star', 'closure', 'link'] as const;
+
+/** What kind of surface a mesh is, and what lies around its items. One call into WebAssembly each. */
+export abstract class Neighbourhoods extends Editing {
+  /** Whether there is no boundary. True of a mesh without edges. */
+  isClosed(): boolean {
+    const { core, address } = linksOf(this);
+    return core.isClosed(address);
+  }
+
+  /** Whether all faces have three corners. True of a mesh without faces. */
+  isTriangleMesh(): boolean {
+    const { core, address } = linksOf(this);
+    return core.onlyTrianglesOrQuads(address, true);
+  }
+
+  /** Whether all faces have four corners. True of a mesh without faces. */
+  isQuadMesh(): boolean {
+    const { core, address } = linksOf(this);
+    return core.onlyTrianglesOrQuads(address, false);
+  }
+
+  /**
+   * All vertices that are up to `k` edges away from a vertex, or from the nearest of several. Row d has
+   * those at distance d, row 0 the vertices themselves; `items` has all of them. There are as many rows
+   * as have vertices in them: `k` may be Infinity. Linear in what is visited, and a bit for each vertex.
+   *
+   * ```ts
+   * const { offsets, items } = mesh.kRing(v, 2); // items.subarray(offsets[2]): the second ring alone
+   * ```
+   */
+  kRing(vertices: VertexLike | ArrayLike<number>, k: number): Rows {
+    const links = linksOf(this);
+    const { core } = links;
+    if (typeof vertices === 'number') links.checkVertex(vertices, 'vertices');
+    const list = itemList('vertices', typeof vertices === 'number' ? [vertices] : vertices);
+    const most = checkDistance(k);
+    const { offsets, items } = withInputs(core, (inputs) => {
+      const block = inputs.indices('vertices', list);
+      return unwrap(core.kRing(links.address, block.address, block.count, most));
+    });
+    const [first, second] = take(core, offsets, items);
+    return { offsets: first, items: second };
+  }
+
+  /**
+   * The items, and all edges and faces that they lie on: of a vertex, its edges and faces; of an edge,
+   * its faces.
+   */
+  star(items: Items): ItemSet {
+    return surroundings(linksOf(this), 'star', items);
+  }
+
+  /** The items, and all edges and vertices of them: the smallest complex that they are a part of. */
+  closure(items: Items): ItemSet {
+    return surroundings(linksOf(this), 'closure', items);
+  }
+
+  /**
+   * The closure of the star without the star of the closure: of a vertex inside of a triangle mesh, the
+   * ring of edges and vertices around it.
+   */
+  link(items: Items): ItemSet {
+    return surroundings(linksOf(this), 'link', items);
+  }
+}
+
+function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
+  const { core } = links;
+  const { vertices, edges, faces } = checkOptions(items, 'items') as Items;
+  const lists = { vertices, edges, faces };
+  const raw = withInputs(core, (inputs) => {
+    const blocks = Object.entries(lists).flatMap(([name, list = []]) => {
+      const { address, count } = inputs.indices(`items.${name}`, itemList(`items.${name}`, list));
+      return [address, count];
+    }) as [number, number, number, number, number, number];
+    return unwrap(core.surroundings(links.address, SURROUNDINGS.indexOf(which), ...blocks));
+  });
+  const [first, second, third] = take(core, raw.vertices, raw.edges, raw.faces);
+  return { vertices: first, edges: second, faces: third };
+}
+
+function itemList(argument: string, items: unknown): NumberArray {
+  const list = indices(argument, items);
+  checkNotNegative(argument, list);
+  return list;
+}
+
+/** `k` as the core takes it, which has no infinity, but no distance that is as large either. */
+function checkDistance(k: unknown): number {
+  if (typeof k === 'number' && k >= 0 && (Number.isInteger(k) || k === Infinity)) {
+    return Math.min(k, 2 ** 32 - 1);
+  }
+  const sentence = `k is ${describe(k)}; expected an integer from 0 on, or Infinity.`;
+  throw typeof k === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+}

@@ -1,0 +1,65 @@
+import { bytesOf, describe } from './arguments.js';
+import { modeOf } from './edit.js';
+import { Links } from './links.js';
+import { core } from './loader.js';
+import { outOfMemory, withInputs } from './memory.js';
+import { unwrap } from './reports.js';
+import { take } from './rings.js';
+
+/**
+ * Where the items of a mesh went when it was appended to another, by its slots; -1 for those that
+ * were deleted.
+ */
+export interface AppendMaps {
+  readonly vertices: Int32Array;
+  readonly halfedges: Int32Array;
+  readonly edges: Int32Array;
+  readonly faces: Int32Array;
+}
+
+/** Adds a copy of `other` to a mesh. */
+export function appendLinks(links: Links, other: Links): AppendMaps {
+  const { core } = links;
+  const raw = unwrap(core.append(links.address, other.address, modeOf(links)));
+  links.update();
+  const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces).map(
+    (map) => new Int32Array(map.buffer),
+  ) as [Int32Array, Int32Array, Int32Array];
+  const halfedges = new Int32Array(2 * edges.length);
+  for (let h = 0; h < halfedges.length; h++) {
+    const e = edges[h >> 1];
+    halfedges[h] = e < 0 ? -1 : 2 * e + (h & 1);
+  }
+  return { vertices, halfedges, edges, faces };
+}
+
+/** The dual of a mesh. */
+export function dualLinks({ core, address }: Links): Links {
+  return new Links(core, unwrap(core.dual(address)).mesh);
+}
+
+/** The bytes of a mesh. */
+export function bytesOfLinks({ core, address: mesh }: Links): Uint8Array {
+  const { address, count } = unwrap(core.toBytes(mesh)).bytes;
+  try {
+    return new Uint8Array(core.memory.buffer, address, count).slice();
+  } catch {
+    throw outOfMemory(`The ${count} bytes of the mesh`);
+  } finally {
+    core.free(address);
+  }
+}
+
+/** The mesh in bytes. */
+export function linksOfBytes(source: unknown): Links {
+  const bytes = bytesOf('bytes', source);
+  if (bytes === undefined) {
+    throw new TypeError(`bytes is ${describe(source)}; expected an ArrayBuffer or a Uint8Array.`);
+  }
+  const wasm = core();
+  const raw = withInputs(wasm, (inputs) => {
+    const { address, count } = inputs.bytes('bytes', bytes);
+    return wasm.fromBytes(address, count);
+  });
+  return new Links(wasm, unwrap(raw).mesh);
+}
