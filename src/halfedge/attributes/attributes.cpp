@@ -182,7 +182,7 @@ void Attributes::swap_corners(Index a, Index b, Journal* journal) {
 Attributes::Contraction::Contraction(Attribute& column, const EdgeCorners (&sides)[2], double t,
                                      Journal* journal)
     : column_(column), sides_(sides), journal_(journal) {
-  for (const int i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     if (sides[i].has_face) before_[i] = {column.value(sides[i].gone), column.value(sides[i].kept)};
   }
   for (const EdgeCorners& side : sides) {
@@ -200,7 +200,7 @@ Attributes::Contraction::Contraction(Attribute& column, const EdgeCorners (&side
 
 void Attributes::Contraction::move(Index corner) const {
   const Attribute::Value value = column_.value(corner);
-  for (const int i : {0, 1}) {
+  for (const std::size_t i : {0U, 1U}) {
     if (!sides_[i].has_face || (value != before_[i].gone && value != before_[i].kept)) continue;
     return column_.copy(corner, sides_[i].result, journal_);
   }
