@@ -1,43 +1,16 @@
 #pragma once
 
-#include <halfedge/mesh.h>
-#include <halfedge/validate/validate.h>
-
-#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
-#include "support/invariants.h"
+#include "support/sweep.h"
 
-/// Meshes as lists of faces, on which an operation is easily done by hand.
 namespace halfedge::test {
 
-using FaceList = std::vector<std::vector<Index>>;
-
-/// Each face from its lowest corner on, in order.
-inline FaceList in_order(FaceList faces) {
-  for (std::vector<Index>& face : faces) {
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-  }
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
-inline std::vector<Index> corners_of(const Mesh& mesh, Face f) {
-  std::vector<Index> corners;
-  for (const Vertex v : mesh.face_vertices_ccw(f)) corners.push_back(v.index());
-  return corners;
-}
-
-inline FaceList face_list(const Mesh& mesh) {
-  FaceList faces;
-  for (const Face f : mesh.faces()) faces.push_back(corners_of(mesh, f));
-  return in_order(faces);
-}
-
-inline std::set<std::pair<Index, Index>> edges_of(const FaceList& faces) {
+inline std::set<std::pair<Index, Index>> edges_of(const Polys& faces) {
   std::set<std::pair<Index, Index>> edges;
   for (const std::vector<Index>& face : faces) {
     for (std::size_t i = 0; i < face.size(); ++i) {
@@ -49,7 +22,7 @@ inline std::set<std::pair<Index, Index>> edges_of(const FaceList& faces) {
 
 /// How many fans the faces at the vertices form, all together; 0 if a vertex or edge isn't manifold
 /// or a face has a vertex twice.
-inline std::size_t count_fans(const FaceList& faces) {
+inline std::size_t count_fans(const Polys& faces) {
   std::map<Index, std::map<Index, Index>>
       turns;  // at a vertex: from the one before to the one after
   for (const std::vector<Index>& face : faces) {
@@ -86,14 +59,6 @@ inline std::size_t count_fans(const FaceList& faces) {
     ++fans;
   }
   return fans;
-}
-
-/// Valid at level 4, by `validate` and by the definitions.
-inline void expect_valid_mesh(const Mesh& mesh) {
-  for (const Problem& problem : validate(mesh)) {
-    EXPECT_NE(problem.severity, Severity::kError) << problem.message;
-  }
-  EXPECT_TRUE(Invariants(mesh).hold());
 }
 
 }  // namespace halfedge::test
