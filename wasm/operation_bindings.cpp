@@ -11,6 +11,57 @@ HALFEDGE_EXPORT int flip_edge(Address mesh, Index mode, Index e) {
   return HALFEDGE_OPERATE(flip_edge, Edge(e));
 }
 
+HALFEDGE_EXPORT int insert_vertex_on_edge(Address mesh, Index mode, Index e, double x, double y,
+                                          double z) {
+  return operate(
+      mesh, mode,
+      [=](const auto& m) { return operations::check_insert_vertex_on_edge(m, Edge(e)); },
+      [=](auto& m) {
+        return operations::insert_vertex_on_edge(m, Edge(e), position_if_given(mode, x, y, z));
+      });
+}
+
+HALFEDGE_EXPORT int remove_vertex_on_edge(Address mesh, Index mode, Index v) {
+  return HALFEDGE_OPERATE(remove_vertex_on_edge, Vertex(v));
+}
+
+HALFEDGE_EXPORT int split_edge(Address mesh, Index mode, Index e, double x, double y, double z) {
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_split_edge(m, Edge(e)); },
+      [=](auto& m) {
+        return operations::split_edge(m, Edge(e), position_if_given(mode, x, y, z));
+      });
+}
+
+/// kOption: also where two faces with the same corners would be left.
+HALFEDGE_EXPORT int collapse(Address mesh, Index mode, Index h, double x, double y, double z) {
+  const auto condition = (mode & kOption) != 0 ? operations::LinkCondition::kPermissive
+                                               : operations::LinkCondition::kStrict;
+  return operate(
+      mesh, mode,
+      [=](const auto& m) { return operations::check_collapse(m, Halfedge(h), condition); },
+      [=](auto& m) {
+        const std::optional<Point> position = position_if_given(mode, x, y, z);
+        return operations::collapse(m, Halfedge(h), position, condition);
+      });
+}
+
+/// What fills the gap on the left is kOption times a value of SplitSide, on the right 4 times that.
+HALFEDGE_EXPORT int split_vertex(Address mesh, Index mode, Index left, Index right, double x,
+                                 double y, double z) {
+  const operations::SplitSides sides{
+      .left = static_cast<operations::SplitSide>(mode / kOption % 4),
+      .right = static_cast<operations::SplitSide>(mode / (4 * kOption) % 4)};
+  const Halfedge hl(left);
+  const Halfedge hr(right);
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_split_vertex(m, hl, hr, sides); },
+      [=](auto& m) {
+        const std::optional<Point> position = position_if_given(mode, x, y, z);
+        return operations::split_vertex(m, hl, hr, position, sides);
+      });
+}
+
 HALFEDGE_EXPORT int insert_edge(Address mesh, Index mode, Index h, Index g) {
   return HALFEDGE_OPERATE(insert_edge, Halfedge(h), Halfedge(g));
 }

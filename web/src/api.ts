@@ -17,6 +17,7 @@ export type { DirectedEdgesViews } from './directed-edges-navigation.js';
 export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges-orbit.js';
 export type { Position, Refusal } from './edit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
+export type { CollapseOptions, SplitVertexOptions } from './euler.js';
 export type { Generations, Reference } from './generations.js';
 export type { History, HistoryLimits } from './history.js';
 export {

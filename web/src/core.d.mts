@@ -197,6 +197,26 @@ export interface RawCore {
 
   // Euler operations (operation_bindings.cpp).
   _flip_edge(mesh: number, mode: number, e: number): number;
+  _insert_vertex_on_edge(
+    mesh: number,
+    mode: number,
+    e: number,
+    x: number,
+    y: number,
+    z: number,
+  ): number;
+  _remove_vertex_on_edge(mesh: number, mode: number, v: number): number;
+  _split_edge(mesh: number, mode: number, e: number, x: number, y: number, z: number): number;
+  _collapse(mesh: number, mode: number, h: number, x: number, y: number, z: number): number;
+  _split_vertex(
+    mesh: number,
+    mode: number,
+    hl: number,
+    hr: number,
+    x: number,
+    y: number,
+    z: number,
+  ): number;
   _insert_edge(mesh: number, mode: number, h: number, g: number): number;
   _remove_edge(mesh: number, mode: number, e: number): number;
   _dissolve_edge(mesh: number, mode: number, e: number): number;
@@ -216,6 +236,10 @@ export interface RawCore {
   _remove_bridge(mesh: number, mode: number, s: number): number;
   _reverse(mesh: number, mode: number): number;
   _reverse_component(mesh: number, mode: number, h: number): number;
+
+  // Modelling (modelling_bindings.cpp).
+  _triangulate(mesh: number, mode: number): number;
+  _triangulate_face(mesh: number, mode: number, f: number): number;
 
   /** Why the last call that returned -2 did so. To be asked for once, as it is forgotten then. */
   lastRefusal(): RawProblem;

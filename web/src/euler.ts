@@ -1,3 +1,4 @@
+import { checkOptions, describe } from './arguments.js';
 import { Construction } from './construction.js';
 import {
   answer,
@@ -5,6 +6,7 @@ import {
   checkPosition,
   done,
   modeOf,
+  OPTION,
   type Position,
   type Refusal,
   withPosition,
@@ -21,6 +23,24 @@ import type {
   VertexLike,
 } from './items.js';
 import { linksOf } from './navigation.js';
+
+/** What a collapse may leave. */
+export interface CollapseOptions {
+  /**
+   * Whether two faces may be left that have the same corners, glued along all edges, as of a tetrahedron.
+   * Default: false.
+   */
+  permissive?: boolean;
+}
+
+/**
+ * What fills the gap beside the new edge, on the side of `hl` and of `hr`: a triangle, or nothing, so that
+ * the face or the boundary gains a corner. Default: a triangle, and on the boundary nothing.
+ */
+export interface SplitVertexOptions {
+  left?: 'triangle' | 'corner';
+  right?: 'triangle' | 'corner';
+}
 
 /**
  * The Euler operations, each beside its inverse: what changes edges, faces and vertices of one surface. The
@@ -47,6 +67,148 @@ export abstract class EulerOperations extends Construction {
     const links = linksOf(this);
     links.checkEdge(e);
     return answer(links, links.core._flip_edge(links.address, CHECK_ONLY, e));
+  }
+
+  /**
+   * Adds a vertex of valence two on an edge, by default in its middle; both faces gain a corner. The edge
+   * is the half at its side 0's end, the other half is a new edge like it. Attributes of the vertex and its
+   * corners are blended, at the point of the edge that is closest to `position`.
+   *
+   * Inverse: `removeVertexOnEdge(returned)`.
+   */
+  insertVertexOnEdge(e: EdgeLike, position?: Position): Vertex {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    const p = checkPosition(position);
+    const mode = withPosition(modeOf(links), position);
+    const { core, address } = links;
+    return done(links, core._insert_vertex_on_edge(address, mode, e, p[0], p[1], p[2])) as Vertex;
+  }
+
+  /** Why {@link insertVertexOnEdge} would be refused: never, so null. */
+  checkInsertVertexOnEdge(e: EdgeLike, position?: Position): Refusal | null {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    checkPosition(position);
+    const { core, address } = links;
+    return answer(links, core._insert_vertex_on_edge(address, CHECK_ONLY, e, 0, 0, 0));
+  }
+
+  /**
+   * Removes a vertex of valence two: its two edges become one, of which the one with the lower index stays,
+   * and the faces there lose a corner.
+   *
+   * Inverse: `insertVertexOnEdge(returned, position)`.
+   *
+   * @throws HalfedgeError `not-valence-two`, `degree-below-three` (beside a triangle), `edge-exists`
+   */
+  removeVertexOnEdge(v: VertexLike): Edge {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    const { core, address } = links;
+    return done(links, core._remove_vertex_on_edge(address, modeOf(links), v)) as Edge;
+  }
+
+  /** Why {@link removeVertexOnEdge} would be refused, or null. */
+  checkRemoveVertexOnEdge(v: VertexLike): Refusal | null {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return answer(links, links.core._remove_vertex_on_edge(links.address, CHECK_ONLY, v));
+  }
+
+  /**
+   * As {@link insertVertexOnEdge}, and cuts each triangle beside the edge in two, of which the one at the
+   * end of its side 0 keeps the face. Larger faces gain the corner.
+   *
+   * Inverse: `collapse` of a halfedge from the new vertex to one of the ends.
+   *
+   * @throws HalfedgeError `same-vertex` (both triangles have the same corners)
+   */
+  splitEdge(e: EdgeLike, position?: Position): Vertex {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    const p = checkPosition(position);
+    const mode = withPosition(modeOf(links), position);
+    return done(links, links.core._split_edge(links.address, mode, e, p[0], p[1], p[2])) as Vertex;
+  }
+
+  /** Why {@link splitEdge} would be refused, or null. */
+  checkSplitEdge(e: EdgeLike, position?: Position): Refusal | null {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    checkPosition(position);
+    return answer(links, links.core._split_edge(links.address, CHECK_ONLY, e, 0, 0, 0));
+  }
+
+  /**
+   * Contracts the edge of `h`: `fromVertex(h)` disappears into `toVertex(h)`, triangles on the edge vanish,
+   * larger faces lose a corner. The vertex that survives stays where it is and keeps its attributes; given a
+   * position it moves there, and its attributes are blended. O(valence).
+   *
+   * Refused where the surface would change its kind (the link condition): see `checkCollapse`.
+   *
+   * Inverse: `splitVertex(next(h), opposite(prev(opposite(h))))`, both taken before.
+   *
+   * @returns `toVertex(h)`
+   * @throws HalfedgeError `boundary-vertices` (both ends lie on the boundary, the edge doesn't),
+   * `common-neighbour`, `same-vertex`, `edge-without-face`, `repeated-vertex`, `leaves-pillow`
+   */
+  collapse(h: HalfedgeLike, position?: Position, options?: CollapseOptions): Vertex {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    const p = checkPosition(position);
+    const mode = withPosition(modeOf(links) | condition(options), position);
+    return done(links, links.core._collapse(links.address, mode, h, p[0], p[1], p[2])) as Vertex;
+  }
+
+  /** Why {@link collapse} would be refused, or null. */
+  checkCollapse(h: HalfedgeLike, position?: Position, options?: CollapseOptions): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    checkPosition(position);
+    const mode = CHECK_ONLY | condition(options);
+    return answer(links, links.core._collapse(links.address, mode, h, 0, 0, 0));
+  }
+
+  /**
+   * Divides the vertex that `hl` and `hr` leave in two, joined by a new edge: the halfedges strictly between
+   * them, counter-clockwise from `hl` to `hr`, go to the new vertex, and two new triangles fill the gap; on
+   * the boundary there is none. The new vertex is like the old one, and lies there by default.
+   *
+   * Inverse: `collapse` of the halfedge from the new vertex to the old.
+   *
+   * @returns the new vertex
+   * @throws HalfedgeError `different-vertices`, `same-vertex` (`hl` is `hr`), `nothing-between`,
+   * `edge-without-face`
+   */
+  splitVertex(
+    hl: HalfedgeLike,
+    hr: HalfedgeLike,
+    position?: Position,
+    options?: SplitVertexOptions,
+  ): Vertex {
+    const links = linksOf(this);
+    links.checkHalfedge(hl, 'hl');
+    links.checkHalfedge(hr, 'hr');
+    const p = checkPosition(position);
+    const mode = withPosition(modeOf(links) | sides(options), position);
+    const { core, address } = links;
+    return done(links, core._split_vertex(address, mode, hl, hr, p[0], p[1], p[2])) as Vertex;
+  }
+
+  /** Why {@link splitVertex} would be refused, or null. */
+  checkSplitVertex(
+    hl: HalfedgeLike,
+    hr: HalfedgeLike,
+    position?: Position,
+    options?: SplitVertexOptions,
+  ): Refusal | null {
+    const links = linksOf(this);
+    links.checkHalfedge(hl, 'hl');
+    links.checkHalfedge(hr, 'hr');
+    checkPosition(position);
+    const mode = CHECK_ONLY | sides(options);
+    return answer(links, links.core._split_vertex(links.address, mode, hl, hr, 0, 0, 0));
   }
 
   /**
@@ -205,4 +367,28 @@ export abstract class EulerOperations extends Construction {
     links.checkHalfedge(h);
     return answer(links, links.core._fill_hole(links.address, CHECK_ONLY, h));
   }
+}
+
+function condition(options: CollapseOptions | undefined): number {
+  if (options === undefined) return 0;
+  const { permissive = false } = checkOptions(options) as CollapseOptions;
+  if (typeof permissive !== 'boolean') {
+    throw new TypeError(`permissive is ${describe(permissive)}; expected true or false.`);
+  }
+  return permissive ? OPTION : 0;
+}
+
+function sides(options: SplitVertexOptions | undefined): number {
+  if (options === undefined) return 0;
+  const { left, right } = checkOptions(options) as SplitVertexOptions;
+  return OPTION * side('left', left) + 4 * OPTION * side('right', right);
+}
+
+/** A value of the enum SplitSide in C++. */
+function side(argument: string, fill: unknown): number {
+  if (fill === undefined) return 0;
+  if (fill === 'triangle') return 1;
+  if (fill === 'corner') return 2;
+  const sentence = `${argument} is ${describe(fill)}; expected 'triangle' or 'corner'.`;
+  throw typeof fill === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }
