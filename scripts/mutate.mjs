@@ -18,7 +18,8 @@ import { parseArgs } from 'node:util';
 import { cppFiles } from './lib/files.mjs';
 import { asProgram, Failure, root } from './lib/run.mjs';
 import { applied, findMutants } from './mutate/find.mjs';
-import { inParallel, Laboratory } from './mutate/run.mjs';
+import { Laboratory } from './mutate/laboratory.mjs';
+import { inParallel } from './mutate/workshop.mjs';
 
 const folders = ['operations', 'decorator', 'history', 'attributes'];
 

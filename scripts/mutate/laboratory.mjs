@@ -1,0 +1,153 @@
+// Runs the tests against mutants.
+//
+// Each test file is a program of its own. A mutant is tried by the programs that include the mutated
+// file, until one fails: first those named after it, then those that noticed most of the mutants
+// before. The mutated file lies in a folder that comes before the copy on the include path, so that
+// nothing but that one file differs.
+
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { basename, dirname, join } from 'node:path';
+import { performance } from 'node:perf_hooks';
+import { Failure } from '../lib/run.mjs';
+import {
+  archive,
+  compileUnchanged,
+  compileWith,
+  copySources,
+  execute,
+  folder,
+  inParallel,
+  link,
+  sourcesBelow,
+  tree,
+} from './workshop.mjs';
+
+const tests = 'tests/cpp';
+/** A test file of what is mutated, by what it includes or by its name. */
+const isAboutIt = (name, text) =>
+  /<halfedge\/(?:operations|decorator|history|attributes)\//.test(text) ||
+  /"random\//.test(text) ||
+  /^(?:operations|decorator|history|attributes)_/.test(name);
+/** They take long, and are about something else. */
+const leftOut = /_(?:memory|scale|data)_test\.cpp$/;
+
+const run = (program, seconds) =>
+  execute(program, ['--gtest_fail_fast', '--gtest_brief=1'], seconds);
+
+export class Laboratory {
+  #jobs;
+  /** name -> { sources: [{ path, object, depends }], seconds, noticed } */
+  #programs = new Map();
+  /** The sources of the library. */
+  #library = [];
+
+  constructor(jobs) {
+    this.#jobs = jobs;
+  }
+
+  /** Builds the library and all programs, and sees them pass. Each of `files` has to be tested. */
+  async prepare(files, log) {
+    await copySources();
+    const sources = sourcesBelow('src');
+    log(`building the library (${sources.length} files)`);
+    await inParallel(sources, this.#jobs, async (path) => {
+      this.#library.push(await compileUnchanged(path));
+    });
+    await archive(this.#library.map(({ object }) => object));
+    this.#findPrograms();
+    log(`building ${this.#programs.size} test programs`);
+    const parts = [...this.#programs.values()].flatMap((program) => program.sources);
+    await inParallel(parts, this.#jobs, async (part) => {
+      Object.assign(part, await compileUnchanged(part.path));
+    });
+    log('running them unchanged');
+    await inParallel([...this.#programs], this.#jobs, async ([name, program]) => {
+      const path = join(tree, name);
+      await link(
+        program.sources.map(({ object }) => object),
+        path,
+        name,
+      );
+      const start = performance.now();
+      const { status, output } = await run(path, 300);
+      program.seconds = (performance.now() - start) / 1000;
+      if (status !== 0) throw new Failure(`${name} fails without a mutant:\n${output}`);
+    });
+    for (const file of files) {
+      if (this.#programsFor(file).length === 0) throw new Failure(`No test includes ${file}.`);
+    }
+  }
+
+  #findPrograms() {
+    const shared = existsSync(join(tree, tests, 'random')) ? sourcesBelow(`${tests}/random`) : [];
+    for (const name of readdirSync(join(tree, tests))) {
+      if (!name.endsWith('_test.cpp') || leftOut.test(name)) continue;
+      const text = readFileSync(join(tree, tests, name), 'utf8');
+      if (!isAboutIt(name, text)) continue;
+      const paths = [`${tests}/${name}`, ...(text.includes('"random/') ? shared : [])];
+      const sources = paths.map((path) => ({ path }));
+      this.#programs.set(basename(name, '_test.cpp'), { sources, noticed: 0 });
+    }
+  }
+
+  /**
+   * What becomes of a mutant of `file` whose text is `text`: `{ outcome, by }`. The outcome is
+   * 'noticed' by the program `by`, 'timeout' which is noticed as well, 'survived', or 'invalid' if
+   * it doesn't compile.
+   */
+  async try(file, text, worker) {
+    const place = join(folder, `worker-${worker}`);
+    rmSync(place, { recursive: true, force: true });
+    mkdirSync(dirname(join(place, file)), { recursive: true });
+    writeFileSync(join(place, file), text);
+
+    const compiled = new Map(); // path -> object
+    const compileOnce = async (path) => {
+      const object = join(place, `${path.replaceAll('/', '.')}.o`);
+      if (!compiled.has(path)) compiled.set(path, await compileWith(place, path, object));
+      return compiled.get(path) && object;
+    };
+    const changed = [];
+    for (const path of this.#librarySourcesOf(file)) {
+      const object = await compileOnce(path);
+      if (!object) return { outcome: 'invalid' };
+      changed.push(object);
+    }
+    for (const [name, program] of this.#programsFor(file)) {
+      const objects = [...changed];
+      for (const source of program.sources) {
+        const object = source.depends.has(file) ? await compileOnce(source.path) : source.object;
+        if (!object) return { outcome: 'invalid' };
+        objects.unshift(object);
+      }
+      const executable = join(place, 'test');
+      if (!(await link(objects, executable))) return { outcome: 'invalid' };
+      const { status } = await run(executable, Math.max(10, 10 * program.seconds));
+      if (status === 0) continue;
+      program.noticed += 1;
+      return { outcome: status === 'timeout' ? 'timeout' : 'noticed', by: name };
+    }
+    return { outcome: 'survived' };
+  }
+
+  /** The programs that include a file, the likeliest to notice something first. */
+  #programsFor(file) {
+    const stem = basename(file).replace(/\.\w+$/, '');
+    const part = basename(dirname(file));
+    const likely = ([name, program]) =>
+      (name.includes(stem) ? 1000 : 0) + (name.startsWith(part) ? 500 : 0) + program.noticed;
+    const isSource = file.endsWith('.cpp');
+    return [...this.#programs]
+      .filter(([, { sources }]) => isSource || sources.some(({ depends }) => depends.has(file)))
+      .sort((a, b) => likely(b) - likely(a) || a[1].seconds - b[1].seconds);
+  }
+
+  /**
+   * The sources of the library that are compiled anew. Where many include a header, what the tests
+   * instantiate of it has to do: that comes first when they are linked.
+   */
+  #librarySourcesOf(file) {
+    const found = this.#library.filter(({ depends }) => depends.has(file));
+    return found.length <= 3 ? found.map(({ path }) => path) : [];
+  }
+}
