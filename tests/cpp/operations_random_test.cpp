@@ -182,8 +182,9 @@ TEST(RandomOperations, KeepTheMeshValidAndCanBeTakenBack) {
     const auto [successes, refusals] = tally[op.name];
     if (std::getenv("HALFEDGE_RANDOM_STEPS") != nullptr) {
       std::cout << "  " << op.name << ": " << successes << " done, " << refusals << " refused\n";
+    } else {
+      EXPECT_GT(successes, 0U) << op.name << " was never done";
     }
-    EXPECT_GT(successes, 0U) << op.name << " was never done";
   }
 }
 

@@ -6,7 +6,6 @@ namespace halfedge::test {
 const Operations& all_operations() {
   static const Operations all = [] {
     Operations made;
-    add_decorator_operations(made);
     add_euler_operations(made);
     add_face_operations(made);
     add_mesh_operations(made);

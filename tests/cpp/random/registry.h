@@ -5,7 +5,6 @@
 /// The operations, by group: one source file each, because they are templates.
 namespace halfedge::test {
 
-void add_decorator_operations(Operations& all);
 void add_face_operations(Operations& all);
 void add_seam_operations(Operations& all);
 void add_mesh_operations(Operations& all);
