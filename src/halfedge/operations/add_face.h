@@ -58,6 +58,23 @@ template <class Mesh>
                                mesh.face(mesh.opposite(mesh.next(in))));
 }
 
+/// The halfedge from `a` to `b`, or empty. O(smaller valence)
+template <class Mesh>
+[[nodiscard]] Halfedge find_side(const Mesh& mesh, Vertex a, Vertex b) {
+  const Halfedge first_of_a = mesh.vertex_halfedge(a);
+  const Halfedge first_of_b = mesh.vertex_halfedge(b);
+  if (!first_of_a.valid() || !first_of_b.valid()) return {};
+  Halfedge out = first_of_a;
+  Halfedge back = first_of_b;
+  do {
+    if (mesh.to_vertex(out) == b) return out;
+    if (mesh.to_vertex(back) == a) return mesh.opposite(back);
+    out = mesh.rotate_cw(out);
+    back = mesh.rotate_cw(back);
+  } while (out != first_of_a && back != first_of_b);
+  return {};
+}
+
 /// The checks of add_face; how many of the sides are new edges.
 template <class Mesh>
 [[nodiscard]] Result<Index> count_new_edges(const Mesh& mesh, std::span<const Vertex> corners) {
@@ -71,12 +88,12 @@ template <class Mesh>
   if (repeated.value().valid()) return repeated_vertex(repeated.value());
 
   Index new_edges = 0;
-  const Halfedge last = mesh.find_halfedge(corners[degree - 1], corners[0]);
+  const Halfedge last = find_side(mesh, corners[degree - 1], corners[0]);
   if (last.valid() && !mesh.is_boundary(last))
     return side_is_taken(mesh, last, corners, degree - 1);
   Halfedge in = last;
   for (std::size_t i = 0; i < degree; ++i) {
-    const Halfedge out = i + 1 == degree ? last : mesh.find_halfedge(corners[i], corners[i + 1]);
+    const Halfedge out = i + 1 == degree ? last : find_side(mesh, corners[i], corners[i + 1]);
     if (out.valid() && !mesh.is_boundary(out)) return side_is_taken(mesh, out, corners, i);
     new_edges += out.valid() ? 0 : 1;
     if (Result<void> can = check_corner(mesh, corners[i], in, out); !can) return can.error();
@@ -149,22 +166,24 @@ void link_corner(Mesh& mesh, const Side& in, const Side& out) {
   mesh.link(in.halfedge, out.halfedge);
 }
 
-/// Invariants 4 and 5 at the vertex that `leaving` leaves, as the builder has them: the anchor is
-/// the boundary halfedge to the smallest vertex, if there is one.
+/// Invariants 4 and 5 at the vertex between `in` and `out`, of the new face, as the builder has
+/// them: the anchor is the boundary halfedge to the smallest vertex; else that in the last face.
 template <class Mesh>
-void choose_anchor(Mesh& mesh, Halfedge leaving) {
-  const Vertex v = mesh.from_vertex(leaving);
-  Halfedge chosen = mesh.vertex_halfedge(v);
-  if (!chosen.valid() || !mesh.is_boundary(chosen)) chosen = leaving;
-  Halfedge out = leaving;
-  do {
-    if (mesh.is_boundary(out) &&
-        (!mesh.is_boundary(chosen) || mesh.to_vertex(out) < mesh.to_vertex(chosen))) {
-      chosen = out;
+void choose_anchor(Mesh& mesh, Halfedge in, Halfedge out) {
+  const Vertex v = mesh.to_vertex(in);
+  const Halfedge anchor = mesh.vertex_halfedge(v);
+  const Halfedge first = mesh.opposite(in);  // the only new boundary halfedge, if it is one
+  Halfedge chosen = out;
+  if (anchor.valid() && mesh.is_boundary(anchor)) {
+    const bool is_smaller = mesh.to_vertex(first) < mesh.to_vertex(anchor);
+    chosen = mesh.is_boundary(first) && is_smaller ? first : anchor;
+  } else {
+    for (Halfedge h = mesh.rotate_cw(out); h != out; h = mesh.rotate_cw(h)) {
+      if (!mesh.is_boundary(h)) continue;
+      if (chosen == out || mesh.to_vertex(h) < mesh.to_vertex(chosen)) chosen = h;
     }
-    out = mesh.rotate_cw(out);
-  } while (out != leaving);
-  if (chosen != mesh.vertex_halfedge(v)) mesh.set_vertex_halfedge(v, chosen);
+  }
+  if (chosen != anchor) mesh.set_vertex_halfedge(v, chosen);
 }
 
 }  // namespace internal
@@ -186,11 +205,10 @@ template <EditableSurface Mesh>
 /// A face with these corners, counter-clockwise; the edges between them that don't exist yet are
 /// new. (OpenMesh: add_face; CGAL: Surface_mesh::add_face, Euler::add_face)
 ///
-/// The faces of a mesh that can be built, in any order, can be added one after the other, and what
-/// they become doesn't depend on the order, but for the numbering and the anchors of interior
-/// vertices; it is what `build_from_polygons` makes of them. For where faces meet at a vertex
-/// without a common edge, their fans change places around it as they must; and faces that are
-/// closed around a vertex, and refuse another, would do so in the end as well.
+/// The faces of a mesh that can be built can be added one after the other, in any order, and are
+/// then what `build_from_polygons` makes of them, but for the numbering of edges. For where faces
+/// meet at a vertex without a common edge, their fans change places around it as they must; and
+/// faces that are closed around a vertex, and refuse another, would do so in the end as well.
 ///
 /// attributes: the face and new edges have the defaults
 /// returns: the face; to_vertex(face_halfedge(f)) is the first corner
@@ -206,7 +224,7 @@ template <EditableSurface Mesh>
     return decorator::internal::no_memory("a face and its edges");
   }
   const auto side = [&](Vertex from, Vertex to) {
-    const Halfedge found = mesh.find_halfedge(from, to);
+    const Halfedge found = find_side(mesh, from, to);
     return found.valid() ? Side{found} : Side{mesh.new_edge(from, to), true};
   };
   const Side last = side(corners.back(), corners.front());
@@ -217,11 +235,12 @@ template <EditableSurface Mesh>
     in = out;
   }
   decorator::internal::make_face(mesh, last.halfedge);
-  Halfedge on_loop = last.halfedge;
-  do {
-    choose_anchor(mesh, on_loop);
-    on_loop = mesh.next(on_loop);
-  } while (on_loop != last.halfedge);
+  for (Halfedge h = last.halfedge;;) {
+    const Halfedge after = mesh.next(h);
+    choose_anchor(mesh, h, after);
+    h = after;
+    if (h == last.halfedge) break;
+  }
   return mesh.face(last.halfedge);
 }
 
