@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/operations/fans.h>
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/seam.h>
 #include <halfedge/operations/surgery_refusals.h>
@@ -12,15 +13,6 @@
 namespace halfedge::operations {
 
 namespace internal {
-
-/// The last halfedge, which has no face, of the fan that begins with the edge of `out`, a boundary
-/// halfedge, clockwise around from_vertex(out): it leads there.
-template <class Mesh>
-[[nodiscard]] Halfedge last_of_fan(const Mesh& mesh, Halfedge out) {
-  Halfedge last = mesh.opposite(out);
-  while (!mesh.is_boundary(last)) last = mesh.next_on_vertex(last);
-  return last;
-}
 
 /// How boundary loops run on where `in` ends and `out` begins, once both are glued and gone.
 struct Gap {
@@ -35,7 +27,7 @@ template <class Mesh>
   const Halfedge before = mesh.prev(out);
   if (mesh.to_vertex(in) != mesh.from_vertex(out)) return {{before}, {after}};
   // Two fans of a pinched vertex become one, which its other fans follow.
-  const Halfedge last = last_of_fan(mesh, out);
+  const Halfedge last = end_of_fan(mesh, out);
   return {{last, before}, {after, mesh.next(last)}};
 }
 
@@ -89,7 +81,7 @@ template <class Mesh>
 [[nodiscard]] Result<void> check_fans(const Mesh& mesh, Halfedge in, Halfedge out) {
   const Vertex v = mesh.to_vertex(in);
   if (v != mesh.from_vertex(out) || mesh.next(in) == out) return {};
-  if (last_of_fan(mesh, out) == in) return would_close_fan(v, in, out);
+  if (end_of_fan(mesh, out) == in) return would_close_fan(v, in, out);
   return {};
 }
 

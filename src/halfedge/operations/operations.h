@@ -17,11 +17,13 @@
 /// These ask for more than the decorator of the combinatorial layer (halfedge/decorator), which
 /// allows degenerate complexes, and by which most of them are done.
 #include <halfedge/operations/add_face.h>
+#include <halfedge/operations/bevel.h>
 #include <halfedge/operations/collapse.h>
 #include <halfedge/operations/components.h>
 #include <halfedge/operations/cut.h>
 #include <halfedge/operations/deletion.h>
 #include <halfedge/operations/dissolve.h>
+#include <halfedge/operations/extrude.h>
 #include <halfedge/operations/flip.h>
 #include <halfedge/operations/glue.h>
 #include <halfedge/operations/holes.h>

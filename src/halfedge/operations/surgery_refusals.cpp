@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/surgery_refusals.h>
 
@@ -92,6 +93,24 @@ Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
                                        : std::string("one across another face will join")) +
                      ", expected diagonals that are new",
                  std::move(witness));
+}
+
+Error not_a_fraction(const char* name, double value) {
+  return refusal("out-of-range", std::string("the ") + name + " is " + sentence::number(value) +
+                                     ", expected a number from 0 to 1");
+}
+
+Error valence_below_three(Vertex v, Index valence) {
+  return refusal("valence-below-three",
+                 text(v) + " has valence " + number(valence) + ", expected 3 at least",
+                 {.vertices = {v.index()}});
+}
+
+Error both_valences_below_three(Edge e, Vertex a, Vertex b) {
+  return refusal("valence-below-three",
+                 "the new face would have two corners: both " + text(a) + " and " + text(b) +
+                     ", the ends of " + text(e) + ", have valence 2, expected 3 at one at least",
+                 {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 
 }  // namespace halfedge::operations

@@ -29,5 +29,11 @@ namespace halfedge::operations {
 /// no-triangulation: of `f`, if `a` and `b`, which are joined by `existing`, or, if that is empty,
 /// will be across another face, may not be joined.
 [[nodiscard]] Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing);
+/// out-of-range: the number called `name` isn't from 0 to 1.
+[[nodiscard]] Error not_a_fraction(const char* name, double value);
+/// valence-below-three
+[[nodiscard]] Error valence_below_three(Vertex v, Index valence);
+/// valence-below-three: both ends of `e` have no more than one other edge.
+[[nodiscard]] Error both_valences_below_three(Edge e, Vertex a, Vertex b);
 
 }  // namespace halfedge::operations
