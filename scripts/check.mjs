@@ -39,13 +39,13 @@ export async function format() {
 
 /** Lints each source file of the core, as many at a time as there are processors. */
 async function clangTidy() {
-  await configurePreset('clang');
+  await configurePreset('asan');
   const sources = cppFiles('src').filter((path) => extname(path) === '.cpp');
   if (sources.length === 0) throw new Failure('There are no C++ sources to lint.');
   const complaints = [];
   const worker = async () => {
     for (let path = sources.pop(); path !== undefined; path = sources.pop()) {
-      const { ok, output } = await capture('clang-tidy', ['-p', 'build/clang', '--quiet', path]);
+      const { ok, output } = await capture('clang-tidy', ['-p', 'build/asan', '--quiet', path]);
       if (!ok) complaints.push(`${relative(root, path)}:\n${withoutCounts(output)}`);
     }
   };

@@ -1,12 +1,14 @@
 // `npm run setup`: installs what this machine lacks to build (and, with `tests` or `bench`, to test
 // or benchmark) the project: the system's packages on Debian and Ubuntu, then the npm packages.
 
+import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
+import { filesBelow } from './lib/files.mjs';
 import { asProgram, capture, Failure, root, run, which } from './lib/run.mjs';
 
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
@@ -25,6 +27,7 @@ const requirements = [
   need('build', 'fast_float', 'libfast-float-dev', hasFastFloat),
   need('tests', 'g++', 'g++', () => onPath('g++')),
   need('tests', 'clang', 'clang', () => onPath('clang++')),
+  need('tests', "clang's sanitizers", 'libclang-rt-dev', hasSanitizers),
   need('tests', 'clang-format', 'clang-format', () => onPath('clang-format')),
   need('tests', 'clang-tidy', 'clang-tidy', () => onPath('clang-tidy')),
   need('tests', 'GoogleTest', 'libgtest-dev', () => header('gtest/gtest.h')),
@@ -48,6 +51,14 @@ function need(purpose, title, aptPackage, found) {
 /** CMake downloads fast_float where there is no package of it, so it is asked for on Debian only. */
 function hasFastFloat() {
   return process.env.HALFEDGE_FAST_FLOAT_DIR || header('fast_float/fast_float.h') || !hasApt();
+}
+
+/** Whether clang can link AddressSanitizer, which Debian packs apart from the compiler. */
+function hasSanitizers() {
+  if (!onPath('clang++')) return false;
+  const folder = execFileSync('clang++', ['-print-resource-dir'], { encoding: 'utf8' }).trim();
+  const libraries = filesBelow(join(folder, 'lib')).map((path) => basename(path));
+  return libraries.some((name) => name.startsWith('libclang_rt.asan'));
 }
 
 const hasApt = () => onPath('apt-get');
