@@ -75,6 +75,16 @@ describe('A mesh too large for memory', () => {
           () => whole.components(),
           () => whole.boundaryLoops(),
           () => whole.genus(),
+          () => HalfedgeMesh.grid(120).dispose(),
+          () => HalfedgeMesh.icoSphere(5).dispose(),
+          () => whole.dual().dispose(),
+          () => whole.kRing(0, 300),
+          () => whole.link({ vertices: [0], faces: [7] }),
+          () => HalfedgeMesh.fromBytes(whole.toBytes()).dispose(),
+          () => {
+            using copy = whole.clone();
+            copy.append(whole);
+          },
           () => new HalfedgeMesh().dispose(),
         ]) {
           try {

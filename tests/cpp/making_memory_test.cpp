@@ -1,0 +1,52 @@
+// Meshes made of nothing, of other meshes and of bytes, where memory ends: an error comes back, and
+// nothing has changed.
+
+#include <gtest/gtest.h>
+#include <halfedge/halfedge.h>
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/complexes.h"
+#include "support/limited_memory.h"
+#include "support/reference_build.h"
+#include "support/shapes.h"
+
+namespace halfedge::test {
+namespace {
+
+template <class T>
+bool is_out_of_memory(const Result<T>& result) {
+  return !result.ok() && result.error().code == "out-of-memory";
+}
+
+[[noreturn]] void make_without_memory() {
+  Mesh mesh = reference_build(quad_grid(300, 300));
+  const Snapshot before(mesh);
+  const Result<Array<std::uint8_t>> bytes = to_bytes(mesh);
+  const std::vector<Index> some = {0, 5};
+  Mesh empty;
+  use_up_memory();
+  if (!is_out_of_memory(shapes::grid(900, 900))) std::_Exit(2);
+  if (!is_out_of_memory(shapes::ico_sphere(8))) std::_Exit(3);
+  if (!is_out_of_memory(append(mesh, mesh))) std::_Exit(4);
+  if (!is_out_of_memory(append(empty, mesh))) std::_Exit(5);
+  if (!is_out_of_memory(dual(mesh, empty))) std::_Exit(6);
+  if (!is_out_of_memory(to_bytes(mesh))) std::_Exit(7);
+  if (!is_out_of_memory(from_bytes(bytes.value().span(), empty))) std::_Exit(8);
+  if (!is_out_of_memory(k_ring(mesh, some, kNone))) std::_Exit(9);
+  if (!is_out_of_memory(star(mesh, {.faces = some}))) std::_Exit(10);
+  // Whatever of this was done in part is gone.
+  leave(empty.vertex_slots() == 0 && mesh.halfedge_slots() == before.links[0].size() &&
+        std::equal(before.links[0].begin(), before.links[0].end(), mesh.links().next.begin()));
+}
+
+TEST(MakingDeathTest, WithoutMemoryIsAnErrorAndChangesNothing) {
+  HALFEDGE_NEEDS_A_MEMORY_LIMIT();
+  EXPECT_EXIT(make_without_memory(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace halfedge::test
