@@ -479,6 +479,23 @@ TEST(Collapse, MovesTheCornersOfEachSideOfASeam) {
   }
 }
 
+TEST(Collapse, LeavesEachCornerToTheFaceItLiesIn) {
+  // A chart for each face: no corner at 1 has the value of one beside the edge.
+  Mesh mesh = reference_build(octahedron());
+  Attribute& uv = add_number(mesh, ItemKind::kHalfedge, "uv", OnSplit::kInterpolate);
+  for (const Halfedge h : mesh.halfedges()) {
+    uv.set(h.index(), 0, 10 * mesh.face(h).index() + mesh.to_vertex(h).index(), nullptr);
+  }
+  const Mesh before = copy_of(mesh);
+  ASSERT_TRUE(collapse(mesh, halfedge(mesh, 1, 2)).ok());
+  for (const Halfedge h : mesh.halfedges()) {
+    const std::vector<Index> corners = corners_of(before, before.face_halfedge(mesh.face(h)));
+    const bool had_1 = std::count(corners.begin(), corners.end(), 1U) > 0;
+    const Index v = had_1 && mesh.to_vertex(h) == Vertex(2) ? 1 : mesh.to_vertex(h).index();
+    EXPECT_EQ(uv.get(h.index(), 0), 10 * mesh.face(h).index() + v) << h.index();
+  }
+}
+
 TEST(SplitVertex, GivesNewItemsTheAttributesBesideThem) {
   Mesh mesh = reference_build(octahedron());
   add_attributes_of_all_kinds(mesh);

@@ -418,7 +418,8 @@ TEST(SplitEdge, GivesNewItemsTheAttributesBesideThem) {
     uv.set(h.index(), 0, chart + double{value(at[mesh.to_vertex(h).index()])}, nullptr);
   }
   const Edge e = edge(mesh, 0, 2);
-  const Vertex w = split_edge(mesh, e, Point{0.25F, 0.25F, 0}).value();
+  const Vertex w = split_edge(mesh, e, Point{0.25F, 0.25F, 1}).value();
+  EXPECT_EQ(mesh.position(w), (Point{0.25F, 0.25F, 1}));
   const Index of_e = 1 + e.index();
   EXPECT_EQ(crease.get(edge(mesh, 0, w.index()).index(), 0), of_e);
   EXPECT_EQ(crease.get(edge(mesh, 2, w.index()).index(), 0), of_e);

@@ -107,7 +107,6 @@ void make_triangle(Mesh& mesh, Halfedge first, Halfedge second, Halfedge like) {
   mesh.copy_attributes(mesh.edge(outer), mesh.edge(like));
   mesh.copy_attributes(outer, like);
   mesh.copy_attributes(inner, mesh.opposite(like));
-  mesh.copy_corner(outer, second);
   mesh.copy_corner(inner, before);
   mesh.link(before, outer);
   mesh.link(outer, after);
