@@ -1,6 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { digestOf } from '../../web/explorer/app/digest.js';
-import { icosphere, openGrid, type Polygons } from '../../web/explorer/samples/generators.js';
+import { openGrid } from '../../web/explorer/samples/generators.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -16,15 +16,14 @@ afterAll(async () => {
 });
 
 /** A generated sample: the page's, and the same mesh here to do the same to. */
-async function show(id: string, name: string, { positions, faces }: Polygons) {
+async function show(id: string, name: string, mesh: HalfedgeMesh) {
   await explorer.sample(id, name);
-  const mesh = HalfedgeMesh.fromPolygons(positions, faces);
   mesh.history.enabled = true;
   await shows(mesh);
   return mesh;
 }
 
-const sphere = () => show('icosphere', 'Icosphere', icosphere(2));
+const sphere = () => show('icosphere', 'Icosphere', HalfedgeMesh.icoSphere(2));
 
 /** Waits until the page shows the faces and positions of this mesh. */
 const shows = (mesh: HalfedgeMesh) => explorer.until('digest', digestOf(mesh));

@@ -1,10 +1,5 @@
 import { HalfedgeMesh, init, NONE } from 'halfedge';
-import {
-  icosahedron,
-  openGrid,
-  type Polygons,
-  starPrism,
-} from '../../web/explorer/samples/generators.js';
+import { openGrid, starPrism } from '../../web/explorer/samples/generators.js';
 import { disconnect, ExplorerPage, type Point } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -19,10 +14,9 @@ afterAll(async () => {
 });
 
 /** A generated sample: the page's, and the same mesh here to compare with. */
-async function show(id: string, name: string, { positions, faces }: Polygons) {
+async function show(id: string, name: string, mesh: HalfedgeMesh) {
   await explorer.sample(id, name);
   await explorer.page.click('[name=pick-mode][value=auto]');
-  const mesh = HalfedgeMesh.fromPolygons(positions, faces);
   const project = await explorer.projection();
   const at = (v: number): Point => project(mesh.positions.subarray(3 * v, 3 * v + 3));
   const middle = (...vertices: number[]): Point => {
@@ -54,7 +48,11 @@ function towards([x, y]: Point, [u, v]: Point, pixels: number): Point {
 
 describe('A click', () => {
   test('picks the vertex, the edge, the halfedge or the face under it', async () => {
-    const { mesh, at, middle, front } = await show('icosahedron', 'Icosahedron', icosahedron());
+    const { mesh, at, middle, front } = await show(
+      'icosahedron',
+      'Icosahedron',
+      HalfedgeMesh.icosahedron(),
+    );
     const corners = [...mesh.faceVertices(front)];
     const centre = middle(...corners);
     expect(await click(centre)).toBe(`f${front}`);
@@ -92,7 +90,11 @@ describe('A click', () => {
   });
 
   test('picks only what the mode says', async () => {
-    const { mesh, at, middle, front } = await show('icosahedron', 'Icosahedron', icosahedron());
+    const { mesh, at, middle, front } = await show(
+      'icosahedron',
+      'Icosahedron',
+      HalfedgeMesh.icosahedron(),
+    );
     const [a, b, c] = mesh.faceVertices(front);
     const nearA = towards(middle(a, b, c), at(a), 25);
     const modes = { vertex: `v${a}`, face: `f${front}` };
@@ -108,7 +110,7 @@ describe('A click', () => {
   });
 
   test('beside the mesh selects nothing', async () => {
-    await show('icosahedron', 'Icosahedron', icosahedron());
+    await show('icosahedron', 'Icosahedron', HalfedgeMesh.icosahedron());
     expect(await explorer.state('selected')).not.toBeNull();
     expect(await click([60, 400])).toBeNull();
     expect(await explorer.page.textContent('#inspector-title')).toBe('Nothing selected');
@@ -118,7 +120,11 @@ describe('A click', () => {
 
 describe('The pointer', () => {
   test('shows what a click would pick, and forgets it when it leaves', async () => {
-    const { mesh, at, middle, front } = await show('icosahedron', 'Icosahedron', icosahedron());
+    const { mesh, at, middle, front } = await show(
+      'icosahedron',
+      'Icosahedron',
+      HalfedgeMesh.icosahedron(),
+    );
     const corners = [...mesh.faceVertices(front)];
     await explorer.page.mouse.move(...middle(...corners));
     await explorer.until('hovered', `f${front}`);
@@ -132,7 +138,11 @@ describe('The pointer', () => {
   });
 
   test('turns the camera when it drags, and picks nothing then', async () => {
-    const { mesh, middle, front } = await show('icosahedron', 'Icosahedron', icosahedron());
+    const { mesh, middle, front } = await show(
+      'icosahedron',
+      'Icosahedron',
+      HalfedgeMesh.icosahedron(),
+    );
     const before = await explorer.state('camera');
     const selected = await explorer.state('selected');
     const [x, y] = middle(...mesh.faceVertices(front));

@@ -22,13 +22,6 @@ async function fetchMesh(url: string): Promise<HalfedgeMesh> {
   return HalfedgeMesh.parse(await response.text(), { format: 'off' }).mesh;
 }
 
-function generated(make: () => generate.Polygons): () => Promise<HalfedgeMesh> {
-  return async () => {
-    const { positions, faces } = make();
-    return HalfedgeMesh.fromPolygons(positions, faces);
-  };
-}
-
 /** The first one opens with the page. */
 export const samples: readonly Sample[] = [
   {
@@ -53,7 +46,7 @@ export const samples: readonly Sample[] = [
     note: '20 triangles, every valence 5',
     start: null,
     view: [0.15, 0.35, 1],
-    load: generated(generate.icosahedron),
+    load: async () => HalfedgeMesh.icosahedron(),
   },
   {
     id: 'icosphere',
@@ -61,7 +54,7 @@ export const samples: readonly Sample[] = [
     note: '320 triangles',
     start: null,
     view: [0.2, 0.3, 1],
-    load: generated(() => generate.icosphere(2)),
+    load: async () => HalfedgeMesh.icoSphere(2),
   },
   {
     id: 'cube',
@@ -69,15 +62,15 @@ export const samples: readonly Sample[] = [
     note: 'six quads',
     start: 7,
     view: [0.75, 0.6, 1],
-    load: generated(generate.cube),
+    load: async () => HalfedgeMesh.cube(),
   },
   {
     id: 'torus',
     name: 'Torus',
     note: 'quads, genus 1',
-    start: 296,
-    view: [0.1, 0.75, 1],
-    load: generated(() => generate.torus(28, 14)),
+    start: 100,
+    view: [0.35, 0.5, 1],
+    load: async () => HalfedgeMesh.torus(28, 14),
   },
   {
     id: 'football',
@@ -85,7 +78,7 @@ export const samples: readonly Sample[] = [
     note: 'pentagons and hexagons',
     start: null,
     view: [0.25, 0.3, 1],
-    load: generated(generate.truncatedIcosahedron),
+    load: async () => generate.truncatedIcosahedron(),
   },
   {
     id: 'star',
@@ -93,7 +86,7 @@ export const samples: readonly Sample[] = [
     note: 'concave ten-sided faces',
     start: 1,
     view: [0.35, 0.25, 1],
-    load: generated(generate.starPrism),
+    load: async () => generate.starPrism(),
   },
   {
     id: 'grid',
@@ -101,7 +94,7 @@ export const samples: readonly Sample[] = [
     note: '36 quads, one boundary loop',
     start: 3,
     view: [0.25, 0.9, 0.9],
-    load: generated(() => generate.openGrid(6)),
+    load: async () => generate.openGrid(6),
   },
   {
     id: 'annulus',
@@ -109,7 +102,7 @@ export const samples: readonly Sample[] = [
     note: 'two boundary loops',
     start: 0,
     view: [0.1, 1.2, 0.9],
-    load: generated(() => generate.annulus(14)),
+    load: async () => generate.annulus(14),
   },
   {
     id: 'pinched',
@@ -117,6 +110,6 @@ export const samples: readonly Sample[] = [
     note: 'three fans, joined by boundary halfedges',
     start: 0,
     view: [0.1, 1.2, 0.8],
-    load: generated(generate.pinchedVertex),
+    load: async () => generate.pinchedVertex(),
   },
 ];
