@@ -1,6 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { digestOf } from '../../web/explorer/app/digest.js';
-import { openGrid } from '../../web/explorer/samples/generators.js';
+import { annulus, openGrid } from '../../web/explorer/samples/generators.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -66,6 +66,177 @@ describe('An operation', () => {
       'loops 0',
       'parts 1',
     ]);
+  });
+});
+
+/** What an operation does to the same mesh here; returns the item that it returned. */
+type Twin = (mesh: HalfedgeMesh) => string;
+
+/** Item, operation, key, and the same on a mesh of our own, on a sphere of 320 triangles. */
+const onSphere: readonly (readonly [string, string, string, Twin])[] = [
+  ['v9', 'dissolveVertex', 'Shift+D', (mesh) => `f${mesh.dissolveVertex(9)}`],
+  ['e12', 'removeEdge', 'Shift+R', (mesh) => `f${mesh.removeEdge(12)}`],
+  ['e12', 'splitEdge', 'Shift+S', (mesh) => `v${mesh.splitEdge(12)}`],
+  ['e12', 'insertVertexOnEdge', 'Shift+V', (mesh) => `v${mesh.insertVertexOnEdge(12)}`],
+  ['h31', 'collapse', 'Shift+C', (mesh) => `v${mesh.collapse(31)}`],
+  ['f7', 'splitFace', 'Shift+S', (mesh) => `v${mesh.splitFace(7)}`],
+  ['f7', 'makeHole', 'Shift+H', (mesh) => `h${mesh.makeHole(7)}`],
+];
+
+describe('Every operation on an item', () => {
+  test.each(onSphere)('%s: %s, by button and by %s', async (item, stem, key, twin) => {
+    const mesh = await sphere();
+    const before = digestOf(mesh);
+    await explorer.goTo(item);
+    const result = twin(mesh);
+    expect(digestOf(mesh)).not.toBe(before);
+    await click(stem);
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe(result);
+    expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+    await explorer.page.focus('main.stage canvas');
+    await explorer.press('Control+z');
+    await explorer.until('digest', before);
+    expect(await explorer.state('selected')).toBe(item);
+    await explorer.press(key);
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe(result);
+  });
+
+  test('cuts an edge open, from its button or its key', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const inside = (v: number) => !mesh.isBoundaryVertex(v);
+    const e = [...mesh.edges()].find((edge) => {
+      const [a, b] = mesh.edgeVertices(edge);
+      return inside(a) !== inside(b);
+    }) as number;
+    await explorer.goTo(`e${e}`);
+    const h = mesh.cut(mesh.edgeHalfedge(e));
+    await explorer.press('Shift+C');
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe(`h${h}`);
+    expect(await explorer.page.textContent('.facts')).toContain('boundary');
+  });
+
+  test('deletes the selected vertex, edge or face with the Delete key', async () => {
+    for (const [item, remove] of [
+      ['v9', (mesh: HalfedgeMesh) => mesh.deleteVertex(9)],
+      ['e12', (mesh: HalfedgeMesh) => mesh.deleteEdge(12)],
+      ['f7', (mesh: HalfedgeMesh) => mesh.deleteFace(7)],
+    ] as const) {
+      const mesh = await sphere();
+      await explorer.goTo(item);
+      remove(mesh);
+      await explorer.press('Delete');
+      await shows(mesh);
+      // Something that is still there is selected, and the player goes around it.
+      expect(await explorer.state('selected')).toMatch(/^[vf]\d+$/);
+      await explorer.press('End');
+      expect((await explorer.visited()).length).toBeGreaterThan(0);
+    }
+  });
+});
+
+describe('An operation with two items', () => {
+  test('waits for the second, which can be walked to', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const first = mesh.faceHalfedge(14);
+    const second = mesh.next(mesh.next(first));
+    await explorer.goTo(`h${first}`);
+    await explorer.press('Shift+E');
+    expect(await explorer.state('pending')).toBe('insertEdge');
+    expect(await explorer.page.textContent('.tag.first')).toBe(`from h${first}`);
+    expect(await explorer.page.isVisible('.pending')).toBe(true);
+    await explorer.screenshot('pending-1280-light');
+    await explorer.press('n', 'n', 'Enter');
+    const edge = mesh.insertEdge(first, second);
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe(`e${edge}`);
+    expect(await explorer.state('pending')).toBeNull();
+    expect(await numbers()).toEqual(
+      expect.arrayContaining(['V 49', 'E 85 +1', 'F 37 +1', 'χ 1', 'loops 1']),
+    );
+  });
+
+  test('takes the second from a click, of its kind only, and can be called off', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const first = mesh.faceHalfedge(14);
+    const second = mesh.next(mesh.next(first));
+    await explorer.goTo(`h${first}`);
+    await click('insertEdge');
+    expect(await explorer.page.isChecked('[name=pick-mode][value=halfedge]')).toBe(true);
+    await explorer.press('Escape');
+    expect(await explorer.state('pending')).toBeNull();
+    expect(await explorer.page.isChecked('[name=pick-mode][value=auto]')).toBe(true);
+    await click('insertEdge');
+    const project = await explorer.projection();
+    const at = (v: number) => project(mesh.positions.subarray(3 * v, 3 * v + 3));
+    const corners = [...mesh.faceVertices(14)].map(at);
+    const [p, q] = [at(mesh.fromVertex(second)), at(mesh.toVertex(second))];
+    const middle = [0, 1].map((k) => corners.reduce((sum, c) => sum + c[k], 0) / corners.length);
+    // Between the middle of the edge and that of the face.
+    await explorer.page.mouse.click(
+      0.8 * ((p[0] + q[0]) / 2) + 0.2 * middle[0],
+      0.8 * ((p[1] + q[1]) / 2) + 0.2 * middle[1],
+    );
+    mesh.insertEdge(first, second);
+    await shows(mesh);
+  });
+
+  test('refuses what does not go together', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const [first, second] = [mesh.faceHalfedge(14), mesh.faceHalfedge(0)];
+    const refusal = mesh.checkInsertEdge(first, second);
+    expect(refusal).not.toBeNull();
+    await explorer.goTo(`h${first}`);
+    await explorer.press('Shift+E');
+    await explorer.goTo(`h${second}`);
+    await explorer.press('Enter');
+    expect(await explorer.page.textContent('.refusal [data-message]')).toBe(refusal?.message);
+    await shows(mesh);
+  });
+});
+
+describe('An operation on the whole mesh', () => {
+  test('compact gives the selection its new name', async () => {
+    const mesh = await sphere();
+    await explorer.goTo('v9');
+    await explorer.press('Delete');
+    await explorer.goTo('v100');
+    await explorer.press('Shift+K');
+    mesh.deleteVertex(9);
+    const maps = mesh.compact();
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe(`v${maps.vertices[100]}`);
+    await explorer.press('Shift+N');
+    expect(await outcome()).toBe('Nothing to do: delete isolated.');
+    expect(await explorer.state('undo')).toBe('2');
+  });
+
+  test('dual opens another mesh', async () => {
+    await explorer.sample('cube', 'Cube');
+    await explorer.press('Shift+M');
+    await explorer.ready('Dual of Cube');
+    expect((await numbers()).slice(0, 4)).toEqual(['V 6', 'E 12', 'F 8', 'χ 2']);
+  });
+});
+
+describe('The numbers', () => {
+  test('tell what a change did to the topology, and what undo did to it', async () => {
+    const mesh = await show('annulus', 'Annulus', annulus(14));
+    const [h] = mesh.boundaryLoops();
+    await explorer.goTo(`h${h}`);
+    await click('fillHole');
+    mesh.fillHole(h);
+    await shows(mesh);
+    const filled = ['V 42', 'E 70', 'F 29 +1', 'χ 1 +1', 'genus 0', 'loops 1 −1', 'parts 1'];
+    expect(await numbers()).toEqual(filled);
+    await explorer.screenshot('filled-1280-light');
+    await explorer.page.focus('main.stage canvas');
+    await explorer.press('Control+z');
+    mesh.history.undo();
+    await shows(mesh);
+    expect(await numbers()).toEqual(expect.arrayContaining(['F 28 −1', 'χ 0 −1', 'loops 2 +1']));
   });
 });
 

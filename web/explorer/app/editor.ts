@@ -1,4 +1,4 @@
-import { type HalfedgeMesh, NONE } from 'halfedge';
+import { HalfedgeMesh, NONE } from 'halfedge';
 import type { PickMode } from '../scene/picking.js';
 import type { Explorer } from './explorer.js';
 import { type Item, isLive, item, itemName } from './items.js';
@@ -52,6 +52,9 @@ export interface Past {
 
 const NO_PAST: Past = { undo: null, redo: null, undoCount: 0, redoCount: 0 };
 
+/** What the steps that can be undone may take: the oldest are forgotten first. */
+const HISTORY_BYTES = 2 ** 28;
+
 /** Operations on the selection, their refusals, and the way back. */
 export class Editor {
   readonly offers = new Signal<readonly Offer[]>([]);
@@ -76,6 +79,7 @@ export class Editor {
 
   /** Begins anew with a mesh that was opened. */
   open(mesh: HalfedgeMesh): void {
+    mesh.history.limit({ bytes: HISTORY_BYTES });
     mesh.history.enabled = true;
     this.#done = [];
     this.#undone = [];
@@ -173,6 +177,7 @@ export class Editor {
   #commit(operation: Operation, operands: Operands, first: Item | null, title: string): void {
     const { mesh } = operands;
     const state = stateBefore(operation, operands);
+    const { version } = mesh;
     let result: unknown;
     try {
       result = runOperation(operation, operands);
@@ -180,10 +185,22 @@ export class Editor {
       this.#refuse(title, refusalOf(error));
       return;
     }
-    const edit = operation.stem === 'compact' ? renumbering : motionOf(operation, state, mesh);
+    if (operation.opens && result instanceof HalfedgeMesh) {
+      this.#explorer.openMesh(
+        `${operation.label} of ${this.#explorer.document.value?.name}`,
+        result,
+      );
+      return;
+    }
+    if (mesh.version === version) {
+      this.outcome.value = `Nothing to do: ${title}.`;
+      return;
+    }
+    const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
     const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
     this.#done.push({ title, edit, before: first, after });
     this.#undone = [];
+    while (this.#done.length > mesh.history.undoCount) this.#done.shift();
     this.#finish(`Done: ${title}.`, { ...edit }, after);
   }
 
@@ -253,20 +270,22 @@ export class Editor {
   }
 }
 
-/** `flip e12`, `insert edge h3, h9`, `reverse all`. */
+/** `flip e12`, `insert edge h3, h9`, `reverse`. */
 function titleOf({ label, on }: Operation, first: Item | null, second: Item | null): string {
   const name = label.toLowerCase();
-  if (on === 'mesh') return `${name} all`;
+  if (on === 'mesh') return name;
   return [`${name} ${itemName(first)}`, ...(second ? [itemName(second)] : [])].join(', ');
 }
 
 /** What the operation returned, if it is an item; else the first of `candidates` that is left. */
 function selectionAfter(
-  { returns }: Operation,
+  { returns, renumbers }: Operation,
   result: unknown,
   mesh: HalfedgeMesh,
   candidates: readonly (Item | null)[],
 ): Item | null {
+  const [selected] = candidates;
+  if (renumbers && selected) return item(selected.kind, renumbers(result, selected));
   const returned = returns && typeof result === 'number' ? item(returns, result) : null;
   const found = [returned, ...candidates].find((it) => it && isLive(mesh, it));
   return found ?? null;

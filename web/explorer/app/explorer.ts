@@ -88,6 +88,14 @@ export class Explorer {
     }
   }
 
+  /** Shows a mesh that was made from the one on show. */
+  openMesh(name: string, mesh: HalfedgeMesh): void {
+    this.#opening += 1;
+    this.busy.value = null;
+    this.pause();
+    this.#show({ name, mesh, sample: null, start: null, repairs: null, view: [0.35, 0.3, 1] });
+  }
+
   openFirstSample(): Promise<void> {
     return this.open(samples[0]);
   }

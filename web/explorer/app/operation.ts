@@ -27,10 +27,14 @@ export interface Operation {
   readonly second?: { readonly kind: ItemKind; readonly ask: string };
   /** The arguments of the method; the indices of the items if left out. */
   arguments?(operands: Operands): readonly unknown[];
+  /** For an operation that gives items other indices: the new one of an item, or NONE. */
+  renumbers?(result: unknown, item: Item): number;
   /** The kind of item that it returns, which is then selected; else what is left, or next to it. */
   readonly returns?: ItemKind;
   /** Vertices that vanish slide into this one before they do. */
   slidesInto?(operands: Operands): number;
+  /** It leaves the mesh as it is and returns another one, which is opened. */
+  readonly opens?: boolean;
   /** New vertices come out of the nearest corner of the item, instead of appearing where they are. */
   readonly grows?: boolean;
 }

@@ -2,6 +2,15 @@ import type { HalfedgeMesh } from 'halfedge';
 import type { Item } from './items.js';
 import { isThere, type Operation } from './operation.js';
 
+type Maps = ReturnType<HalfedgeMesh['compact']>;
+
+const MAP_NAMES = {
+  vertex: 'vertices',
+  halfedge: 'halfedges',
+  edge: 'edges',
+  face: 'faces',
+} as const;
+
 const onVertices: readonly Operation[] = [
   {
     stem: 'dissolveVertex',
@@ -27,6 +36,7 @@ const onVertices: readonly Operation[] = [
     key: 'B',
     returns: 'face',
     grows: true,
+    arguments: ({ item }) => [item.index, 0.3],
   },
   {
     stem: 'deleteVertex',
@@ -71,6 +81,14 @@ const onEdges: readonly Operation[] = [
     returns: 'face',
   },
   {
+    stem: 'dissolveEdge',
+    on: 'edge',
+    label: 'Dissolve',
+    meaning: 'with ends that only two edges keep',
+    key: 'D',
+    returns: 'face',
+  },
+  {
     stem: 'bevelEdge',
     on: 'edge',
     label: 'Bevel',
@@ -78,6 +96,16 @@ const onEdges: readonly Operation[] = [
     key: 'B',
     returns: 'face',
     grows: true,
+    arguments: ({ item }) => [item.index, 0.3],
+  },
+  {
+    stem: 'cut',
+    on: 'edge',
+    label: 'Cut',
+    meaning: 'opens the surface along it',
+    key: 'C',
+    returns: 'halfedge',
+    arguments: ({ mesh, item }) => [mesh.edgeHalfedge(item.index)],
   },
   {
     stem: 'deleteEdge',
@@ -102,20 +130,20 @@ const onHalfedges: readonly Operation[] = [
     stem: 'insertEdge',
     on: 'halfedge',
     label: 'Insert edge',
-    meaning: 'from its end to another’s',
+    meaning: 'from its end to that of another',
     key: 'E',
     returns: 'edge',
-    second: { kind: 'halfedge', ask: 'another halfedge of the same face' },
+    second: { kind: 'halfedge', ask: 'another halfedge of the same face or boundary loop' },
   },
   {
     stem: 'splitVertex',
     on: 'halfedge',
     label: 'Split vertex',
-    meaning: 'opens a fan of its start',
+    meaning: 'opens the fan between two halfedges',
     key: 'S',
     returns: 'vertex',
-    second: { kind: 'halfedge', ask: 'another halfedge that leaves the same vertex' },
     grows: true,
+    second: { kind: 'halfedge', ask: 'another halfedge that leaves the same vertex' },
   },
   {
     stem: 'fillHole',
@@ -124,6 +152,41 @@ const onHalfedges: readonly Operation[] = [
     meaning: 'one face on its boundary loop',
     key: 'H',
     returns: 'face',
+  },
+  {
+    stem: 'glue',
+    on: 'halfedge',
+    label: 'Glue',
+    meaning: 'two boundary edges become one',
+    key: 'G',
+    returns: 'edge',
+    second: { kind: 'halfedge', ask: 'another boundary halfedge' },
+  },
+  {
+    stem: 'bridge',
+    on: 'halfedge',
+    label: 'Bridge',
+    meaning: 'a tube between two faces or holes',
+    key: 'B',
+    returns: 'halfedge',
+    second: { kind: 'halfedge', ask: 'a halfedge of another face or boundary loop' },
+  },
+  {
+    stem: 'removeBridge',
+    on: 'halfedge',
+    label: 'Remove bridge',
+    meaning: 'takes a ring of quads out',
+    key: 'R',
+    returns: 'halfedge',
+  },
+  {
+    stem: 'joinLoop',
+    on: 'halfedge',
+    label: 'Join loops',
+    meaning: 'glues two faces or holes together',
+    key: 'J',
+    returns: 'halfedge',
+    second: { kind: 'halfedge', ask: 'a halfedge of a loop of the same degree' },
   },
 ];
 
@@ -144,6 +207,7 @@ const onFaces: readonly Operation[] = [
     key: 'E',
     returns: 'face',
     grows: true,
+    arguments: ({ mesh, item }) => [item.index, 0.6 * meanEdge(mesh, item.index)],
   },
   {
     stem: 'insetFace',
@@ -153,6 +217,7 @@ const onFaces: readonly Operation[] = [
     key: 'I',
     returns: 'face',
     grows: true,
+    arguments: ({ item }) => [item.index, 0.35],
   },
   {
     stem: 'triangulate',
@@ -167,13 +232,22 @@ const onFaces: readonly Operation[] = [
     label: 'Make hole',
     meaning: 'it goes, its edges stay',
     key: 'H',
+    returns: 'halfedge',
   },
   {
     stem: 'deleteFace',
     on: 'face',
     label: 'Delete',
-    meaning: 'with edges that nothing needs then',
+    meaning: 'with edges that no face needs then',
     key: 'Delete',
+  },
+  {
+    stem: 'deleteComponent',
+    on: 'face',
+    label: 'Delete component',
+    meaning: 'all that hangs together with it',
+    key: 'X',
+    arguments: ({ item }) => ['face', item.index],
   },
 ];
 
@@ -181,7 +255,7 @@ const onMeshes: readonly Operation[] = [
   {
     stem: 'triangulate',
     on: 'mesh',
-    label: 'Triangulate',
+    label: 'Triangulate all',
     meaning: 'cuts every face into triangles',
     key: 'A',
   },
@@ -193,11 +267,34 @@ const onMeshes: readonly Operation[] = [
     key: 'O',
   },
   {
+    stem: 'dual',
+    on: 'mesh',
+    label: 'Dual',
+    meaning: 'opens it: a vertex for each face',
+    key: 'M',
+    opens: true,
+  },
+  {
+    stem: 'keepLargestComponents',
+    on: 'mesh',
+    label: 'Keep the largest',
+    meaning: 'deletes all other components',
+    key: 'L',
+  },
+  {
+    stem: 'deleteIsolatedVertices',
+    on: 'mesh',
+    label: 'Delete isolated',
+    meaning: 'vertices without edges',
+    key: 'N',
+  },
+  {
     stem: 'compact',
     on: 'mesh',
     label: 'Compact',
     meaning: 'closes the gaps of deleted items',
     key: 'K',
+    renumbers: (maps, { kind, index }) => (maps as Maps)[MAP_NAMES[kind]][index],
   },
 ];
 
@@ -208,6 +305,18 @@ const all: readonly Operation[] = [
   ...onFaces,
   ...onMeshes,
 ];
+
+/** The mean length of the edges of a face, in the units of the mesh. */
+function meanEdge(mesh: HalfedgeMesh, face: number): number {
+  const { positions } = mesh;
+  let sum = 0;
+  for (const h of mesh.faceHalfedges(face)) {
+    const [a, b] = [3 * mesh.fromVertex(h), 3 * mesh.toVertex(h)];
+    const along = [0, 1, 2].map((k) => positions[a + k] - positions[b + k]);
+    sum += Math.hypot(...along);
+  }
+  return sum / mesh.degree(face);
+}
 
 /** The operations on an item, and those on the whole mesh after them. */
 export function operationsFor(mesh: HalfedgeMesh, item: Item | null): Operation[] {

@@ -51,8 +51,8 @@ export class Labels {
     const taken: { x: number; y: number; width: number }[] = [];
     this.#labels.forEach((label, i) => {
       const element = this.#pool[i];
-      const { x, y, z } = this.#place(label);
       const width = 8 + 7 * label.text.length;
+      const { x, y, z } = this.#place(label, width);
       const covered = taken.some(
         (other) => Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
       );
@@ -69,18 +69,22 @@ export class Labels {
     });
   }
 
-  /** Where a label comes to lie on the canvas. */
-  #place({ point, lift, side }: Label): Vector3 {
+  /** Where a label comes to lie on the canvas: whole, if its point is there. */
+  #place({ point, lift, side }: Label, width: number): Vector3 {
     const seen = this.#stage.project(point, this.#seen);
+    const right = this.#stage.size.x;
+    const onCanvas = seen.x >= 0 && seen.x <= right;
     if (!side) {
       seen.y -= lift;
-      return seen;
+    } else {
+      const { x, y } = this.#stage.project(side, this.#aside);
+      const [dx, dy] = [x - seen.x, y - seen.y];
+      const length = Math.hypot(dx, dy) || 1;
+      seen.x += (lift * dx) / length;
+      seen.y += (lift * dy) / length;
     }
-    const { x, y } = this.#stage.project(side, this.#aside);
-    const [dx, dy] = [x - seen.x, y - seen.y];
-    const length = Math.hypot(dx, dy) || 1;
-    seen.x += (lift * dx) / length;
-    seen.y += (lift * dy) / length;
+    const margin = width / 2 + 6;
+    if (onCanvas) seen.x = Math.min(right - margin, Math.max(margin, seen.x));
     return seen;
   }
 }

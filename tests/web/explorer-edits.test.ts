@@ -1,0 +1,188 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import { Ray, Vector3 } from 'three';
+import { digestOf } from '../../web/explorer/app/digest.js';
+import type { Item } from '../../web/explorer/app/items.js';
+import { motionOf, reversed, stateBefore } from '../../web/explorer/app/motion.js';
+import type { Operation } from '../../web/explorer/app/operation.js';
+import { operationsFor } from '../../web/explorer/app/operations.js';
+import { Signal, together } from '../../web/explorer/app/signal.js';
+import { changedEdges, changedTriangles } from '../../web/explorer/geometry/change.js';
+import * as generate from '../../web/explorer/samples/generators.js';
+import { RayTree } from '../../web/explorer/scene/ray-tree.js';
+import { Surface } from '../../web/explorer/scene/surface.js';
+
+beforeAll(() => init());
+
+/** Rays from all sides towards points near the origin, the same ones each time. */
+function rays(count: number): Ray[] {
+  let state = 12345;
+  const random = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32 - 0.5;
+  };
+  return Array.from({ length: count }, () => {
+    const origin = new Vector3(random(), random(), random()).setLength(3);
+    const target = new Vector3(random(), random(), random());
+    return new Ray(origin, target.sub(origin).normalize());
+  });
+}
+
+describe('signals set together', () => {
+  test('tell their listeners once all are set, in the order in which they were', () => {
+    const [a, b] = [new Signal(1), new Signal(2)];
+    const seen: string[] = [];
+    a.subscribe((value) => seen.push(`a ${value} ${b.value}`));
+    b.subscribe((value) => seen.push(`b ${value} ${a.value}`));
+    seen.length = 0;
+    together(() => {
+      b.value = 20;
+      a.value = 10;
+      b.value = 21;
+      expect(seen).toEqual([]);
+    });
+    expect(seen).toEqual(['b 21 10', 'a 10 21']);
+    a.value = 11;
+    expect(seen.at(-1)).toBe('a 11 21');
+  });
+
+  test('are told even when the change throws', () => {
+    const a = new Signal(1);
+    let told = 0;
+    a.subscribe((value) => {
+      told = value;
+    });
+    const change = () =>
+      together(() => {
+        a.value = 5;
+        throw new Error('stop');
+      });
+    expect(change).toThrow('stop');
+    expect(told).toBe(5);
+  });
+});
+
+describe('the surface after an edit', () => {
+  test('names the faces and edges that changed, and no others', () => {
+    const mesh = HalfedgeMesh.icoSphere(2);
+    const before = new Surface(mesh);
+    const faces = [...mesh.edgeFaces(12)];
+    mesh.flipEdge(12);
+    const after = new Surface(mesh, before);
+    expect([...(after.change?.faces ?? [])].sort((p, q) => p - q)).toEqual(
+      faces.sort((p, q) => p - q),
+    );
+    expect(changedEdges(before, after).map(({ edge }) => edge)).toEqual([12]);
+    expect(changedTriangles(before, before, 10)?.faces.size).toBe(0);
+    expect(changedTriangles(before, after, 3)).toBeNull();
+  });
+
+  test('tells a face whose corner moved', () => {
+    const mesh = HalfedgeMesh.cube();
+    const before = new Surface(mesh);
+    mesh.positions[0] *= 1.25;
+    const after = new Surface(mesh, before);
+    expect([...(after.change?.faces ?? [])].sort()).toEqual([...mesh.vertexFaces(0)].sort());
+  });
+
+  test('stays in its place in the scene', () => {
+    const mesh = HalfedgeMesh.cube();
+    const before = new Surface(mesh);
+    mesh.positions[0] *= 5;
+    const after = new Surface(mesh, before);
+    expect(after.placement.elements).toEqual(before.placement.elements);
+    expect(after.points.slice(3)).toEqual(before.points.slice(3));
+  });
+
+  test('is hit by rays where a tree built afresh is hit, edit after edit', () => {
+    const mesh = HalfedgeMesh.icoSphere(2);
+    let surface = new Surface(mesh);
+    const first = surface.tree;
+    let edits = 0;
+    const edit = (refusal: object | null, operation: () => void) => {
+      if (refusal) return;
+      operation();
+      surface = new Surface(mesh, surface);
+      edits += 1;
+    };
+    for (let e = 0; e < mesh.edgeSlots; e += 7) {
+      edit(mesh.checkFlipEdge(e), () => mesh.flipEdge(e));
+    }
+    for (let f = 0; f < mesh.faceSlots; f += 11) {
+      edit(mesh.checkMakeHole(f), () => mesh.makeHole(f));
+    }
+    expect(edits).toBeGreaterThan(60);
+    expect(surface.tree).toBe(first);
+    const fresh = new RayTree(surface);
+    let hits = 0;
+    for (const ray of rays(2000)) {
+      const [found, expected] = [surface.tree.cast(ray), fresh.cast(ray)];
+      expect(found?.face).toBe(expected?.face);
+      if (expected) hits += 1;
+    }
+    expect(hits).toBeGreaterThan(500);
+  });
+});
+
+describe('the motion of an edit', () => {
+  const item: Item = { kind: 'face', index: 4 };
+  const operation: Operation = {
+    stem: 'splitFace',
+    on: 'face',
+    label: '',
+    meaning: '',
+    key: '',
+    grows: true,
+  };
+
+  test('lets new vertices come out of the nearest corner, and slide back when it is undone', () => {
+    const mesh = generate.openGrid(3);
+    const corners = [...mesh.faceVertices(4)];
+    const state = stateBefore(operation, { mesh, item, second: null });
+    const v = mesh.splitFace(4, mesh.positions.slice(3 * corners[2], 3 * corners[2] + 3));
+    const edit = motionOf(operation, state, mesh);
+    expect([...edit.grows]).toEqual([[v, corners[2]]]);
+    expect(edit.slides.size).toBe(0);
+    expect([...reversed(edit).slides]).toEqual([[v, corners[2]]]);
+  });
+
+  test('is none where the operation names none', () => {
+    const mesh = generate.openGrid(3);
+    const still = { ...operation, grows: false };
+    const state = stateBefore(still, { mesh, item, second: null });
+    mesh.splitFace(4);
+    expect(motionOf(still, state, mesh)).toEqual({
+      slides: new Map(),
+      grows: new Map(),
+      renumbers: false,
+    });
+  });
+});
+
+describe('the operations that the page offers', () => {
+  test('are all in the package, each with its check and a key of its own', () => {
+    const mesh = HalfedgeMesh.cube();
+    const methods = mesh as unknown as Record<string, unknown>;
+    for (const kind of ['vertex', 'edge', 'halfedge', 'face'] as const) {
+      const offered = operationsFor(mesh, { kind, index: 0 });
+      expect(offered.filter(({ on }) => on === kind).length).toBeGreaterThanOrEqual(2);
+      const keys = offered.map(({ key }) => key);
+      expect(new Set(keys).size).toBe(keys.length);
+      const unchecked = offered
+        .filter(({ on, stem }) => on !== 'mesh' && stem !== 'deleteComponent')
+        .map(({ stem }) => `check${stem[0].toUpperCase()}${stem.slice(1)}`)
+        .filter((check) => typeof methods[check] !== 'function');
+      expect(unchecked).toEqual([]);
+    }
+  });
+});
+
+test('a digest tells meshes apart by their faces and by their positions', () => {
+  const mesh = HalfedgeMesh.icoSphere(1);
+  const before = digestOf(mesh);
+  expect(digestOf(HalfedgeMesh.icoSphere(1))).toBe(before);
+  mesh.flipEdge(3);
+  const flipped = digestOf(mesh);
+  expect(flipped).not.toBe(before);
+  mesh.positions[4] += 1e-6;
+  expect(digestOf(mesh)).not.toBe(flipped);
+});
