@@ -9,6 +9,7 @@ const Operations& all_operations() {
     add_euler_operations(made);
     add_face_operations(made);
     add_mesh_operations(made);
+    add_form_operations(made);
     add_seam_operations(made);
     return made;
   }();

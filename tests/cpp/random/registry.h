@@ -7,6 +7,7 @@ namespace halfedge::test {
 
 void add_face_operations(Operations& all);
 void add_seam_operations(Operations& all);
+void add_form_operations(Operations& all);
 void add_mesh_operations(Operations& all);
 void add_euler_operations(Operations& all);
 
