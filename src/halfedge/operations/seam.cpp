@@ -20,14 +20,16 @@ class SeamCheck {
     if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
       return repeated_on_seam(repeated);
     }
-    for (const Merge& merge : merges_) {
-      const Halfedge first = anchor(merge.gone);
-      Halfedge h = first;
-      do {
-        if (Result<void> can = check_edge(merge, h); !can) return can;
-        if (Result<void> can = check_face(merge, h); !can) return can;
-        h = rotate_cw(h);
-      } while (h != first);
+    for (const bool of_faces : {false, true}) {
+      for (const Merge& merge : merges_) {
+        const Halfedge first = anchor(merge.gone);
+        Halfedge h = first;
+        do {
+          Result<void> can = of_faces ? check_face(merge, h) : check_edge(merge, h);
+          if (!can) return can;
+          h = rotate_cw(h);
+        } while (h != first);
+      }
     }
     return {};
   }
