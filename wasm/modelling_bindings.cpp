@@ -16,3 +16,23 @@ HALFEDGE_EXPORT int triangulate(Address mesh, Index mode) {
       mesh, mode, [](const auto& m) { return operations::check_triangulate(m); },
       [](auto& m) { return operations::triangulate(m); });
 }
+
+HALFEDGE_EXPORT int extrude_face(Address mesh, Index mode, Index f, double offset) {
+  return HALFEDGE_OPERATE(extrude_face, Face(f), offset);
+}
+
+HALFEDGE_EXPORT int inset_face(Address mesh, Index mode, Index f, double fraction) {
+  return HALFEDGE_OPERATE(inset_face, Face(f), fraction);
+}
+
+HALFEDGE_EXPORT int poke(Address mesh, Index mode, Index f, double offset) {
+  return HALFEDGE_OPERATE(poke, Face(f), offset);
+}
+
+HALFEDGE_EXPORT int bevel_edge(Address mesh, Index mode, Index e, double amount) {
+  return HALFEDGE_OPERATE(bevel_edge, Edge(e), amount);
+}
+
+HALFEDGE_EXPORT int bevel_vertex(Address mesh, Index mode, Index v, double amount) {
+  return HALFEDGE_OPERATE(bevel_vertex, Vertex(v), amount);
+}

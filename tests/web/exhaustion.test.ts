@@ -102,4 +102,54 @@ describe('A mesh too large for memory', () => {
     whole.dispose();
     expectSound(before);
   });
+
+  test('in the middle of edits refuses them, and leaves a mesh that is whole', () => {
+    const before = bytesInUse();
+    const grid = quadGrid(40, 40);
+    let refused = 0;
+    for (let room = 0; room < 400_000; room += 40_000) {
+      using mesh = HalfedgeMesh.fromPolygons(grid.positions, grid.faces);
+      mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });
+      mesh.attributes.add('halfedge', 'uv', { components: 2 });
+      mesh.history.enabled = room % 80_000 === 0;
+      withLeft(room, () => {
+        for (let i = 0; i < 4000; i++) {
+          const { version, edgeCount } = mesh;
+          try {
+            if (i % 1000 === 999) mesh.triangulate();
+            else if (i % 3 === 0) mesh.splitFace(i % grid.faces.length);
+            else if (i % 3 === 1) mesh.splitEdge(i);
+            else mesh.addVertex();
+          } catch (error) {
+            expect(String(error)).toMatch(/^HalfedgeError: /);
+            if ((error as HalfedgeError).code !== 'out-of-memory') continue;
+            refused += 1;
+            expect([mesh.version, mesh.edgeCount]).toEqual([version, edgeCount]);
+            if (refused % 50 === 0) break;
+          }
+        }
+        for (const ask of [
+          () => mesh.attributes.add('face', 'late', { type: 'float64', components: 16 }),
+          () => {
+            mesh.generations.enabled = true;
+          },
+          () => mesh.reserve(1e6, 3e6, 2e6),
+          () => mesh.compact(),
+          () => mesh.keepLargestComponents(),
+          () => mesh.reverse(),
+        ]) {
+          try {
+            ask();
+          } catch (error) {
+            expect(error).toMatchObject({ code: 'out-of-memory' });
+          }
+        }
+      });
+      expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+      while (mesh.history.undo());
+      expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+    }
+    expect(refused).toBeGreaterThan(8);
+    expectSound(before);
+  });
 });

@@ -240,6 +240,11 @@ export interface RawCore {
   // Modelling (modelling_bindings.cpp).
   _triangulate(mesh: number, mode: number): number;
   _triangulate_face(mesh: number, mode: number, f: number): number;
+  _extrude_face(mesh: number, mode: number, f: number, offset: number): number;
+  _inset_face(mesh: number, mode: number, f: number, fraction: number): number;
+  _poke(mesh: number, mode: number, f: number, offset: number): number;
+  _bevel_edge(mesh: number, mode: number, e: number, amount: number): number;
+  _bevel_vertex(mesh: number, mode: number, v: number, amount: number): number;
 
   /** Why the last call that returned -2 did so. To be asked for once, as it is forgotten then. */
   lastRefusal(): RawProblem;

@@ -1,5 +1,6 @@
+import { describe } from './arguments.js';
 import { answer, CHECK_ONLY, done, modeOf, type Refusal } from './edit.js';
-import type { FaceLike } from './items.js';
+import type { EdgeLike, Face, FaceLike, Vertex, VertexLike } from './items.js';
 import { linksOf } from './navigation.js';
 import { Surgery } from './surgery.js';
 
@@ -31,4 +32,133 @@ export abstract class Modelling extends Surgery {
     links.checkFace(f);
     return answer(links, core._triangulate_face(address, CHECK_ONLY, f));
   }
+
+  /**
+   * Moves a face by `offset` along its unit normal, and closes the gap with a quad at each side; a negative
+   * offset leads inwards. The face keeps its index, on top. New vertices, quads and sides are like those that
+   * they were made of.
+   *
+   * Inverse: `deleteVertex` of the new vertices, then `fillHole`.
+   *
+   * @returns `f`
+   * @throws HalfedgeError `degenerate-face` (it has no normal)
+   */
+  extrudeFace(f: FaceLike, offset: number): Face {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('offset', offset);
+    return done(links, links.core._extrude_face(links.address, modeOf(links), f, offset)) as Face;
+  }
+
+  /** Why {@link extrudeFace} would be refused, or null. */
+  checkExtrudeFace(f: FaceLike, offset: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('offset', offset);
+    return answer(links, links.core._extrude_face(links.address, CHECK_ONLY, f, offset));
+  }
+
+  /**
+   * Shrinks a face towards the mean of its corners, by a fraction from 0 (the new corners are where the old
+   * ones are) to 1 (at the mean), and puts a quad between each of its sides and where that was. The face keeps
+   * its index, inside. New vertices are blended as their positions are.
+   *
+   * Inverse: `deleteVertex` of the new vertices, then `fillHole`.
+   *
+   * @returns `f`
+   * @throws HalfedgeError `out-of-range`
+   */
+  insetFace(f: FaceLike, fraction: number): Face {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('fraction', fraction);
+    return done(links, links.core._inset_face(links.address, modeOf(links), f, fraction)) as Face;
+  }
+
+  /** Why {@link insetFace} would be refused, or null. */
+  checkInsetFace(f: FaceLike, fraction: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('fraction', fraction);
+    return answer(links, links.core._inset_face(links.address, CHECK_ONLY, f, fraction));
+  }
+
+  /**
+   * As `splitFace`, with the new vertex at the mean of the corners, and `offset` off it along the unit normal.
+   *
+   * Inverse: `dissolveVertex(returned)`.
+   *
+   * @returns the new vertex
+   * @throws HalfedgeError `degenerate-face` (it has no normal, and the offset isn't 0)
+   */
+  poke(f: FaceLike, offset = 0): Vertex {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('offset', offset);
+    return done(links, links.core._poke(links.address, modeOf(links), f, offset)) as Vertex;
+  }
+
+  /** Why {@link poke} would be refused, or null. */
+  checkPoke(f: FaceLike, offset = 0): Refusal | null {
+    const links = linksOf(this);
+    links.checkFace(f);
+    checkNumber('offset', offset);
+    return answer(links, links.core._poke(links.address, CHECK_ONLY, f, offset));
+  }
+
+  /**
+   * Replaces an edge by a quad, whose long sides have moved into the faces beside it, so far along their
+   * neighbouring sides as `amount` says, from 0 to 1. An end that has no other edge than two stays one vertex. The edge
+   * stays, as the long side in the face of its side 0.
+   *
+   * Inverse: `collapse` of the short sides; of positions only undo.
+   *
+   * @returns the new face
+   * @throws HalfedgeError `boundary-edge`, `valence-below-three`, `out-of-range`
+   */
+  bevelEdge(e: EdgeLike, amount: number): Face {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    checkNumber('amount', amount);
+    return done(links, links.core._bevel_edge(links.address, modeOf(links), e, amount)) as Face;
+  }
+
+  /** Why {@link bevelEdge} would be refused, or null. */
+  checkBevelEdge(e: EdgeLike, amount: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    checkNumber('amount', amount);
+    return answer(links, links.core._bevel_edge(links.address, CHECK_ONLY, e, amount));
+  }
+
+  /**
+   * Cuts a vertex off: a face takes its place, with a corner on each of its edges, so far along it as `amount`
+   * says, from 0 (at the vertex) to 1 (at the other end). The vertex stays, as one of the corners.
+   *
+   * Inverse: `collapse` of all sides of the new face but one; of positions only undo.
+   *
+   * @returns the new face, of the degree that was the valence of `v`
+   * @throws HalfedgeError `valence-below-three`, `out-of-range`
+   */
+  bevelVertex(v: VertexLike, amount: number): Face {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    checkNumber('amount', amount);
+    return done(links, links.core._bevel_vertex(links.address, modeOf(links), v, amount)) as Face;
+  }
+
+  /** Why {@link bevelVertex} would be refused, or null. */
+  checkBevelVertex(v: VertexLike, amount: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    checkNumber('amount', amount);
+    return answer(links, links.core._bevel_vertex(links.address, CHECK_ONLY, v, amount));
+  }
+}
+
+/** Throws a sentence unless `value` is a number; which ones the operation takes, the core tells. */
+function checkNumber(argument: string, value: unknown): void {
+  if (typeof value === 'number' && Number.isFinite(value)) return;
+  const sentence = `${argument} is ${describe(value)}; expected a finite number.`;
+  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
 }

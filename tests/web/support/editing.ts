@@ -44,11 +44,12 @@ export function expectRefused(call: () => unknown, code: string): Refusal {
   }
   expect(thrown).toBeInstanceOf(HalfedgeError);
   const { message, witness } = thrown as HalfedgeError;
-  expect({ code: (thrown as HalfedgeError).code, message }).toEqual({
+  const { code: given } = thrown as HalfedgeError;
+  expect({ code: given, message }).toEqual({
     code,
     message: expect.stringMatching(/^[A-Z].*\.$/),
   });
-  return { code, message, witness };
+  return { code: given, message, witness };
 }
 
 /** Attributes of each kind, of several types and all policies, with random values. */
@@ -67,4 +68,31 @@ export function addAttributes(mesh: HalfedgeMesh, next: () => number): void {
       view[i] = 100 * next();
     });
   }
+}
+
+/** The faces as lists of corners, each from its smallest on, in order. */
+export function facesOf(mesh: HalfedgeMesh): number[][] {
+  const faces = mesh
+    .faces()
+    .toArray()
+    .map((f) => {
+      const corners: number[] = mesh.faceVertices(f).toArray();
+      const first = corners.indexOf(Math.min(...corners));
+      return [...corners.slice(first), ...corners.slice(0, first)];
+    });
+  return faces.sort((a, b) => a[0] - b[0] || a[1] - b[1] || a[2] - b[2]);
+}
+
+/** The edges as "0-1", in order. */
+export function edgesOf(mesh: HalfedgeMesh): string[] {
+  const edges = mesh.edges().toArray();
+  return edges
+    .map((e) =>
+      mesh
+        .edgeVertices(e)
+        .toArray()
+        .sort((a, b) => a - b)
+        .join('-'),
+    )
+    .sort();
 }

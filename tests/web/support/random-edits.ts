@@ -136,10 +136,15 @@ const MAKERS: Record<string, [weight: number, Maker]> = {
   splitLoop: [1, byList('splitLoop', someCycle)],
   joinLoop: [1, byItem('halfedges', 'joinLoop', (...given) => [halfedge(...given)])],
   bridge: [1, byItem('halfedges', 'bridge', (...given) => [halfedge(...given)])],
-  removeBridge: [1, byItem('halfedges', 'removeBridge')],
+  removeBridge: [5, byItem('halfedges', 'removeBridge')],
   reverse: [0.2, (mesh) => edit(mesh, 'reverse', [])],
   reverseComponent: [0.5, byItem('halfedges', 'reverseComponent')],
   triangulate: [1, byItem('faces', 'triangulate')],
+  extrudeFace: [0.5, byItem('faces', 'extrudeFace', (_, __, next) => [next() - 0.5])],
+  insetFace: [0.5, byItem('faces', 'insetFace', (_, __, next) => [1.1 * next()])],
+  poke: [0.5, byItem('faces', 'poke', (_, __, next) => [next()])],
+  bevelEdge: [1, byItem('edges', 'bevelEdge', (_, __, next) => [next()])],
+  bevelVertex: [1, byItem('vertices', 'bevelVertex', (_, __, next) => [next()])],
 };
 
 /** The names of all edits that are drawn. */
@@ -155,7 +160,11 @@ export function randomEdit(mesh: HalfedgeMesh, next: () => number): Edit {
       at -= MAKERS[key][0];
       return at < 0;
     }) as string;
-    if (mesh.edgeCount > 150 && /^(split|insert|bridge|triangulate|cut)/.test(name)) continue;
+    if (
+      mesh.edgeCount > 150 &&
+      /^(split|insert|bridge|triangulate|cut|extrude|inset|poke|bevel)/.test(name)
+    )
+      continue;
     if (mesh.edgeCount < 12 && /^(delete|keep|remove|dissolve|collapse)/.test(name)) continue;
     const made = MAKERS[name][1](mesh, next);
     if (made !== undefined) return made;
