@@ -186,6 +186,47 @@ TEST(History, StaysLinearOverALongTimeOfForgetting) {
   }
   EXPECT_EQ(mesh.history()->undo_count(), 100U);
   EXPECT_EQ(mesh.history()->bytes(), 100 * 3 * sizeof(Journal::Write));
+  for (int i = 99'999; i >= 99'900; --i) {
+    ASSERT_TRUE(mesh.undo());
+    ASSERT_EQ(mesh.position(Vertex(0)).x, float(i));
+  }
+  EXPECT_FALSE(mesh.undo());
+}
+
+TEST(History, ForgetsWhatLiesBeyondNewLimits) {
+  Mesh mesh = with_history(triangle());
+  const auto take_steps = [&](int from, int to) {
+    for (int i = from; i <= to; ++i) {
+      mesh.set_position(Vertex(0), {float(i), 0, 0});
+      mesh.end_step();
+    }
+  };
+  take_steps(1, 10);
+  ASSERT_TRUE(mesh.undo());
+  ASSERT_TRUE(mesh.undo());
+  mesh.limit_history({.steps = 3});
+  EXPECT_EQ(mesh.history()->undo_count(), 3U);
+  EXPECT_EQ(mesh.history()->redo_count(), 0U);
+  take_steps(9, 20);
+  EXPECT_EQ(mesh.history()->undo_count(), 3U);
+  while (mesh.undo()) {
+  }
+  EXPECT_EQ(mesh.position(Vertex(0)).x, 17);
+}
+
+TEST(History, BeginsAnewOnceItIsForgotten) {
+  Mesh mesh = with_history(triangle());
+  mesh.set_position(Vertex(0), {1, 1, 1});
+  mesh.end_step();
+  mesh.forget_history();
+  EXPECT_EQ(mesh.history()->bytes(), 0U);
+  EXPECT_FALSE(mesh.undo());
+  mesh.set_position(Vertex(0), {2, 2, 2});
+  mesh.end_step();
+  EXPECT_EQ(mesh.history()->bytes(), 3 * sizeof(Journal::Write));
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(mesh.position(Vertex(0)), (Point{1, 1, 1}));
+  EXPECT_FALSE(mesh.undo());
 }
 
 // ---- what it leaves alone -------------------------------------------------------------------

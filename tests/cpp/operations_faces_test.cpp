@@ -599,6 +599,14 @@ TEST(Poke, MovesAlongTheNormal) {
     arrow.set_position(Vertex(v), {1000 + xy[v][0], 1000 + xy[v][1], 1000});
   }
   EXPECT_EQ(arrow.position(poke(arrow, Face(0), 8).value()), (Point{1002.25F, 1000, 1008}));
+  // A face askew, of which no part of the normal is 0: (1, 2, 2) / 3.
+  Mesh askew = reference_build(Shape("", 4, {{0, 1, 2, 3}}));
+  const Point corners[4] = {{0, 0, 0}, {2, -2, 1}, {4, -1, -1}, {2, 1, -2}};
+  for (Index v = 0; v < 4; ++v) askew.set_position(Vertex(v), corners[v]);
+  const Point top = askew.position(poke(askew, Face(0), 3).value());
+  EXPECT_FLOAT_EQ(top.x, 2 + 1);
+  EXPECT_FLOAT_EQ(top.y, -0.5F + 2);
+  EXPECT_FLOAT_EQ(top.z, -0.5F + 2);
 }
 
 TEST(OperationsOnFaces, WorkWherePrevIsNotStored) {
