@@ -364,6 +364,10 @@ TEST(CutPath, Refusals) {
   const Result<Halfedge> back = cut_path(mesh, path);
   expect_refused(back, "not-a-path", mesh, before);
   EXPECT_EQ(back.error().witness.edges, std::vector<Index>{mesh.edge(path[1]).index()});
+  path = path_of(mesh, {12, 13, 18, 17, 12, 13});  // an edge again, later
+  const Result<Halfedge> around = cut_path(mesh, path);
+  expect_refused(around, "not-a-path", mesh, before);
+  EXPECT_EQ(around.error().witness.edges, std::vector<Index>{mesh.edge(path[0]).index()});
   path = path_of(mesh, {1, 2, 7});
   const Result<Halfedge> boundary = cut_path(mesh, path);
   expect_refused(boundary, "boundary-edge", mesh, before);

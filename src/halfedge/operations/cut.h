@@ -59,8 +59,7 @@ Halfedge cut_edge(Mesh& mesh, Halfedge h) {
     const Halfedge after = mesh.next(first_at_a);
     mesh.link(first_at_a, g);
     mesh.link(o, after);
-    mesh.set_vertex_halfedge(a_copy, g);
-    mesh.set_vertex_halfedge(a, after);
+    mesh.set_vertex_halfedge(a_copy, g);  // a keeps its anchor, which leads along the boundary
     for (Halfedge in = mesh.next_on_vertex(copy); in != copy; in = mesh.next_on_vertex(in)) {
       mesh.set_to_vertex(in, a_copy);
     }
