@@ -40,8 +40,8 @@ std::set<std::tuple<float, float, float>> positions_of(const Mesh& mesh) {
 }
 
 // The polygons with a ring of quads around one of them, whose corners are new.
-PolygonList with_ring(const Mesh& before, Face f, const std::vector<Index>& corners) {
-  PolygonList all;
+Polys with_ring(const Mesh& before, Face f, const std::vector<Index>& corners) {
+  Polys all;
   for (const Face other : before.faces()) {
     if (other != f) all.push_back(polygon_of(before, other));
   }
@@ -77,8 +77,8 @@ TEST(ExtrudeFace, SweepOverAllFaces) {
         for (const Halfedge h : mesh.loop_ccw(first)) {
           corners.push_back(after.to_vertex(after.next(h)).index());
         }
-        EXPECT_EQ(canonical(polygons_of(after)), canonical(with_ring(mesh, f, corners)));
-        EXPECT_EQ(canonical({polygon_of(after, f)}), canonical({corners}));
+        EXPECT_EQ(in_order(polygons_of(after)), in_order(with_ring(mesh, f, corners)));
+        EXPECT_EQ(in_order({polygon_of(after, f)}), in_order({corners}));
         ASSERT_FALSE(HasFailure());
       }
     }
@@ -194,9 +194,9 @@ TEST(ExtrudeFace, Refusals) {
 
 // Each face that has the old vertex gets the two new ones on its two sides there; the new vertices
 // make a face. `on` names them by the vertex at the other end of their edge.
-PolygonList with_vertex_cut_off(const Mesh& before, Vertex v, const std::map<Index, Index>& on,
-                                const std::vector<Index>& face) {
-  PolygonList all;
+Polys with_vertex_cut_off(const Mesh& before, Vertex v, const std::map<Index, Index>& on,
+                          const std::vector<Index>& face) {
+  Polys all;
   for (const Face f : before.faces()) {
     const std::vector<Index> old = polygon_of(before, f);
     std::vector<Index> cut;
@@ -253,9 +253,9 @@ TEST(BevelVertex, SweepOverAllVertices) {
       for (const Halfedge h : mesh.outgoing_ccw(v)) {
         expected_face.push_back(on[mesh.to_vertex(h).index()]);
       }
-      EXPECT_EQ(canonical({polygon_of(again, f)}), canonical({expected_face}));
-      EXPECT_EQ(canonical(polygons_of(after)),
-                canonical(with_vertex_cut_off(mesh, v, on, expected_face)));
+      EXPECT_EQ(in_order({polygon_of(again, f)}), in_order({expected_face}));
+      EXPECT_EQ(in_order(polygons_of(after)),
+                in_order(with_vertex_cut_off(mesh, v, on, expected_face)));
       ASSERT_FALSE(HasFailure());
     }
   }
@@ -330,7 +330,7 @@ TEST(BevelEdge, SweepOverAllEdges) {
           back[v] = of_a ? a.index() : b.index();
         }
       }
-      PolygonList contracted;
+      Polys contracted;
       for (const Face other : again.faces()) {
         if (other == f) continue;
         std::vector<Index> polygon = polygon_of(again, other);
@@ -339,7 +339,7 @@ TEST(BevelEdge, SweepOverAllEdges) {
         if (polygon.front() == polygon.back()) polygon.pop_back();
         contracted.push_back(polygon);
       }
-      EXPECT_EQ(canonical(contracted), canonical(polygons_of(mesh)));
+      EXPECT_EQ(in_order(contracted), in_order(polygons_of(mesh)));
       // The faces beside the edge keep their degree.
       EXPECT_EQ(again.degree(again.face(h)), mesh.degree(mesh.face(h)));
       const Face other = mesh.face(mesh.opposite(h));

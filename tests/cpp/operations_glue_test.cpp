@@ -27,7 +27,7 @@ std::vector<Halfedge> boundary_of(const Mesh& mesh) {
 }
 
 // The polygons after the ends of h and g became one: a mesh, with one edge less than before?
-bool can_be_glued(const Mesh& mesh, Halfedge h, Halfedge g, PolygonList& glued) {
+bool can_be_glued(const Mesh& mesh, Halfedge h, Halfedge g, Polys& glued) {
   std::map<Index, Index> kept;
   kept[mesh.from_vertex(g).index()] = mesh.to_vertex(h).index();
   kept[mesh.to_vertex(g).index()] = mesh.from_vertex(h).index();
@@ -52,7 +52,7 @@ TEST(Glue, SweepOverAllPairs) {
     for (const Halfedge h : boundary) {
       for (const Halfedge g : boundary) {
         SCOPED_TRACE(std::to_string(h.index()) + " " + std::to_string(g.index()));
-        PolygonList expected;
+        Polys expected;
         const bool can = can_be_glued(mesh, h, g, expected);
         const Result<void> check = check_glue(mesh, h, g);
         ++codes[check.ok() ? "done" : check.error().code];
@@ -63,7 +63,7 @@ TEST(Glue, SweepOverAllPairs) {
             mesh, [&](const Mesh& m) { return check_glue(m, h, g); },
             [&](Mesh& m) { return glue(m, h, g); }, done);
         if (!done) continue;
-        EXPECT_EQ(canonical(polygons_of(glued)), canonical(expected));
+        EXPECT_EQ(in_order(polygons_of(glued)), in_order(expected));
         ASSERT_FALSE(HasFailure());
       }
     }
@@ -99,7 +99,7 @@ TEST(Cut, SweepOverAllHalfedges) {
       EXPECT_TRUE(again.is_boundary(g) && again.is_boundary(Mesh::opposite(h)));
       ASSERT_TRUE(glue(again, Mesh::opposite(h), g).ok());
       expect_valid_mesh(again);
-      EXPECT_EQ(canonical(polygons_of(again)), canonical(polygons_of(mesh)));
+      EXPECT_EQ(in_order(polygons_of(again)), in_order(polygons_of(mesh)));
       ASSERT_FALSE(HasFailure());
     }
   }
@@ -111,8 +111,8 @@ Halfedge halfedge(const Mesh& mesh, Index from, Index to) {
   return h;
 }
 
-PolygonList polygons_with(const Mesh& mesh, const std::map<Index, Index>& renamed) {
-  PolygonList all = polygons_of(mesh);
+Polys polygons_with(const Mesh& mesh, const std::map<Index, Index>& renamed) {
+  Polys all = polygons_of(mesh);
   for (std::vector<Index>& polygon : all) {
     for (Index& v : polygon) v = renamed.count(v) > 0 ? renamed.at(v) : v;
   }
@@ -134,7 +134,7 @@ TEST(Glue, JoinsTwoComponentsAlongAnEdge) {
   const Halfedge g = halfedge(mesh, 6, 7);
   EXPECT_EQ(glue(mesh, h, g).value(), mesh.edge(h));
   expect_valid_mesh(mesh);
-  EXPECT_EQ(canonical(polygons_of(mesh)), canonical({{0, 1, 3, 2}, {1, 5, 3}}));
+  EXPECT_EQ(in_order(polygons_of(mesh)), in_order({{0, 1, 3, 2}, {1, 5, 3}}));
   EXPECT_TRUE(mesh.is_deleted(Vertex(6)) && mesh.is_deleted(Vertex(7)));
   EXPECT_TRUE(mesh.is_deleted(mesh.edge(g)));
   EXPECT_EQ(mesh.position(Vertex(1)), before.position(Vertex(1)));
@@ -207,7 +207,7 @@ TEST(Glue, RefusesAFaceWithAVertexTwice) {
 TEST(Glue, ClosesAConeButNotBesideOtherFaces) {
   // Four triangles around 0, not closed; with or without another triangle at 0.
   for (const bool beside : {false, true}) {
-    PolygonList faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    Polys faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
     if (beside) faces.push_back({0, 6, 7});
     Mesh mesh = reference_build({"", 8, faces});
     const Snapshot before(mesh);
@@ -239,8 +239,8 @@ TEST(Glue, JoinsFansOfAPinchedVertexInAnyOrder) {
       if (!edge.ok()) continue;
       expect_valid_mesh(glued);
       EXPECT_EQ(glued.valence(Vertex(0)), 9U);
-      EXPECT_EQ(canonical(polygons_of(glued)),
-                canonical(polygons_with(mesh, {{2 + 2 * j, 1 + 2 * i}})));
+      EXPECT_EQ(in_order(polygons_of(glued)),
+                in_order(polygons_with(mesh, {{2 + 2 * j, 1 + 2 * i}})));
     }
   }
 }
@@ -276,7 +276,7 @@ TEST(CutPath, MakesASlitInsideAndGlueClosesIt) {
     EXPECT_EQ(polygon_of(mesh, mesh.face(h)), polygon_of(before, mesh.face(h)));
   }
   const std::map<Index, Index> copies = {{25, 7}, {26, 8}};
-  EXPECT_EQ(canonical(polygons_with(mesh, copies)), canonical(polygons_of(before)));
+  EXPECT_EQ(in_order(polygons_with(mesh, copies)), in_order(polygons_of(before)));
   for (const auto& [copy, original] : copies) {
     EXPECT_EQ(mesh.position(Vertex(copy)), mesh.position(Vertex(original)));
     for (const auto& column : mesh.attributes().of(ItemKind::kVertex)) {
@@ -421,7 +421,7 @@ TEST(GluePath, SweepAgreesWithPolygons) {
             kept[mesh.from_vertex(g).index()] = mesh.to_vertex(h).index();
             kept[mesh.to_vertex(g).index()] = mesh.from_vertex(h).index();
           }
-          EXPECT_EQ(canonical(polygons_of(after)), canonical(polygons_with(mesh, kept)));
+          EXPECT_EQ(in_order(polygons_of(after)), in_order(polygons_with(mesh, kept)));
         }
       }
     }

@@ -49,14 +49,14 @@ std::vector<Halfedge> loops_of(const Mesh& mesh, std::size_t most) {
 }
 
 // The polygons without the faces of h and g, the vertices of g's loop renamed to those of h's.
-PolygonList joined_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
+Polys joined_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
   std::map<Index, Index> kept;
   Halfedge on_g = g;
   for (const Halfedge on_h : mesh.loop_ccw(h)) {
     kept[mesh.from_vertex(on_g).index()] = mesh.to_vertex(on_h).index();
     on_g = mesh.prev(on_g);
   }
-  PolygonList all;
+  Polys all;
   for (const Face f : mesh.faces()) {
     if (f == mesh.face(h) || f == mesh.face(g)) continue;
     std::vector<Index> polygon = polygon_of(mesh, f);
@@ -81,12 +81,12 @@ TEST(JoinLoop, SweepOverPairsOfLoops) {
         const std::string code = done ? "done" : check_join_loop(mesh, h, g).error().code;
         ++codes[code];
         if (done) {
-          EXPECT_EQ(canonical(polygons_of(joined)), canonical(joined_polygons(mesh, h, g)));
+          EXPECT_EQ(in_order(polygons_of(joined)), in_order(joined_polygons(mesh, h, g)));
         } else if (code == "edge-exists" || code == "duplicate-edge" ||
                    (code == "repeated-vertex" &&
                     !check_join_loop(mesh, h, g).error().witness.faces.empty())) {
           // As many edges fewer as the loops are long, and a mesh? Then it was refused in error.
-          const PolygonList polygons = joined_polygons(mesh, h, g);
+          const Polys polygons = joined_polygons(mesh, h, g);
           const std::size_t n = loop_of(mesh, h).size();
           EXPECT_FALSE(is_mesh(polygons) && edges_of(polygons).size() + n == mesh.edge_count());
         }
@@ -118,7 +118,7 @@ TEST(SplitLoop, CutsAHandleAndJoinLoopBringsItBack) {
   EXPECT_EQ(join_loop(mesh, cycle[0], g).value(), cycle[0]);
   expect_valid_mesh(mesh);
   EXPECT_EQ(genus(mesh).value(), 1);
-  EXPECT_EQ(canonical(polygons_of(mesh)), canonical(polygons_of(before)));
+  EXPECT_EQ(in_order(polygons_of(mesh)), in_order(polygons_of(before)));
   EXPECT_TRUE(LiveItems(mesh) == LiveItems(before));
 }
 
@@ -194,8 +194,8 @@ TEST(JoinLoop, RefusesNeighbouringFacesOfATube) {
 
 // ---- bridge ------------------------------------------------------------------------------------
 
-PolygonList bridged_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
-  PolygonList all;
+Polys bridged_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
+  Polys all;
   for (const Face f : mesh.faces()) {
     if (f != mesh.face(h) && f != mesh.face(g)) all.push_back(polygon_of(mesh, f));
   }
@@ -222,7 +222,7 @@ TEST(Bridge, SweepOverPairsOfLoops) {
             [&](Mesh& m) { return bridge(m, h, g); }, done);
         ++codes[done ? "done" : check_bridge(mesh, h, g).error().code];
         const std::size_t n = loop_of(mesh, h).size();
-        const PolygonList polygons = bridged_polygons(mesh, h, g);
+        const Polys polygons = bridged_polygons(mesh, h, g);
         const bool fits = n == loop_of(mesh, g).size() && is_mesh(polygons) &&
                           edges_of(polygons).size() == mesh.edge_count() + n;
         // Faces that share a vertex are refused, though some of them could be joined with a twist.
@@ -230,7 +230,7 @@ TEST(Bridge, SweepOverPairsOfLoops) {
           EXPECT_EQ(done, fits);
         }
         if (!done) continue;
-        EXPECT_EQ(canonical(polygons_of(bridged)), canonical(polygons));
+        EXPECT_EQ(in_order(polygons_of(bridged)), in_order(polygons));
         Mesh again = copy_of(mesh);
         const Halfedge s = bridge(again, h, g).value();
         EXPECT_TRUE(again.next(h) == s && again.next(s) == g);
@@ -239,13 +239,13 @@ TEST(Bridge, SweepOverPairsOfLoops) {
             again, [&](const Mesh& m) { return check_remove_bridge(m, s); },
             [&](Mesh& m) { return remove_bridge(m, s); }, removed);
         ASSERT_TRUE(removed);
-        PolygonList closed = polygons_of(mesh);
+        Polys closed = polygons_of(mesh);
         for (const Halfedge end : {h, g}) {
           if (!mesh.is_boundary(end)) continue;
           closed.push_back(corners_of(mesh, end));
           std::rotate(closed.back().begin(), closed.back().begin() + 1, closed.back().end());
         }
-        EXPECT_EQ(canonical(polygons_of(without)), canonical(closed));
+        EXPECT_EQ(in_order(polygons_of(without)), in_order(closed));
         ASSERT_FALSE(HasFailure());
       }
     }
@@ -336,7 +336,7 @@ TEST(RemoveBridge, RefusalsNameTheRing) {
 
   // A closed strip of quads that passes its own vertices again: a torus of four by three, sheared,
   // has one ring of twelve quads.
-  PolygonList faces;
+  Polys faces;
   for (Index i = 0; i < 13; ++i) {
     faces.push_back({i, (i + 1) % 13, (i + 6) % 13, (i + 5) % 13});
   }
@@ -366,9 +366,9 @@ std::map<std::pair<Index, Index>, std::vector<double>> corner_values(const Mesh&
   return all;
 }
 
-PolygonList reversed(PolygonList polygons) {
+Polys reversed(Polys polygons) {
   for (std::vector<Index>& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
-  return canonical(polygons);
+  return in_order(polygons);
 }
 
 TEST(Reverse, TurnsAllPolygonsAroundAndBack) {
@@ -379,7 +379,7 @@ TEST(Reverse, TurnsAllPolygonsAroundAndBack) {
         mesh, [](const Mesh&) { return Result<void>(); },
         [](Mesh& m) { return operations::reverse(m); }, done);
     ASSERT_TRUE(done);
-    EXPECT_EQ(canonical(polygons_of(turned)), reversed(polygons_of(mesh)));
+    EXPECT_EQ(in_order(polygons_of(turned)), reversed(polygons_of(mesh)));
     EXPECT_EQ(corner_values(turned), corner_values(mesh));
     for (const Halfedge h : mesh.halfedges()) {
       EXPECT_EQ(turned.face(h), mesh.face(h));
@@ -408,7 +408,7 @@ TEST(ReverseComponent, LeavesTheOthersAlone) {
           [&](Mesh& m) { return reverse_component(m, h); }, done);
       ASSERT_TRUE(done);
       const Index component = components.value().of_vertex[mesh.to_vertex(h).index()];
-      PolygonList expected;
+      Polys expected;
       for (const Face f : mesh.faces()) {
         std::vector<Index> polygon = polygon_of(mesh, f);
         if (components.value().of_face[f.index()] == component) {
@@ -416,7 +416,7 @@ TEST(ReverseComponent, LeavesTheOthersAlone) {
         }
         expected.push_back(polygon);
       }
-      EXPECT_EQ(canonical(polygons_of(turned)), canonical(expected));
+      EXPECT_EQ(in_order(polygons_of(turned)), in_order(expected));
       EXPECT_EQ(corner_values(turned), corner_values(mesh));
       EXPECT_EQ(reverse_component(turned, h).value(), components.value().list[component].edges);
       EXPECT_TRUE(Snapshot(turned) == Snapshot(mesh));

@@ -67,7 +67,7 @@ TEST(Triangulate, SweepOverAllFacesAndMeshes) {
   EXPECT_GT(outcomes["one"], 500);
 }
 
-Mesh mesh_of(PolygonList polygons, const std::vector<Point>& points) {
+Mesh mesh_of(Polys polygons, const std::vector<Point>& points) {
   Shape shape("", Index(points.size()), std::move(polygons));
   for (std::size_t v = 0; v < points.size(); ++v) {
     shape.positions[3 * v] = points[v].x;
@@ -85,7 +85,7 @@ TEST(Triangulate, AConcaveFaceByItsInnerDiagonals) {
   add_attributes_of_all_kinds(mesh);
   const Mesh before = copy_of(mesh);
   EXPECT_EQ(triangulate(mesh, Face(0)).value(), 3U);
-  EXPECT_EQ(canonical(polygons_of(mesh)), canonical({{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}}));
+  EXPECT_EQ(in_order(polygons_of(mesh)), in_order({{0, 1, 3}, {1, 2, 3}, {0, 3, 5}, {3, 4, 5}}));
   // Faces have the values of the face, but for those whose policy is the default, corners keep
   // theirs, new corners have those of the corner they are part of.
   for (const auto& column : mesh.attributes().of(ItemKind::kFace)) {
