@@ -5,6 +5,27 @@
 
 namespace halfedge::operations {
 
+namespace internal {
+
+/// The edge between from_vertex(a) and from_vertex(b), or empty. Around both in step, so that it
+/// costs O(the smaller valence): flips in a row make vertices of high valence.
+template <class Mesh>
+[[nodiscard]] Edge find_edge_between(const Mesh& mesh, Halfedge a, Halfedge b) {
+  const Vertex v = mesh.from_vertex(a);
+  const Vertex w = mesh.from_vertex(b);
+  Halfedge at_v = a;
+  Halfedge at_w = b;
+  do {
+    if (mesh.to_vertex(at_v) == w) return mesh.edge(at_v);
+    if (mesh.to_vertex(at_w) == v) return mesh.edge(at_w);
+    at_v = mesh.rotate_cw(at_v);
+    at_w = mesh.rotate_cw(at_w);
+  } while (at_v != a && at_w != b);
+  return {};
+}
+
+}  // namespace internal
+
 /// Whether flip_edge(e) can be done: else not-an-edge; boundary-edge; not-a-triangle; same-vertex,
 /// if the two opposite corners are one vertex; edge-exists, if they are joined already.
 template <EditableSurface Mesh>
@@ -18,10 +39,12 @@ template <EditableSurface Mesh>
       return not_a_triangle(mesh.face(side), mesh.degree(mesh.face(side)));
     }
   }
-  const Vertex a = mesh.to_vertex(mesh.next(h));
-  const Vertex b = mesh.to_vertex(mesh.next(o));
+  const Halfedge from_a = mesh.next(mesh.next(h));
+  const Halfedge from_b = mesh.next(mesh.next(o));
+  const Vertex a = mesh.from_vertex(from_a);
+  const Vertex b = mesh.from_vertex(from_b);
   if (a == b) return same_vertex(e, a);
-  if (const Edge existing = mesh.find_edge(a, b); existing.valid()) {
+  if (const Edge existing = internal::find_edge_between(mesh, from_a, from_b); existing.valid()) {
     return edge_exists(a, b, existing);
   }
   return {};
@@ -40,7 +63,8 @@ template <EditableSurface Mesh>
 ///
 /// attributes: those of `e`, of both faces and of the vertices stay; the corners at 1 and 3 are
 ///             divided into two alike, those at 0 and 2 joined
-/// returns: e. cost: O(valence of one end). inverse: itself, three times; twice turns `e` around
+/// returns: e. cost: O(the smaller valence of its new ends)
+/// inverse: itself, three times; twice turns `e` around
 /// errors: those of check_flip_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> flip_edge(Mesh& mesh, Edge e) {
