@@ -398,6 +398,34 @@ TEST(GluePath, Refusals) {
   expect_refused(glue_path(mesh, h, Halfedge{}, 2), "not-a-halfedge", mesh, before);
 }
 
+// A vertex can't become two, nor two others one, though no edge or face would tell.
+TEST(GluePath, RefusesAVertexTwiceOnAPath) {
+  const auto refuse = [](const Shape& shape, const std::array<Index, 2>& h,
+                         const std::array<Index, 2>& g, std::size_t n, Index repeated) {
+    Mesh mesh = reference_build(shape);
+    add_attributes_of_all_kinds(mesh);
+    const Snapshot before(mesh);
+    const Result<Edge> refused =
+        glue_path(mesh, halfedge(mesh, h[0], h[1]), halfedge(mesh, g[0], g[1]), n);
+    expect_refused(refused, "repeated-vertex", mesh, before);
+    if (refused.ok()) return;
+    EXPECT_EQ(refused.error().witness.vertices, std::vector<Index>{repeated});
+    EXPECT_TRUE(refused.error().witness.faces.empty());
+  };
+  // A strip of five quads, vertices 0 to 5 below; and two triangles that share vertex 12, around
+  // which one boundary loop leads: 12 14 13 12 16 15.
+  std::vector<std::vector<Index>> faces = quad_grid(5, 1).faces;
+  faces.insert(faces.end(), {{12, 13, 14}, {12, 15, 16}});
+  const Shape strip_and_pinch("strip and pinched vertex", 17, faces);
+  const Mesh mesh = reference_build(strip_and_pinch);
+  const Halfedge after_pinch = mesh.next(halfedge(mesh, 13, 12));
+  ASSERT_EQ(after_pinch, halfedge(mesh, 12, 16));
+  refuse(strip_and_pinch, {14, 13}, {5, 4}, 5, 12);
+  refuse(strip_and_pinch, {5, 4}, {14, 13}, 5, 12);
+  // Around a disk both ways, further than half.
+  refuse(disk(7), {2, 1}, {4, 3}, 4, 7);
+}
+
 TEST(GluePath, SweepAgreesWithPolygons) {
   int done_count = 0;
   for (const auto& [name, mesh] : meshes_to_sweep(10)) {
