@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,7 +30,32 @@ class Contender {
 
   /// The sum of the indices of the one-ring vertices of all vertices.
   virtual std::uint64_t one_ring_sum() = 0;
+
+  // ---- operations, each on the mesh as it was when `keep` was called ------------------------
+
+  /// Keeps a copy of the mesh; `restore` goes back to it.
+  virtual void keep() = 0;
+  virtual void restore() = 0;
+
+  /// One step of sqrt(3) subdivision: a vertex at the centroid of each face, which is cut in three;
+  /// the old edges are flipped where they may be, the old vertices moved.
+  virtual void subdivide() = 0;
+
+  /// A vertex in each face, and each of them collapsed away again, with all checks; what was
+  /// deleted leaves gaps.
+  virtual void split_and_collapse() = 0;
+
+  /// Closes the gaps of deleted items.
+  virtual void compact() = 0;
+
+  /// Of live items: edges + faces + the sum of the squares of the valences.
+  virtual std::uint64_t valence_sum() = 0;
 };
+
+/// The weight of the one-ring in the new position of a vertex, in sqrt(3) subdivision.
+inline float sqrt3_weight(unsigned valence) {
+  return (4.0F - 2.0F * std::cos(6.2831853F / float(valence))) / 9.0F;
+}
 
 std::unique_ptr<Contender> make_halfedge();
 std::unique_ptr<Contender> make_flat();

@@ -1,5 +1,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <cstdlib>
+#include <vector>
 
 #include "contender.h"
 
@@ -47,10 +51,80 @@ class Cgal final : public Contender {
     return sum;
   }
 
+  void keep() override { kept_ = mesh_; }
+  void restore() override { mesh_ = kept_; }
+
+  void subdivide() override {
+    std::vector<Point> moved(mesh_.num_vertices());
+    for (const auto v : mesh_.vertices()) {
+      float sum[3] = {};
+      unsigned valence = 0;
+      for (const auto w : CGAL::vertices_around_target(mesh_.halfedge(v), mesh_)) {
+        const Point& p = mesh_.point(w);
+        sum[0] += p.x(), sum[1] += p.y(), sum[2] += p.z();
+        ++valence;
+      }
+      const Point& p = mesh_.point(v);
+      const float weight = sqrt3_weight(valence);
+      const float of_each = weight / float(valence);
+      moved[v] =
+          Point((1 - weight) * p.x() + of_each * sum[0], (1 - weight) * p.y() + of_each * sum[1],
+                (1 - weight) * p.z() + of_each * sum[2]);
+    }
+    const auto edges = mesh_.num_edges();
+    const auto faces = mesh_.num_faces();
+    mesh_.reserve(mesh_.num_vertices() + faces, edges + 3 * faces, 3 * faces);
+    for (std::uint32_t f = 0; f < faces; ++f) split(Mesh::Face_index(f));
+    for (std::uint32_t v = 0; v < moved.size(); ++v) mesh_.point(Mesh::Vertex_index(v)) = moved[v];
+    for (std::uint32_t e = 0; e < edges; ++e) {
+      const auto h = mesh_.halfedge(Mesh::Edge_index(e));
+      if (mesh_.is_border(Mesh::Edge_index(e))) continue;
+      const auto a = mesh_.target(mesh_.next(h));
+      const auto b = mesh_.target(mesh_.next(mesh_.opposite(h)));
+      if (a != b && mesh_.halfedge(a, b) == Mesh::null_halfedge()) {
+        CGAL::Euler::flip_edge(h, mesh_);
+      }
+    }
+  }
+
+  void split_and_collapse() override {
+    const auto vertices = static_cast<std::uint32_t>(mesh_.num_vertices());
+    const auto faces = static_cast<std::uint32_t>(mesh_.num_faces());
+    for (std::uint32_t f = 0; f < faces; ++f) split(Mesh::Face_index(f));
+    for (std::uint32_t v = vertices; v < vertices + faces; ++v) {
+      const auto e = mesh_.edge(mesh_.halfedge(Mesh::Vertex_index(v)));
+      if (!CGAL::Euler::does_satisfy_link_condition(e, mesh_)) std::abort();
+      CGAL::Euler::collapse_edge(e, mesh_);
+    }
+  }
+
+  void compact() override { mesh_.collect_garbage(); }
+
+  std::uint64_t valence_sum() override {
+    std::uint64_t sum = mesh_.number_of_edges() + mesh_.number_of_faces();
+    for (const auto v : mesh_.vertices()) {
+      sum += std::uint64_t{mesh_.degree(v)} * mesh_.degree(v);
+    }
+    return sum;
+  }
+
  private:
   using Point = CGAL::Simple_cartesian<float>::Point_3;
   using Mesh = CGAL::Surface_mesh<Point>;
+
+  void split(Mesh::Face_index f) {
+    const auto h = mesh_.halfedge(f);
+    float sum[3] = {};
+    for (const auto v : CGAL::vertices_around_face(h, mesh_)) {
+      const Point& p = mesh_.point(v);
+      sum[0] += p.x(), sum[1] += p.y(), sum[2] += p.z();
+    }
+    const auto spoke = CGAL::Euler::add_center_vertex(h, mesh_);
+    mesh_.point(mesh_.target(spoke)) = Point(sum[0] / 3, sum[1] / 3, sum[2] / 3);
+  }
+
   Mesh mesh_;
+  Mesh kept_;
 };
 
 }  // namespace

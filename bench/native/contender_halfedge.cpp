@@ -1,8 +1,11 @@
 #include <halfedge/build/build.h>
+#include <halfedge/connectivity/compact.h>
 #include <halfedge/mesh.h>
+#include <halfedge/operations/operations.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "contender.h"
 
@@ -37,8 +40,62 @@ class Halfedges final : public Contender {
     return sum;
   }
 
+  void keep() override { require(kept_.assign(mesh_)); }
+  void restore() override { require(mesh_.assign(kept_)); }
+
+  void subdivide() override {
+    using namespace halfedge;
+    std::vector<Point> moved(mesh_.vertex_slots());
+    for (const Vertex v : mesh_.vertices()) {
+      Point sum;
+      unsigned valence = 0;
+      for (const Vertex w : mesh_.vertex_vertices_cw(v)) {
+        const Point p = mesh_.position(w);
+        sum = {sum.x + p.x, sum.y + p.y, sum.z + p.z};
+        ++valence;
+      }
+      const Point p = mesh_.position(v);
+      const float weight = sqrt3_weight(valence);
+      const float of_each = weight / float(valence);
+      moved[v.index()] = {(1 - weight) * p.x + of_each * sum.x,
+                          (1 - weight) * p.y + of_each * sum.y,
+                          (1 - weight) * p.z + of_each * sum.z};
+    }
+    const Index edges = mesh_.edge_slots();
+    const Index faces = mesh_.face_slots();
+    require(mesh_.reserve(mesh_.vertex_slots() + faces, edges + 3 * faces, 3 * faces));
+    for (Index f = 0; f < faces; ++f) require(bool(operations::split_face(mesh_, Face(f))));
+    for (Index v = 0; v < moved.size(); ++v) mesh_.set_position(Vertex(v), moved[v]);
+    for (Index e = 0; e < edges; ++e) (void)operations::flip_edge(mesh_, Edge(e));
+  }
+
+  void split_and_collapse() override {
+    using namespace halfedge;
+    const Index vertices = mesh_.vertex_slots();
+    const Index faces = mesh_.face_slots();
+    for (Index f = 0; f < faces; ++f) require(bool(operations::split_face(mesh_, Face(f))));
+    for (Index v = vertices; v < vertices + faces; ++v) {
+      require(bool(operations::collapse(mesh_, mesh_.vertex_halfedge(Vertex(v)))));
+    }
+  }
+
+  void compact() override { require(bool(halfedge::compact(mesh_))); }
+
+  std::uint64_t valence_sum() override {
+    std::uint64_t sum = mesh_.edge_count() + mesh_.face_count();
+    for (const halfedge::Vertex v : mesh_.vertices()) {
+      sum += std::uint64_t{mesh_.valence(v)} * mesh_.valence(v);
+    }
+    return sum;
+  }
+
  private:
+  static void require(bool done) {
+    if (!done) std::abort();
+  }
+
   halfedge::Mesh mesh_;
+  halfedge::Mesh kept_;
 };
 
 }  // namespace

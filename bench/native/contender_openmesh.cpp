@@ -1,12 +1,17 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <cstdlib>
+#include <vector>
 
 #include "contender.h"
 
 namespace {
 
 struct Traits : OpenMesh::DefaultTraits {
-  VertexAttributes(OpenMesh::Attributes::None);
-  FaceAttributes(OpenMesh::Attributes::None);
+  // Whether an item was deleted must be stored for it to be deleted.
+  VertexAttributes(OpenMesh::Attributes::Status);
+  HalfedgeAttributes(OpenMesh::Attributes::PrevHalfedge);
+  EdgeAttributes(OpenMesh::Attributes::Status);
+  FaceAttributes(OpenMesh::Attributes::Status);
 };
 
 class OpenMeshes final : public Contender {
@@ -46,6 +51,54 @@ class OpenMeshes final : public Contender {
     return sum;
   }
 
+  void keep() override { kept_ = mesh_; }
+  void restore() override { mesh_ = kept_; }
+
+  void subdivide() override {
+    std::vector<Mesh::Point> moved(mesh_.n_vertices());
+    for (const auto v : mesh_.vertices()) {
+      Mesh::Point sum(0, 0, 0);
+      unsigned valence = 0;
+      for (auto it = mesh_.cvv_iter(v); it.is_valid(); ++it, ++valence) sum += mesh_.point(*it);
+      const float weight = sqrt3_weight(valence);
+      moved[std::size_t(v.idx())] = (1 - weight) * mesh_.point(v) + weight / float(valence) * sum;
+    }
+    const std::size_t edges = mesh_.n_edges();
+    const std::size_t faces = mesh_.n_faces();
+    mesh_.reserve(mesh_.n_vertices() + faces, edges + 3 * faces, 3 * faces);
+    for (std::size_t f = 0; f < faces; ++f) split(face(f));
+    for (std::size_t v = 0; v < moved.size(); ++v) {
+      mesh_.set_point(vertex(std::uint32_t(v)), moved[v]);
+    }
+    for (std::size_t e = 0; e < edges; ++e) {
+      const OpenMesh::EdgeHandle edge(static_cast<int>(e));
+      if (mesh_.is_flip_ok(edge)) mesh_.flip(edge);
+    }
+  }
+
+  void split_and_collapse() override {
+    const std::size_t vertices = mesh_.n_vertices();
+    const std::size_t faces = mesh_.n_faces();
+    for (std::size_t f = 0; f < faces; ++f) split(face(f));
+    for (std::size_t v = vertices; v < vertices + faces; ++v) {
+      const auto h = mesh_.halfedge_handle(vertex(std::uint32_t(v)));
+      if (!mesh_.is_collapse_ok(h)) std::abort();
+      mesh_.collapse(h);
+    }
+  }
+
+  void compact() override { mesh_.garbage_collection(); }
+
+  std::uint64_t valence_sum() override {
+    std::uint64_t sum = 0;
+    for ([[maybe_unused]] const auto e : mesh_.edges()) ++sum;
+    for ([[maybe_unused]] const auto f : mesh_.faces()) ++sum;
+    for (const auto v : mesh_.vertices()) {
+      sum += std::uint64_t{mesh_.valence(v)} * mesh_.valence(v);
+    }
+    return sum;
+  }
+
  private:
   using Mesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
 
@@ -53,7 +106,14 @@ class OpenMeshes final : public Contender {
     return OpenMesh::VertexHandle(static_cast<int>(index));
   }
 
+  static OpenMesh::FaceHandle face(std::size_t index) {
+    return OpenMesh::FaceHandle(static_cast<int>(index));
+  }
+
+  void split(OpenMesh::FaceHandle f) { mesh_.split(f, mesh_.calc_face_centroid(f)); }
+
   Mesh mesh_;
+  Mesh kept_;
 };
 
 }  // namespace

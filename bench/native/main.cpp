@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,32 +40,18 @@ void must_agree(const std::string& what, std::uint64_t ours, std::uint64_t their
 
 // ---- libraries
 
-void compare_libraries(const std::string& label, const TriangleMesh& input) {
-  constexpr std::array kWorkloads = {"build", "circulator", "one-ring sum"};
-  std::vector<std::unique_ptr<Contender>> contenders;
-  std::vector<Job> jobs;
-  const auto name_of = [](const char* workload, const Entry& entry) {
-    return std::string(workload) + "/" + entry.name;
-  };
-  for (const Entry& entry : kEntries) {
-    contenders.push_back(entry.make());
-    Contender& contender = *contenders.back();
-    contender.build(input);
-    must_agree("circulator", 0, static_cast<std::uint64_t>(contender.circulate()), entry.name);
-    must_agree("one-ring sum", contenders[0]->one_ring_sum(), contender.one_ring_sum(), entry.name);
-    jobs.push_back(
-        {name_of(kWorkloads[0], entry), [&contender, &input] { contender.build(input); }});
-    jobs.push_back({name_of(kWorkloads[1], entry),
-                    [&contender] { benchmark::DoNotOptimize(contender.circulate()); }});
-    jobs.push_back({name_of(kWorkloads[2], entry),
-                    [&contender] { benchmark::DoNotOptimize(contender.one_ring_sum()); }});
-  }
-  const std::map<std::string, double> medians = measure(jobs);
-  for (const char* workload : kWorkloads) {
+std::string job_name(const char* workload, const Entry& entry) {
+  return std::string(workload) + "/" + entry.name;
+}
+
+// A row for each workload.
+void print_rows(const std::string& label, std::span<const char* const> workloads,
+                const std::map<std::string, double>& medians) {
+  for (const char* workload : workloads) {
     std::vector<std::string> names;
     std::map<std::string, double> of_workload;
     for (const Entry& entry : kEntries) {
-      const std::string name = name_of(workload, entry);
+      const std::string name = job_name(workload, entry);
       names.push_back(name);
       if (const auto median = medians.find(name); median != medians.end()) {
         of_workload.insert(*median);
@@ -71,6 +59,72 @@ void compare_libraries(const std::string& label, const TriangleMesh& input) {
     }
     print_row(label + " | " + workload, names, of_workload);
   }
+}
+
+// After each of the operations, and when the mesh is as it was again.
+void check_operations(Contender& ours, Contender& theirs, const char* name) {
+  const auto compare = [&](const char* what, void (*change)(Contender&)) {
+    std::uint64_t sums[2] = {};
+    for (const int i : {0, 1}) {
+      Contender& contender = i == 0 ? ours : theirs;
+      contender.restore();
+      change(contender);
+      sums[i] = contender.valence_sum();
+    }
+    must_agree(what, sums[0], sums[1], name);
+  };
+  compare("sqrt(3) step", [](Contender& contender) { contender.subdivide(); });
+  compare("split and collapse", [](Contender& contender) { contender.split_and_collapse(); });
+  compare("compaction", [](Contender& contender) {
+    contender.split_and_collapse();
+    contender.compact();
+  });
+  compare("the mesh itself", [](Contender&) {});
+}
+
+void compare_libraries(const std::string& label, const TriangleMesh& input) {
+  constexpr std::array kWorkloads = {"build",        "circulator",         "one-ring sum",
+                                     "sqrt(3) step", "split and collapse", "compaction"};
+  std::vector<std::unique_ptr<Contender>> contenders;
+  std::vector<Job> jobs;
+  for (const Entry& entry : kEntries) {
+    contenders.push_back(entry.make());
+    Contender& contender = *contenders.back();
+    contender.build(input);
+    must_agree("circulator", 0, static_cast<std::uint64_t>(contender.circulate()), entry.name);
+    must_agree("one-ring sum", contenders[0]->one_ring_sum(), contender.one_ring_sum(), entry.name);
+    jobs.push_back(
+        {job_name(kWorkloads[0], entry), [&contender, &input] { contender.build(input); }});
+    jobs.push_back({job_name(kWorkloads[1], entry),
+                    [&contender] { benchmark::DoNotOptimize(contender.circulate()); }});
+    jobs.push_back({job_name(kWorkloads[2], entry),
+                    [&contender] { benchmark::DoNotOptimize(contender.one_ring_sum()); }});
+  }
+  print_rows(label, kWorkloads, measure(jobs));
+}
+
+void compare_operations(const std::string& label, const TriangleMesh& input) {
+  constexpr std::array kWorkloads = {"sqrt(3) step", "split and collapse", "compaction"};
+  std::vector<std::unique_ptr<Contender>> contenders;
+  std::vector<Job> jobs;
+  for (const Entry& entry : kEntries) {
+    contenders.push_back(entry.make());
+    Contender& contender = *contenders.back();
+    contender.build(input);
+    contender.keep();
+    check_operations(*contenders[0], contender, entry.name);
+    const auto restore = [&contender] { contender.restore(); };
+    jobs.push_back(
+        {job_name(kWorkloads[0], entry), [&contender] { contender.subdivide(); }, restore});
+    jobs.push_back({job_name(kWorkloads[1], entry),
+                    [&contender] { contender.split_and_collapse(); }, restore});
+    jobs.push_back({job_name(kWorkloads[2], entry), [&contender] { contender.compact(); },
+                    [&contender] {
+                      contender.restore();
+                      contender.split_and_collapse();
+                    }});
+  }
+  print_rows(label, kWorkloads, measure(jobs));
 }
 
 void compare_memory(const std::string& label, const TriangleMesh& input) {
@@ -146,6 +200,8 @@ int main(int argc, char** argv) {
     const std::string faces = thousands(mesh.face_count());
     compare_libraries(faces + ", natural", mesh);
     compare_libraries(faces + ", shuffled", shuffled(mesh, 1));
+    compare_operations(faces + ", natural", mesh);
+    compare_operations(faces + ", shuffled", shuffled(mesh, 1));
   }
 
   columns = {"faces", "bytes a vertex, float positions"};

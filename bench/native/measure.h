@@ -12,6 +12,8 @@
 struct Job {
   std::string name;
   std::function<void()> run;
+  /// What is done before each run, and not timed; empty for nothing.
+  std::function<void()> prepare = {};
 };
 
 /// Takes the arguments of the program, those of Google Benchmark, and sets the rounds.
@@ -43,9 +45,19 @@ inline std::map<std::string, double> measure(const std::vector<Job>& jobs) {
   };
 
   for (const Job& job : jobs) {
-    benchmark::RegisterBenchmark(job.name.c_str(), [run = job.run](benchmark::State& state) {
-      for (auto _ : state) run();
-    })->Unit(benchmark::kMillisecond);
+    auto* registered =
+        benchmark::RegisterBenchmark(job.name.c_str(), [job](benchmark::State& state) {
+          for (auto _ : state) {
+            if (job.prepare) {
+              state.PauseTiming();
+              job.prepare();
+              state.ResumeTiming();
+            }
+            job.run();
+          }
+        });
+    registered->Unit(benchmark::kMillisecond);
+    if (job.prepare) registered->Iterations(1);
   }
   Collector collector;
   benchmark::RunSpecifiedBenchmarks(&collector);

@@ -38,6 +38,7 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
     return Error{"out-of-memory", "There is not enough memory for the " + quoted(kind, name) + "."};
   }
   column->resize(slots);
+  ++count_;
   return columns_[std::size_t(kind)].emplace_back(std::move(column)).get();
 }
 
@@ -53,25 +54,20 @@ Attribute* Attributes::find(ItemKind kind, std::string_view name) {
 }
 
 bool Attributes::remove(ItemKind kind, std::string_view name) {
-  return std::erase_if(columns_[std::size_t(kind)],
-                       [&](const auto& column) { return column->name() == name; }) > 0;
+  const std::size_t removed = std::erase_if(
+      columns_[std::size_t(kind)], [&](const auto& column) { return column->name() == name; });
+  count_ -= removed;
+  return removed > 0;
 }
 
-bool Attributes::has_any() const {
-  for (const Columns& columns : columns_) {
-    if (!columns.empty()) return true;
-  }
-  return false;
-}
-
-bool Attributes::reserve(ItemKind kind, std::size_t slots) {
+bool Attributes::reserve_columns(ItemKind kind, std::size_t slots) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     if (!column->reserve(slots)) return false;
   }
   return true;
 }
 
-void Attributes::resize(ItemKind kind, Index slots, Journal* journal) {
+void Attributes::resize_columns(ItemKind kind, Index slots, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     const Index old = column->slots();
     column->resize(slots);
@@ -82,7 +78,7 @@ void Attributes::resize(ItemKind kind, Index slots, Journal* journal) {
 
 bool Attributes::assign(const Attributes& other) {
   if (this == &other) return true;
-  for (Columns& columns : columns_) columns.clear();
+  drop_all();
   serials_ = other.serials_;
   generations_ = other.generations_;
   for (std::size_t kind = 0; kind < columns_.size(); ++kind) {
@@ -94,22 +90,28 @@ bool Attributes::assign(const Attributes& other) {
       std::unique_ptr<Attribute> column(
           new (std::nothrow) Attribute(from->name(), from->kind(), options, from->serial()));
       if (column == nullptr || !column->assign(*from)) {
-        for (Columns& columns : columns_) columns.clear();
+        drop_all();
         return false;
       }
       columns_[kind].push_back(std::move(column));
+      ++count_;
     }
   }
   return true;
 }
 
-void Attributes::set_default(ItemKind kind, Index item, Journal* journal) {
+void Attributes::drop_all() {
+  for (Columns& columns : columns_) columns.clear();
+  count_ = 0;
+}
+
+void Attributes::set_defaults(ItemKind kind, Index item, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     if (!column->is_generation()) column->set_default(item, journal);
   }
 }
 
-void Attributes::end_generation(ItemKind kind, Index item, Journal* journal) {
+void Attributes::change_generation(ItemKind kind, Index item, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     if (column->is_generation()) column->set(item, 0, ++generations_, journal);
   }
@@ -144,11 +146,12 @@ void Attributes::exchange(Journal::Write& write) {
   }
 }
 
-void Attributes::copy(ItemKind kind, Index to, Index from, Journal* journal) {
+void Attributes::copy_values(ItemKind kind, Index to, Index from, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) column->copy(to, from, journal);
 }
 
-void Attributes::blend(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal) {
+void Attributes::blend_values(ItemKind kind, Index to, Index a, Index b, double t,
+                              Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     Attribute::Sum sum;
     column->add(sum, a, 1 - t);
@@ -157,7 +160,7 @@ void Attributes::blend(ItemKind kind, Index to, Index a, Index b, double t, Jour
   }
 }
 
-void Attributes::copy_corner(Index to, Index from, Journal* journal) {
+void Attributes::copy_corner_values(Index to, Index from, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
     if (column->interpolates()) column->copy(to, from, journal);
   }

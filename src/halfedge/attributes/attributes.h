@@ -39,20 +39,28 @@ class Attributes {
 
   /// In the order in which they were added.
   [[nodiscard]] const Columns& of(ItemKind kind) const { return columns_[std::size_t(kind)]; }
-  [[nodiscard]] bool has_any() const;
+  [[nodiscard]] bool has_any() const { return count_ > 0; }
 
   // ---- what the mesh does -------------------------------------------------------------------
 
-  [[nodiscard]] bool reserve(ItemKind kind, std::size_t slots);
+  [[nodiscard]] bool reserve(ItemKind kind, std::size_t slots) {
+    return !has_any() || reserve_columns(kind, slots);
+  }
   /// The generations of new items are noted: later ones begin with another, and what is done again
   /// shall have its own. pre: there is room for them
-  void resize(ItemKind kind, Index slots, Journal* journal = nullptr);
+  void resize(ItemKind kind, Index slots, Journal* journal = nullptr) {
+    if (has_any()) resize_columns(kind, slots, journal);
+  }
   /// Becomes a copy of `other`. False when memory is exhausted; then it has no columns.
   [[nodiscard]] bool assign(const Attributes& other);
   /// Of an item whose slot is used again. Its generation stays.
-  void set_default(ItemKind kind, Index item, Journal* journal);
+  void set_default(ItemKind kind, Index item, Journal* journal) {
+    if (has_any()) set_defaults(kind, item, journal);
+  }
   /// Of an item that is deleted: gives it a generation that no item had before.
-  void end_generation(ItemKind kind, Index item, Journal* journal);
+  void end_generation(ItemKind kind, Index item, Journal* journal) {
+    if (has_any()) change_generation(kind, item, journal);
+  }
   /// Of all items, and of those to come.
   void end_all_generations();
   void note_all(Journal& journal) const;
@@ -63,11 +71,17 @@ class Attributes {
   // ---- what operations do -------------------------------------------------------------------
 
   /// `to` gets the values of `from`, but for columns whose policy is kDefault.
-  void copy(ItemKind kind, Index to, Index from, Journal* journal);
+  void copy(ItemKind kind, Index to, Index from, Journal* journal) {
+    if (has_any()) copy_values(kind, to, from, journal);
+  }
   /// `to` gets what the policies make of (1 - t) a + t b.
-  void blend(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal);
+  void blend(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal) {
+    if (has_any()) blend_values(kind, to, a, b, t, journal);
+  }
   /// The same of the columns by halfedge whose values belong to corners: those that interpolate.
-  void copy_corner(Index to, Index from, Journal* journal);
+  void copy_corner(Index to, Index from, Journal* journal) {
+    if (has_any()) copy_corner_values(to, from, journal);
+  }
   void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
   void swap_corners(Index a, Index b, Journal* journal);
   /// The corners of one side of an edge, by the halfedges that end there, at the end of the edge
@@ -120,7 +134,18 @@ class Attributes {
     std::array<Side, 2> before_;
   };
 
+  // What is done where there are columns.
+  [[nodiscard]] bool reserve_columns(ItemKind kind, std::size_t slots);
+  void resize_columns(ItemKind kind, Index slots, Journal* journal);
+  void set_defaults(ItemKind kind, Index item, Journal* journal);
+  void change_generation(ItemKind kind, Index item, Journal* journal);
+  void copy_values(ItemKind kind, Index to, Index from, Journal* journal);
+  void blend_values(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal);
+  void copy_corner_values(Index to, Index from, Journal* journal);
+  void drop_all();
+
   std::array<Columns, 4> columns_;  // by kind
+  std::size_t count_ = 0;           // of columns, all kinds together
   Index serials_ = 0;
   Index generations_ = 0;  // so many were given
 };

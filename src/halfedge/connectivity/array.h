@@ -82,6 +82,12 @@ class Array {
     return true;
   }
 
+  /// As `resize`, where there is room for so many already.
+  void grow_to(std::size_t count) {
+    assert(count <= capacity_);
+    size_ = count;
+  }
+
   /// As `resize`, and sets the new elements to `value`.
   [[nodiscard]] bool resize(std::size_t count, const T& value) {
     const std::size_t old = size_;

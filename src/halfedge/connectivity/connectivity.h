@@ -341,9 +341,39 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Anchors are left alone.
   [[nodiscard]] Halfedge new_edge(Vertex from, Vertex to);
 
+  /// The same with links that aren't set yet: the caller sets them all, but for to_vertex. For
+  /// operations that would write each of them twice.
+  [[nodiscard]] Halfedge new_unlinked_edge(Vertex from, Vertex to);
+
   /// A face with the loop of `h` as its boundary; the halfedges of the loop still need `set_face`.
   /// Where faces store no halfedge `h` isn't looked at.
   [[nodiscard]] Face new_face(Halfedge h);
+
+  /// link and set_*, for those that write many links at once: they count as one change.
+  class Writer {
+   public:
+    explicit Writer(BasicConnectivity& mesh) : mesh_(mesh) { ++mesh.version_; }
+
+    void link(Halfedge h, Halfedge n) const {
+      mesh_.write(Field::kNext, mesh_.links_.next, h.index(), n.index());
+      if constexpr (kStorage.prev) {
+        mesh_.write(Field::kPrev, mesh_.links_.prev, n.index(), h.index());
+      }
+    }
+    void set_to_vertex(Halfedge h, Vertex v) const {
+      mesh_.write(Field::kToVertex, mesh_.links_.to_vertex, h.index(), v.index());
+    }
+    /// Does nothing where faces aren't stored.
+    void set_face([[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) const {
+      if constexpr (kStorage.face) {
+        mesh_.write(Field::kFace, mesh_.links_.face, h.index(), f.index());
+      }
+    }
+
+   private:
+    BasicConnectivity& mesh_;
+  };
+  [[nodiscard]] Writer writer() { return Writer(*this); }
 
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
@@ -400,7 +430,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
  protected:
   /// Notes that a word is about to be replaced.
   void note(Field field, Index index, Index word) {
-    if (journal_ != nullptr) journal_->record(field, index, word);
+    if (journal_ != nullptr) [[unlikely]]
+      journal_->record(field, index, word);
   }
   /// Exchanges a word of the mesh with the one noted. Classes built on this one add their fields.
   void exchange(Journal::Write& write);
@@ -439,6 +470,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return stamps == nullptr || !stamps->is_generation() ? 0 : Index(stamps->get(item.index(), 0));
   }
 
+  [[nodiscard]] Halfedge add_edge_slot();
   void push_free(Field field, FreeList& list, Index slot);
   [[nodiscard]] Index pop_free(Field field, FreeList& list, Index next_free);
 

@@ -168,37 +168,57 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
   return v;
 }
 
+// Two slots more, in room that may have to be made; empty when memory is exhausted.
 template <Storage kStored>
-Halfedge BasicConnectivity<kStored>::new_edge(Vertex from, Vertex to) {
-  Halfedge h(halfedge_slots());
-  if (free_edges_.count > 0) {
+Halfedge BasicConnectivity<kStored>::add_edge_slot() {
+  const Halfedge h(halfedge_slots());
+  const std::size_t count = links_.next.size() + 2;
+  const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
+  if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room)) return {};
+  if (attributes_.has_any() && (!attributes_.reserve(ItemKind::kEdge, count / 2) ||
+                                !attributes_.reserve(ItemKind::kHalfedge, count))) {
+    return {};
+  }
+  note(Field::kHalfedgeSlots, 0, h.index());
+  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    array.grow_to(count);
+    array[h.index()] = array[h.index() + 1U] = kNone;
+    return true;
+  });
+  if (attributes_.has_any()) {
+    attributes_.resize(ItemKind::kEdge, Index(count / 2), journal_.get());
+    attributes_.resize(ItemKind::kHalfedge, Index(count));
+  }
+  return h;
+}
+
+template <Storage kStored>
+Halfedge BasicConnectivity<kStored>::new_unlinked_edge(Vertex from, Vertex to) {
+  Halfedge h;
+  if (free_edges_.count == 0) {
+    h = add_edge_slot();
+    if (!h.valid()) return h;
+  } else {
     const Index next_free = next_free_slot(links_.next[2 * std::size_t{free_edges_.head}]);
     h = edge_halfedge(Edge(pop_free(Field::kFreeEdges, free_edges_, next_free)));
     attributes_.set_default(ItemKind::kEdge, edge(h).index(), journal_.get());
     attributes_.set_default(ItemKind::kHalfedge, h.index(), journal_.get());
     attributes_.set_default(ItemKind::kHalfedge, opposite(h).index(), journal_.get());
-  } else {
-    const std::size_t count = links_.next.size() + 2;
-    const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
-    const auto resize = [&](Array<Index>& array) { return array.resize(count, kNone); };
-    if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room) ||
-        !attributes_.reserve(ItemKind::kEdge, count / 2) ||
-        !attributes_.reserve(ItemKind::kHalfedge, count)) {
-      return {};
-    }
-    note(Field::kHalfedgeSlots, 0, h.index());
-    (void)internal::for_halfedge_arrays<kStored>(links_, resize);  // in the room made above
-    attributes_.resize(ItemKind::kEdge, Index(count / 2), journal_.get());
-    attributes_.resize(ItemKind::kHalfedge, Index(count));
   }
-  const Halfedge o = opposite(h);
-  link(h, o);
-  link(o, h);
-  set_to_vertex(h, to);
-  set_to_vertex(o, from);
-  if constexpr (kStorage.face) {
-    set_face(h, Face{});
-    set_face(o, Face{});
+  const Writer writer(*this);
+  writer.set_to_vertex(h, to);
+  writer.set_to_vertex(opposite(h), from);
+  return h;
+}
+
+template <Storage kStored>
+Halfedge BasicConnectivity<kStored>::new_edge(Vertex from, Vertex to) {
+  const Halfedge h = new_unlinked_edge(from, to);
+  if (!h.valid()) return h;
+  const Writer writer(*this);
+  for (const Halfedge side : {h, opposite(h)}) {
+    writer.link(side, opposite(side));
+    writer.set_face(side, Face{});
   }
   return h;
 }

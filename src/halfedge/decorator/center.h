@@ -61,20 +61,33 @@ template <Editable Mesh>
   mesh.average_attributes(c, [&](const auto& add) {
     for (const Halfedge on_loop : mesh.loop_ccw(h)) add(mesh.to_vertex(on_loop).index());
   });
-  const Halfedge k = mesh.new_edge(mesh.to_vertex(h), c);
+  const Halfedge k = mesh.new_unlinked_edge(mesh.to_vertex(h), c);
   mesh.average_attributes(k, [&](const auto& add) {
     for (const Halfedge on_loop : mesh.loop_ccw(h)) add(on_loop.index());
   });
-  insert_tip(mesh, mesh.opposite(k), h);  // k -> opposite(k) still holds
+  mesh.copy_corner(mesh.opposite(k), h);
   set_anchor(mesh, c, mesh.opposite(k));
-  for (Halfedge side = mesh.next(mesh.opposite(k)); side != h;) {
-    const Halfedge spoke = mesh.new_edge(mesh.to_vertex(side), c);
-    insert_tip(mesh, spoke, k);
-    insert_tip(mesh, mesh.opposite(spoke), side);
-    make_face(mesh, side, f);
-    side = mesh.next(mesh.opposite(spoke));
+
+  // A triangle consists of a side, the spoke from its end to c, and the one from its beginning,
+  // back. The last one is that of h.
+  const auto make_triangle = [&, writer = mesh.writer()](Halfedge side, Halfedge spoke,
+                                                         Halfedge back, Face triangle) {
+    writer.link(side, spoke);
+    writer.link(spoke, back);
+    writer.link(back, side);
+    for (const Halfedge corner : {side, spoke, back}) writer.set_face(corner, triangle);
+  };
+  Halfedge before = k;
+  for (Halfedge side = mesh.next(h); side != h;) {
+    const Halfedge following = mesh.next(side);
+    const Halfedge spoke = mesh.new_unlinked_edge(mesh.to_vertex(side), c);
+    mesh.copy_corner(spoke, k);
+    mesh.copy_corner(mesh.opposite(spoke), side);
+    make_triangle(side, spoke, mesh.opposite(before), new_face_like(mesh, side, f));
+    before = spoke;
+    side = following;
   }
-  set_face_of_loop(mesh, h, f);
+  make_triangle(h, k, mesh.opposite(before), f);
   mend_face(mesh, f, h);
   return k;
 }

@@ -84,6 +84,16 @@ template <class Mesh>
   return capacity;
 }
 
+/// The halfedges that there is room for, live and deleted ones.
+template <class Mesh>
+[[nodiscard]] std::size_t halfedge_capacity(const Mesh& mesh) {
+  const Links& links = mesh.links();
+  std::size_t room = std::min(links.next.capacity(), links.to_vertex.capacity());
+  if constexpr (StoresPrev<Mesh>) room = std::min(room, links.prev.capacity());
+  if constexpr (StoresFaces<Mesh>) room = std::min(room, links.face.capacity());
+  return room;
+}
+
 /// Room for so many items more, so that new_vertex, new_edge and new_face succeed so many times.
 /// False when memory is exhausted; the mesh is then as it was.
 template <class Mesh>
@@ -94,15 +104,15 @@ template <class Mesh>
   const std::uint64_t v = count(mesh.vertex_slots(), mesh.free_vertices(), vertices);
   const std::uint64_t e = count(mesh.edge_slots(), mesh.free_edges(), edges);
   const std::uint64_t f = count(mesh.face_slots(), mesh.free_faces(), faces);
+  const std::size_t edge_room = halfedge_capacity(mesh) / 2;
+  const std::size_t face_room = mesh.links().face_halfedge.capacity();
+  const std::size_t vertex_room = vertex_capacity(mesh);
+  if (v <= vertex_room && e <= edge_room && f <= face_room && !mesh.attributes().has_any()) {
+    return true;
+  }
   if (v > kMaxSlots || e > kMaxSlots / 2 || f > kMaxSlots) return false;
-
-  const Links& links = mesh.links();
-  std::size_t halfedge_room = std::min(links.next.capacity(), links.to_vertex.capacity());
-  if constexpr (StoresPrev<Mesh>) halfedge_room = std::min(halfedge_room, links.prev.capacity());
-  if constexpr (StoresFaces<Mesh>) halfedge_room = std::min(halfedge_room, links.face.capacity());
-  const Index more_e = std::min(with_slack(e, halfedge_room / 2), kMaxSlots / 2);
-  return mesh.reserve(with_slack(v, vertex_capacity(mesh)), more_e,
-                      with_slack(f, links.face_halfedge.capacity())) ||
+  return mesh.reserve(with_slack(v, vertex_room), std::min(with_slack(e, edge_room), kMaxSlots / 2),
+                      with_slack(f, face_room)) ||
          mesh.reserve(Index(v), Index(e), Index(f));
 }
 
@@ -124,15 +134,25 @@ void set_face_of_loop(Mesh& mesh, Halfedge h, Face f) {
   }
 }
 
+/// A new face whose halfedge is `h`, with the attributes of `like` if that is not empty; empty
+/// where faces aren't stored. pre: there is room for it
+template <class Mesh>
+[[nodiscard]] Face new_face_like(Mesh& mesh, [[maybe_unused]] Halfedge h,
+                                 [[maybe_unused]] Face like) {
+  Face f;
+  if constexpr (StoresFaces<Mesh>) {
+    f = mesh.new_face(h);
+    if (like.valid()) mesh.copy_attributes(f, like);
+  }
+  return f;
+}
+
 /// The loop of `h` becomes a new face, with the attributes of `like` if that is not empty.
 /// pre: there is room for it
 template <class Mesh>
-void make_face(Mesh& mesh, Halfedge h, [[maybe_unused]] Face like = {}) {
-  if constexpr (StoresFaces<Mesh>) {
-    const Face f = mesh.new_face(h);
-    if (like.valid()) mesh.copy_attributes(f, like);
-    set_face_of_loop(mesh, h, f);
-  }
+void make_face(Mesh& mesh, Halfedge h, Face like = {}) {
+  const Face f = new_face_like(mesh, h, like);
+  set_face_of_loop(mesh, h, f);
 }
 
 template <class Mesh>

@@ -27,6 +27,35 @@ template <Editable Mesh>
   return {};
 }
 
+namespace internal {
+
+/// flip_edge, all checks done.
+template <class Mesh>
+void turn_edge(Mesh& mesh, Halfedge h) {
+  const Halfedge o = mesh.opposite(h);
+  const Halfedge h23 = mesh.next(h);
+  const Halfedge h30 = mesh.next(h23);
+  const Halfedge h01 = mesh.next(o);
+  const Halfedge h12 = mesh.next(h01);
+  replace_anchor(mesh, mesh.from_vertex(h), h, h01);
+  replace_anchor(mesh, mesh.from_vertex(o), o, h23);
+  const auto writer = mesh.writer();
+  writer.set_to_vertex(h, mesh.to_vertex(h23));
+  writer.set_to_vertex(o, mesh.to_vertex(h01));
+  const Halfedge loops[2][3] = {{h, h30, h01}, {o, h12, h23}};
+  for (const auto& [first, second, third] : loops) {
+    writer.link(first, second);
+    writer.link(second, third);
+    writer.link(third, first);
+  }
+  writer.set_face(h01, face_of(mesh, h));
+  writer.set_face(h23, face_of(mesh, o));
+  mend_face(mesh, face_of(mesh, h), h);
+  mend_face(mesh, face_of(mesh, o), o);
+}
+
+}  // namespace internal
+
 /// Turns the edge of `h` counter-clockwise in the quad of its two triangles. (CGAL: flip_edge)
 ///
 ///     3 ------- 2           3 ------- 2
@@ -43,27 +72,8 @@ template <Editable Mesh>
 /// errors: those of check_flip_edge
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> flip_edge(Mesh& mesh, Halfedge h) {
-  using namespace internal;
   if (Result<void> can = check_flip_edge(mesh, h); !can) return can.error();
-  const Halfedge o = mesh.opposite(h);
-  const Halfedge h23 = mesh.next(h);
-  const Halfedge h30 = mesh.next(h23);
-  const Halfedge h01 = mesh.next(o);
-  const Halfedge h12 = mesh.next(h01);
-  replace_anchor(mesh, mesh.from_vertex(h), h, h01);
-  replace_anchor(mesh, mesh.from_vertex(o), o, h23);
-  mesh.set_to_vertex(h, mesh.to_vertex(h23));
-  mesh.set_to_vertex(o, mesh.to_vertex(h01));
-  const Halfedge loops[2][3] = {{h, h30, h01}, {o, h12, h23}};
-  for (const auto& [first, second, third] : loops) {
-    mesh.link(first, second);
-    mesh.link(second, third);
-    mesh.link(third, first);
-  }
-  set_face(mesh, h01, face_of(mesh, h));
-  set_face(mesh, h23, face_of(mesh, o));
-  mend_face(mesh, face_of(mesh, h), h);
-  mend_face(mesh, face_of(mesh, o), o);
+  internal::turn_edge(mesh, h);
   return h;
 }
 

@@ -6,6 +6,13 @@ namespace halfedge {
 
 std::size_t Journal::bytes() const { return sizeof(Write) * (writes_.size() - begin_of(first_)); }
 
+// Not inline: it is called wherever something is written, and mostly there is no journal at all.
+void Journal::record(Field field, Index index, Index word) {
+  forget_redo();
+  if (!writes_.push_back({field, index, word})) lose();
+  step_end_ = writes_.size();
+}
+
 void Journal::end_step() {
   if (lost_) {  // what is left of this step can't be taken back
     forget();

@@ -54,11 +54,7 @@ class Journal {
 
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
-  void record(Field field, Index index, Index word) {
-    forget_redo();
-    if (!writes_.push_back({field, index, word})) lose();
-    step_end_ = writes_.size();
-  }
+  void record(Field field, Index index, Index word);
 
   /// Sets how far back history reaches from now on, and forgets what lies beyond.
   void limit(HistoryLimits limits);

@@ -73,7 +73,7 @@ template <EditableSurface Mesh>
   const Halfedge o = mesh.opposite(h);
   mesh.copy_corner(h, mesh.next(h));
   mesh.copy_corner(o, mesh.next(o));
-  (void)decorator::flip_edge(mesh, h);  // its requirements are fewer
+  decorator::internal::turn_edge(mesh, h);
   return e;
 }
 
