@@ -247,7 +247,7 @@ TEST(DecoratorLaws, FourFlipsAreNone) {
 }
 
 // By how much vertices, edges and loops change.
-std::vector<std::int64_t> expected_change(const Mesh& mesh, const Call& call) {
+std::vector<std::int64_t> expected_change(const Mesh& mesh, const DecoratorCall& call) {
   const auto n = [&](Halfedge h) { return std::int64_t(corners_of(mesh, h).size()); };
   switch (call.op) {
     case Op::kMakeLoop:
@@ -290,7 +290,7 @@ std::vector<std::int64_t> expected_change(const Mesh& mesh, const Call& call) {
 }
 
 // One step: refused with everything unchanged, or done with the counts as Euler has them.
-void take(Mesh& mesh, const Call& call, std::vector<int>& done) {
+void take(Mesh& mesh, const DecoratorCall& call, std::vector<int>& done) {
   const Result<void> can = check(std::as_const(mesh), call);
   if (!can) {
     const Snapshot before(mesh);
@@ -325,7 +325,7 @@ TEST(DecoratorLaws, HoldInRandomSequences) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       RandomCalls random(seed++);
       for (int step = 0; step < 250; ++step) {
-        const Call call = random.next(mesh);
+        const DecoratorCall call = random.next(mesh);
         SCOPED_TRACE("step " + std::to_string(step) + ", operation " +
                      std::to_string(int(call.op)));
         take(mesh, call, done);
@@ -384,7 +384,7 @@ TYPED_TEST(DecoratorStorage, GivesTheSameLinks) {
       Part part;
       for (int step = 0; step < 120; ++step) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step));
-        const Call call = random.next(whole);
+        const DecoratorCall call = random.next(whole);
         // Without faces a hole and a face are the same.
         const bool is_of_holes = call.op == Op::kMakeHole || call.op == Op::kEraseFace;
         if ((!Part::kStorage.face && is_of_holes) || !check(whole, call).ok()) continue;

@@ -28,7 +28,7 @@ namespace halfedge::test {
 namespace {
 
 // Whether CGAL's form of the call is defined, and means the same.
-bool is_comparable(const Mesh& mesh, const Call& call) {
+bool is_comparable(const Mesh& mesh, const DecoratorCall& call) {
   const Halfedge h = call.h;
   const auto follows = [&](Halfedge a, Halfedge b) { return mesh.next(a) == b; };
   switch (call.op) {
@@ -68,7 +68,7 @@ bool is_comparable(const Mesh& mesh, const Call& call) {
   }
 }
 
-TheirHalfedge apply_theirs(Mirror& mirror, const Call& call) {
+TheirHalfedge apply_theirs(Mirror& mirror, const DecoratorCall& call) {
   TheirDecorator decorator(mirror.complex);
   const auto at = [&](Halfedge h) {
     return h.valid() ? mirror.halfedges[h.index()] : TheirHalfedge();
@@ -142,7 +142,7 @@ TEST(CgalOperations, AgreeInRandomSequences) {
       (void)decorator::keep_largest_connected_components(mesh, kNone);  // no isolated vertices
       Mirror mirror(mesh);
       for (int step = 0; step < 200; ++step) {
-        const Call call = random.next(mesh);
+        const DecoratorCall call = random.next(mesh);
         if (!check(mesh, call).ok() || !is_comparable(mesh, call)) continue;
         SCOPED_TRACE("step " + std::to_string(step) + ", operation " +
                      std::to_string(int(call.op)));
@@ -214,7 +214,7 @@ TEST(CgalOperations, AgreeOnTheNormalOrderOfEdges) {
     Mesh mesh = reference_build(quad_grid(4, 3));
     RandomCalls random(seed);
     for (int i = 0; i < 12; ++i) {
-      const Call call = random.next(mesh);
+      const DecoratorCall call = random.next(mesh);
       if (check(mesh, call).ok()) (void)apply(mesh, call);
     }
     Mirror mirror(mesh);

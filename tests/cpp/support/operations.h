@@ -38,7 +38,7 @@ inline constexpr int kOpCount = int(Op::kJoinLoop) + 1;
 inline constexpr int kFirstRemoval = int(Op::kMakeHole);
 
 /// An operation with the halfedges it is called with; those of a split_loop are in `cycle`.
-struct Call {
+struct DecoratorCall {
   Op op = Op::kMakeLoop;
   Halfedge h = {};
   Halfedge g = {};
@@ -47,7 +47,7 @@ struct Call {
 
 /// What it returns; empty where a mesh type hasn't the links it needs.
 template <class Mesh>
-std::optional<Result<Halfedge>> apply(Mesh& mesh, const Call& call) {
+std::optional<Result<Halfedge>> apply(Mesh& mesh, const DecoratorCall& call) {
   using namespace decorator;
   const Halfedge h = call.h;
   const Halfedge g = call.g;
@@ -116,7 +116,7 @@ std::optional<Result<Halfedge>> apply(Mesh& mesh, const Call& call) {
 
 /// What `check_x` says of it.
 template <class Mesh>
-Result<void> check(const Mesh& mesh, const Call& call) {
+Result<void> check(const Mesh& mesh, const DecoratorCall& call) {
   using namespace decorator;
   const Halfedge h = call.h;
   const Halfedge g = call.g;
@@ -169,8 +169,8 @@ class RandomCalls {
   explicit RandomCalls(std::uint32_t seed, std::size_t size = 40) : random_(seed), size_(size) {}
 
   template <class Mesh>
-  Call next(const Mesh& mesh) {
-    Call call;
+  DecoratorCall next(const Mesh& mesh) {
+    DecoratorCall call;
     const bool remove = below(2 * size_) < mesh.edge_count();
     call.op = Op(remove ? kFirstRemoval + int(below(std::size_t(kOpCount - kFirstRemoval)))
                         : int(below(kFirstRemoval)));
