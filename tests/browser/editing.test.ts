@@ -1,3 +1,4 @@
+import { createHash } from 'node:crypto';
 import { HalfedgeMesh, init } from 'halfedge';
 import { digestOf } from '../../web/explorer/app/digest.js';
 import { annulus, openGrid } from '../../web/explorer/samples/generators.js';
@@ -80,6 +81,9 @@ const onSphere: readonly (readonly [string, string, string, Twin])[] = [
   ['e12', 'insertVertexOnEdge', 'Shift+V', (mesh) => `v${mesh.insertVertexOnEdge(12)}`],
   ['h31', 'collapse', 'Shift+C', (mesh) => `v${mesh.collapse(31)}`],
   ['f7', 'splitFace', 'Shift+S', (mesh) => `v${mesh.splitFace(7)}`],
+  ['v9', 'bevelVertex', 'Shift+B', (mesh) => `f${mesh.bevelVertex(9, 0.3)}`],
+  ['e12', 'bevelEdge', 'Shift+B', (mesh) => `f${mesh.bevelEdge(12, 0.3)}`],
+  ['f7', 'insetFace', 'Shift+I', (mesh) => `f${mesh.insetFace(7, 0.35)}`],
   ['f7', 'makeHole', 'Shift+H', (mesh) => `h${mesh.makeHole(7)}`],
 ];
 
@@ -287,6 +291,67 @@ describe('History', () => {
     expect([await explorer.state('undo'), await explorer.state('redo')]).toEqual(['1', '0']);
     await explorer.sample('cube', 'Cube');
     expect(await explorer.state('undo')).toBe('0');
+  });
+});
+
+describe('The picture', () => {
+  test('moves from before to after, and is where it belongs when it is interrupted', async () => {
+    const moving = await ExplorerPage.open({ motion: true });
+    const { page } = moving;
+    const mesh = HalfedgeMesh.icoSphere(2);
+    mesh.history.enabled = true;
+    await moving.press('2');
+    await moving.sample('icosphere', 'Icosphere');
+    await moving.goTo('h31');
+    await moving.press('z');
+    await moving.rest();
+    const picture = async () => {
+      const clip = { x: 0, y: 0, width: 900, height: 740 };
+      return createHash('sha1')
+        .update(await page.screenshot({ clip }))
+        .digest('hex');
+    };
+    const before = await picture();
+    await page.clock.install();
+    await page.clock.pauseAt(Date.now() + 60_000);
+
+    mesh.collapse(31);
+    await moving.press('Shift+C');
+    await page.clock.runFor(100);
+    const early = await picture();
+    await page.clock.runFor(150);
+    const late = await picture();
+    await page.clock.runFor(1000);
+    const after = await picture();
+    expect(new Set([before, early, late, after]).size).toBe(4);
+    expect(await moving.state('digest')).toBe(digestOf(mesh));
+
+    // Back and forth again before the first motion is at its end.
+    await moving.press('Control+z');
+    await page.clock.runFor(100);
+    await moving.press('Control+y');
+    await page.clock.runFor(100);
+    expect(await picture()).not.toBe(after);
+    await page.clock.runFor(1000);
+    expect(await moving.state('digest')).toBe(digestOf(mesh));
+    expect(await picture()).toBe(after);
+    await moving.press('Control+z');
+    await page.clock.runFor(1000);
+    expect(await picture()).toBe(before);
+    expect(moving.complaints).toEqual([]);
+    await moving.close();
+  }, 180_000);
+
+  test('changes at once where motion is to be reduced', async () => {
+    await sphere();
+    await explorer.goTo('h31');
+    await explorer.projection();
+    const before = Number(await explorer.state('frames'));
+    await explorer.press('Shift+C');
+    await explorer.until('selected', 'v3');
+    await explorer.page.waitForTimeout(600);
+    await explorer.rest();
+    expect(Number(await explorer.state('frames')) - before).toBeLessThanOrEqual(3);
   });
 });
 

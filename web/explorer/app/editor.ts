@@ -242,7 +242,7 @@ export class Editor {
     const mesh = this.#mesh;
     const selected = this.#explorer.selected.value;
     if (!mesh) return;
-    this.offers.value = operationsFor(mesh, selected).map((operation) => ({
+    this.offers.value = operationsFor(selected).map((operation) => ({
       operation,
       // An operation on the whole mesh may have to look at all of it: not before it is asked for.
       refusal:

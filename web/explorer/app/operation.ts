@@ -60,11 +60,6 @@ function argumentsOf(operation: Operation, operands: Operands): readonly unknown
   return second ? [item.index, second.index] : [item.index];
 }
 
-/** Whether the package has the operation. */
-export function isThere(operation: Operation, mesh: HalfedgeMesh): boolean {
-  return method(mesh, operation.stem) !== undefined;
-}
-
 /** Why the operation is refused, or null. Changes nothing. */
 export function checkOperation(operation: Operation, operands: Operands): Refusal | null {
   if (operation.second && !operands.second) return null;

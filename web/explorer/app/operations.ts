@@ -1,6 +1,7 @@
 import type { HalfedgeMesh } from 'halfedge';
 import type { Item } from './items.js';
-import { isThere, type Operation } from './operation.js';
+import type { Operation } from './operation.js';
+import { onHalfedges } from './operations-on-halfedges.js';
 
 type Maps = ReturnType<HalfedgeMesh['compact']>;
 
@@ -116,80 +117,6 @@ const onEdges: readonly Operation[] = [
   },
 ];
 
-const onHalfedges: readonly Operation[] = [
-  {
-    stem: 'collapse',
-    on: 'halfedge',
-    label: 'Collapse',
-    meaning: 'its start moves into its end',
-    key: 'C',
-    returns: 'vertex',
-    slidesInto: ({ mesh, item }) => mesh.toVertex(item.index),
-  },
-  {
-    stem: 'insertEdge',
-    on: 'halfedge',
-    label: 'Insert edge',
-    meaning: 'from its end to that of another',
-    key: 'E',
-    returns: 'edge',
-    second: { kind: 'halfedge', ask: 'another halfedge of the same face or boundary loop' },
-  },
-  {
-    stem: 'splitVertex',
-    on: 'halfedge',
-    label: 'Split vertex',
-    meaning: 'opens the fan between two halfedges',
-    key: 'S',
-    returns: 'vertex',
-    grows: true,
-    second: { kind: 'halfedge', ask: 'another halfedge that leaves the same vertex' },
-  },
-  {
-    stem: 'fillHole',
-    on: 'halfedge',
-    label: 'Fill hole',
-    meaning: 'one face on its boundary loop',
-    key: 'H',
-    returns: 'face',
-  },
-  {
-    stem: 'glue',
-    on: 'halfedge',
-    label: 'Glue',
-    meaning: 'two boundary edges become one',
-    key: 'G',
-    returns: 'edge',
-    second: { kind: 'halfedge', ask: 'another boundary halfedge' },
-  },
-  {
-    stem: 'bridge',
-    on: 'halfedge',
-    label: 'Bridge',
-    meaning: 'a tube between two faces or holes',
-    key: 'B',
-    returns: 'halfedge',
-    second: { kind: 'halfedge', ask: 'a halfedge of another face or boundary loop' },
-  },
-  {
-    stem: 'removeBridge',
-    on: 'halfedge',
-    label: 'Remove bridge',
-    meaning: 'takes a ring of quads out',
-    key: 'R',
-    returns: 'halfedge',
-  },
-  {
-    stem: 'joinLoop',
-    on: 'halfedge',
-    label: 'Join loops',
-    meaning: 'glues two faces or holes together',
-    key: 'J',
-    returns: 'halfedge',
-    second: { kind: 'halfedge', ask: 'a halfedge of a loop of the same degree' },
-  },
-];
-
 const onFaces: readonly Operation[] = [
   {
     stem: 'splitFace',
@@ -298,7 +225,8 @@ const onMeshes: readonly Operation[] = [
   },
 ];
 
-const all: readonly Operation[] = [
+/** All that the page offers. */
+export const operations: readonly Operation[] = [
   ...onVertices,
   ...onEdges,
   ...onHalfedges,
@@ -319,9 +247,6 @@ function meanEdge(mesh: HalfedgeMesh, face: number): number {
 }
 
 /** The operations on an item, and those on the whole mesh after them. */
-export function operationsFor(mesh: HalfedgeMesh, item: Item | null): Operation[] {
-  return all.filter(
-    (operation) =>
-      (operation.on === 'mesh' || operation.on === item?.kind) && isThere(operation, mesh),
-  );
+export function operationsFor(item: Item | null): Operation[] {
+  return operations.filter(({ on }) => on === 'mesh' || on === item?.kind);
 }

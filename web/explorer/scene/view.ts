@@ -34,6 +34,8 @@ export class View {
   #palette: Palette = readPalette();
   #shown: Shown | null = null;
   #inMotion: InMotion = AT_REST;
+  /** How far away the camera was when labels were placed. */
+  #markedFrom = 0;
 
   constructor(explorer: Explorer, canvas: HTMLCanvasElement, labels: HTMLElement) {
     this.#explorer = explorer;
@@ -184,6 +186,7 @@ export class View {
     const shown = this.#shown;
     if (!shown) return;
     const { surface, frames, glyphs } = shown;
+    this.#markedFrom = this.#distance();
     const { marks, labels } = overlayOf(this.#explorer, this.#palette, {
       point: (item) => anchorOf(item, surface, frames, glyphs),
       side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
@@ -200,11 +203,18 @@ export class View {
   #beforeFrame(): void {
     const shown = this.#shown;
     if (!shown) return;
+    // Arrows keep their size on the screen, and labels lie beside them.
+    if (Math.abs(this.#distance() / this.#markedFrom - 1) > 1e-4) this.#mark();
     this.#wire.update();
     const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
     this.#arrows.update(this.#near(shown), shown.picker.faceAt(x, y));
     this.#highlights.update();
     this.#labels.update((point) => shown.picker.hides(point));
+  }
+
+  #distance(): number {
+    const { camera, controls } = this.stage;
+    return camera.position.distanceTo(controls.target);
   }
 
   /** The faces at the selection and at the pointer, where arrows are strongest. */
