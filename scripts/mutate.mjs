@@ -8,12 +8,13 @@
 // --list   prints the mutants and stops
 //
 // A mutant that doesn't compile isn't counted; one that doesn't end counts as noticed. Survivors that
-// no test can notice stand in scripts/mutate/explained.json, each with the reason.
+// no test can notice stand in scripts/mutate/explained.json, each with the reason. Ctrl-C stops, and
+// reports what was tried.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join, relative, resolve } from 'node:path';
 import { performance } from 'node:perf_hooks';
-import { argv } from 'node:process';
+import process, { argv } from 'node:process';
 import { parseArgs } from 'node:util';
 import { cppFiles } from './lib/files.mjs';
 import { asProgram, Failure, root } from './lib/run.mjs';
@@ -109,7 +110,13 @@ await asProgram(async () => {
   await laboratory.prepare(new Set(mutants.map(({ file }) => file)), console.log);
   console.log(`${mutants.length} mutants of ${files.length} files (${minutes()})`);
   let tried = 0;
+  let isStopped = false;
+  process.once('SIGINT', () => {
+    isStopped = true;
+    console.log('stopping after those underway');
+  });
   await inParallel(mutants, options.jobs, async (mutant, worker) => {
+    if (isStopped) return;
     const text = applied(sources.get(mutant.file), mutant);
     Object.assign(mutant, await laboratory.try(mutant.file, text, worker));
     const matches = ({ file, kind, text }) =>
@@ -127,7 +134,8 @@ await asProgram(async () => {
   const rows = new Map(
     files.map((file) => [file, { mutants: 0, noticed: 0, timeouts: 0, explained: 0, survived: 0 }]),
   );
-  for (const { file, outcome } of mutants) {
+  const done = mutants.filter(({ outcome }) => outcome !== undefined);
+  for (const { file, outcome } of done) {
     if (outcome === 'invalid') continue;
     const row = rows.get(file);
     row.mutants += 1;
@@ -136,8 +144,8 @@ await asProgram(async () => {
   }
   const sum = printTable(rows);
   mkdirSync(join(root, 'build/reports'), { recursive: true });
-  writeFileSync(join(root, 'build/reports/mutate.json'), JSON.stringify(mutants, undefined, 1));
-  const invalid = mutants.length - sum.mutants;
+  writeFileSync(join(root, 'build/reports/mutate.json'), JSON.stringify(done, undefined, 1));
+  const invalid = done.length - sum.mutants;
   console.log(
     `\n${invalid} more did not compile. It took ${minutes()}; build/reports/mutate.json has all.`,
   );
