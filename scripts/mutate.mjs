@@ -51,7 +51,7 @@ function readOptions() {
 
 /** The files to mutate, as paths from the root. */
 function chosenFiles(named) {
-  const paths = named.map((path) => relative(root, resolve(path)));
+  const paths = [...new Set(named.map((path) => relative(root, resolve(path))))];
   const missing = paths.find((path) => !existsSync(join(root, path)));
   if (missing !== undefined) throw new Failure(`There is no file ${missing}.`);
   if (paths.length > 0) return paths;
