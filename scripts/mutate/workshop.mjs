@@ -32,7 +32,7 @@ const precompiled = `${prelude}.${compiler === 'g++' ? 'gch' : 'pch'}`;
 /** Runs a program niced, with a limit of time and memory. `status` is 'timeout' if that ended it. */
 export function execute(command, args, seconds) {
   return new Promise((resolve, reject) => {
-    const limited = ['-c', 'ulimit -v 4000000; exec nice "$0" "$@"', command, ...args];
+    const limited = ['-c', 'ulimit -S -v 4000000; exec nice "$0" "$@"', command, ...args];
     const stdio = ['ignore', 'pipe', 'pipe'];
     const env = { ...process.env, HALFEDGE_RANDOM_STEPS: '150' }; // of random sequences: fewer
     const child = spawn('sh', limited, { cwd: tree, env, stdio, detached: true });
