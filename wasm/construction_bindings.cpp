@@ -20,9 +20,9 @@ Error no_room_for(const char* what) {
 
 /// The maps are JavaScript's to free.
 val compact_mesh(Address address, Index mode) {
-  if (!Reserve::take_back()) return failure(no_room_for("maps"));
+  const bool has_reserve = Reserve::take_back();
   return visit_mesh(address, [=](auto& mesh) {
-    Result<CompactMaps> maps = compact(mesh);
+    Result<CompactMaps> maps = has_reserve ? compact(mesh) : no_room_for("maps");
     if ((mode & kKeepStepOpen) == 0) mesh.end_step();
     write_layout(mesh);
     if (!maps) return failure(maps.error());

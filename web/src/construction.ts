@@ -16,7 +16,7 @@ import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike }
 import { checkItem, type Links } from './links.js';
 import { linksOf } from './navigation.js';
 import { unwrap } from './reports.js';
-import { take } from './rings.js';
+import { takeMaps } from './transfer.js';
 
 /** What is kept by a deletion. */
 export interface DeleteOptions {
@@ -199,14 +199,7 @@ export abstract class Construction extends Circulation {
     const { core, address } = links;
     const raw = core.compact(address, modeOf(links));
     links.update();
-    const { vertices, edges, faces } = unwrap(raw);
-    const maps = take(core, vertices, edges, faces).map((map) => new Int32Array(map.buffer));
-    const halfedges = new Int32Array(2 * maps[1].length);
-    maps[1].forEach((e, old) => {
-      halfedges[2 * old] = e < 0 ? e : 2 * e;
-      halfedges[2 * old + 1] = e < 0 ? e : 2 * e + 1;
-    });
-    return { vertices: maps[0], halfedges, edges: maps[1], faces: maps[2] };
+    return takeMaps(core, unwrap(raw));
   }
 
   /**

@@ -212,6 +212,7 @@ export class HalfedgeMesh extends Shapes {
    * has changed
    */
   append(other: HalfedgeMesh): AppendMaps {
+    linksOf(this).checkAlive();
     if (!(other instanceof HalfedgeMesh)) {
       throw new TypeError(`other is ${describe(other)}; expected a HalfedgeMesh.`);
     }

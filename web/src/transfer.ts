@@ -1,7 +1,8 @@
 import { bytesOf, describe } from './arguments.js';
+import type { RawWords } from './core.mjs';
 import { modeOf } from './edit.js';
 import { Links } from './links.js';
-import { core } from './loader.js';
+import { type Core, core } from './loader.js';
 import { outOfMemory, withInputs } from './memory.js';
 import { unwrap } from './reports.js';
 import { take } from './rings.js';
@@ -20,8 +21,16 @@ export interface AppendMaps {
 /** Adds a copy of `other` to a mesh. */
 export function appendLinks(links: Links, other: Links): AppendMaps {
   const { core } = links;
-  const raw = unwrap(core.append(links.address, other.address, modeOf(links)));
-  links.update();
+  const result = core.append(links.address, other.address, modeOf(links));
+  links.update(); // also after a failure: arrays may have moved
+  return takeMaps(core, unwrap(result));
+}
+
+/** Copies of the maps that the core hands over, which it keeps of vertices, edges and faces. */
+export function takeMaps(
+  core: Core,
+  raw: { vertices: RawWords; edges: RawWords; faces: RawWords },
+): AppendMaps {
   const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces).map(
     (map) => new Int32Array(map.buffer),
   ) as [Int32Array, Int32Array, Int32Array];
