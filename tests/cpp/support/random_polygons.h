@@ -36,7 +36,10 @@ inline Shape random_polygons(std::uint32_t seed) {
   std::mt19937 random(seed);
   const auto below = [&](std::size_t count) { return std::size_t(random()) % count; };
 
-  const Shape base = torus(Index(3 + below(8)), Index(3 + below(8)));
+  // One draw a line: compilers evaluate arguments in different orders.
+  const Index rows = Index(3 + below(8));
+  const Index columns = Index(3 + below(8));
+  const Shape base = torus(columns, rows);
   std::vector<std::vector<Index>> faces;
   const std::size_t cut_of_4 = below(5);
   for (const std::vector<Index>& quad : base.faces) {
