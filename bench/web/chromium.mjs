@@ -29,8 +29,8 @@ export async function inChromium({ say, ...options }) {
     page.on('console', (message) => say(message.text()));
     await page.goto(`http://127.0.0.1:${server.address().port}/bench/web/page.html`);
     await page.waitForFunction(() => 'bench' in globalThis);
-    const results = await page.evaluate((given) => globalThis.bench(given), options);
-    return { engine: `Chromium ${browser.version()}`, results };
+    const measured = await page.evaluate((given) => globalThis.bench(given), options);
+    return { engine: `Chromium ${browser.version()}`, ...measured };
   } finally {
     await browser.close();
     server.close();

@@ -6,6 +6,7 @@ import manifoldModule from 'manifold-3d';
 import * as three from 'three';
 // By its path: under its name Node finds a CommonJS file without exports.
 import * as threeMeshHalfedge from '../../node_modules/three-mesh-halfedge/build/index.esm.js';
+import { runOperations } from './operations.mjs';
 import { runSuite } from './suite.mjs';
 
 export async function inNode(options) {
@@ -17,5 +18,6 @@ export async function inNode(options) {
   return {
     engine: `Node ${process.version.slice(1)}`,
     results: await runSuite(libraries, options),
+    operations: await runOperations(libraries, options),
   };
 }

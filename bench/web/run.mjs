@@ -8,6 +8,7 @@ import { cpus } from 'node:os';
 import { argv } from 'node:process';
 import { inChromium } from './chromium.mjs';
 import { inNode } from './node.mjs';
+import { operationTable } from './operations.mjs';
 import { tables } from './table.mjs';
 
 const README = new URL('../README.md', import.meta.url);
@@ -29,8 +30,8 @@ console.log(machine);
 const sections = [machine];
 for (const run of engines) {
   console.error(run === inNode ? 'In Node:' : 'In Chromium:');
-  const { engine, results } = await run(options);
-  const section = `### ${engine}\n\n${tables(results)}`;
+  const { engine, results, operations } = await run(options);
+  const section = `### ${engine}\n\n${tables(results)}\n\n${operationTable(operations)}`;
   console.log(`\n${section}`);
   sections.push(section);
 }
