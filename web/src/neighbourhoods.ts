@@ -96,6 +96,7 @@ export abstract class Neighbourhoods extends Editing {
 }
 
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
+  links.checkAlive();
   const { core } = links;
   const { vertices, edges, faces } = checkOptions(items, 'items') as Items;
   const lists = { vertices, edges, faces };
