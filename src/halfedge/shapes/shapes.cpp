@@ -108,10 +108,10 @@ Result<PolygonSoup> octahedron(double radius) {
 }
 
 Result<PolygonSoup> icosahedron(double radius) {
-  static constexpr double g = kGolden;
-  static constexpr Corner kCorners[] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                                        {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                                        {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  static constexpr double kG = kGolden;
+  static constexpr Corner kCorners[] = {{-1, kG, 0}, {1, kG, 0}, {-1, -kG, 0}, {1, -kG, 0},
+                                        {0, -1, kG}, {0, 1, kG}, {0, -1, -kG}, {0, 1, -kG},
+                                        {kG, 0, -1}, {kG, 0, 1}, {-kG, 0, -1}, {-kG, 0, 1}};
   static constexpr std::uint8_t kFaces[] = {0, 11, 5, 0, 5,  1,  0,  1,  7,  0,  7, 10, 0, 10, 11,
                                             1, 5,  9, 5, 11, 4,  11, 10, 2,  10, 7, 6,  7, 1,  8,
                                             3, 9,  4, 3, 4,  2,  3,  2,  6,  3,  6, 8,  3, 8,  9,
@@ -120,12 +120,13 @@ Result<PolygonSoup> icosahedron(double radius) {
 }
 
 Result<PolygonSoup> dodecahedron(double radius) {
-  static constexpr double g = kGolden;
-  static constexpr double i = 1 / kGolden;
-  static constexpr Corner kCorners[] = {
-      {-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1},  {-1, 1, 1},
-      {1, 1, 1},    {0, -i, -g}, {0, i, -g},  {0, -i, g}, {0, i, g},   {-i, -g, 0}, {i, -g, 0},
-      {-i, g, 0},   {i, g, 0},   {-g, 0, -i}, {g, 0, -i}, {-g, 0, i},  {g, 0, i}};
+  static constexpr double kG = kGolden;
+  static constexpr double kI = 1 / kGolden;
+  static constexpr Corner kCorners[] = {{-1, -1, -1},  {1, -1, -1},  {-1, 1, -1},  {1, 1, -1},
+                                        {-1, -1, 1},   {1, -1, 1},   {-1, 1, 1},   {1, 1, 1},
+                                        {0, -kI, -kG}, {0, kI, -kG}, {0, -kI, kG}, {0, kI, kG},
+                                        {-kI, -kG, 0}, {kI, -kG, 0}, {-kI, kG, 0}, {kI, kG, 0},
+                                        {-kG, 0, -kI}, {kG, 0, -kI}, {-kG, 0, kI}, {kG, 0, kI}};
   static constexpr std::uint8_t kFaces[] = {
       0, 16, 2,  9, 8,  0, 8,  1,  13, 12, 0, 12, 4, 18, 16, 4, 10, 11, 6,  18,
       2, 14, 15, 3, 9,  1, 17, 19, 5,  13, 1, 8,  9, 3,  17, 4, 12, 13, 5,  10,
