@@ -345,6 +345,17 @@ TEST(BevelEdge, SweepOverAllEdges) {
       const Face other = mesh.face(mesh.opposite(h));
       EXPECT_EQ(again.degree(other), mesh.degree(other));
       EXPECT_EQ(again.face(Mesh::opposite(h)), f);
+      // Short sides: on the boundary if the end is; else half of the other edges go to each vertex.
+      const Halfedge o = Mesh::opposite(h);
+      for (const bool at_a : {true, false}) {
+        const Vertex end = at_a ? a : b;
+        const Index others = mesh.valence(end) - 1;
+        if (others < 2) continue;
+        const Edge short_side = again.edge(at_a ? again.next(o) : again.prev(o));
+        EXPECT_EQ(again.is_boundary(short_side), mesh.is_boundary(end));
+        if (mesh.is_boundary(end)) continue;
+        EXPECT_EQ(again.valence(end), 2 + (at_a ? others - others / 2 : others / 2));
+      }
       ASSERT_FALSE(HasFailure());
     }
   }

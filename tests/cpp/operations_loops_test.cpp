@@ -311,6 +311,40 @@ TEST(Bridge, Refusals) {
   expect_refused(touching, "repeated-vertex", mesh, before);
 }
 
+TEST(RemoveBridge, SweepOverAllHalfedges) {
+  std::map<std::string, int> codes;
+  std::vector<std::pair<std::string, Mesh>> meshes = meshes_to_sweep(12);
+  meshes.emplace_back("torus 5 x 7", reference_build(torus(5, 7)));
+  for (const auto& [name, mesh] : meshes) {
+    SCOPED_TRACE(name);
+    for (const Halfedge s : mesh.halfedges()) {
+      SCOPED_TRACE(s.index());
+      bool done = false;
+      const Mesh after = try_operation(
+          mesh, [&](const Mesh& m) { return check_remove_bridge(m, s); },
+          [&](Mesh& m) { return remove_bridge(m, s); }, done);
+      ++codes[done ? "done" : check_remove_bridge(mesh, s).error().code];
+      if (!done) continue;
+      // The faces but for the ring, and one face along each of its sides.
+      std::set<Face> ring;
+      Polys ends(2);
+      for (Halfedge spoke = s; ring.insert(mesh.face(spoke)).second;) {
+        ends[0].push_back(mesh.from_vertex(spoke).index());
+        ends[1].insert(ends[1].begin(), mesh.to_vertex(spoke).index());
+        spoke = mesh.next(mesh.next(mesh.opposite(spoke)));
+      }
+      for (const Face f : mesh.faces()) {
+        if (ring.count(f) == 0) ends.push_back(polygon_of(mesh, f));
+      }
+      EXPECT_EQ(polys_of(after), in_order(ends));
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+  EXPECT_GT(codes["done"], 100);
+  EXPECT_GT(codes["boundary-edge"], 100);
+  EXPECT_GT(codes["not-a-quad"], 100);
+}
+
 TEST(RemoveBridge, RefusalsNameTheRing) {
   Mesh mesh = reference_build(quad_grid(3, 3));
   add_attributes_of_all_kinds(mesh);
