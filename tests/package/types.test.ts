@@ -1,7 +1,7 @@
 import { project, tool, tryNode } from './support/project.js';
 
 const consumer = `
-import { type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Vertex } from 'halfedge';
+import { type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Refusal, type Vertex } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { init as initInline } from 'halfedge/inline';
@@ -32,6 +32,16 @@ export function inOtherWords(mesh: HalfedgeMesh): number {
   return ring.length + h.index + new HE_mesh(mesh).edge(mesh.vertexHalfedge(0)).pair.next.vert.x;
 }
 
+export function edit(mesh: HalfedgeMesh, e: Edge): Vertex | Refusal {
+  mesh.history.limit({ steps: 10 });
+  const normals: Float32Array = mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });
+  const groups: Int32Array = mesh.attributes.add('face', 'group', { type: 'int32', default: -1 });
+  const joined: Face | typeof NONE = mesh.removeEdge(e);
+  const maps: Int32Array = mesh.compact().halfedges;
+  mesh.setPosition(0, [normals[0], groups[0], maps[joined]]);
+  return mesh.checkSplitEdge(e) ?? mesh.history.group(() => mesh.splitEdge(e, new Float32Array(3)));
+}
+
 declare const mesh: HalfedgeMesh;
 declare const someFace: Face;
 // Each of these must be an error, or tsc objects to the directive above it.
@@ -53,6 +63,12 @@ void init({ url: '/core.wasm' });
 new PolyMesh(mesh).fv_range(new PolyMesh(mesh).vertex_handle(0));
 // @ts-expect-error There may be no face on that side.
 new HE_mesh(mesh).edge(0).face.edge;
+// @ts-expect-error An edge is flipped, not a vertex.
+mesh.flipEdge(mesh.addVertex());
+// @ts-expect-error No such kind of attribute.
+mesh.attributes.add('corner', 'uv');
+// @ts-expect-error Nor such a type.
+mesh.attributes.add('face', 'group', { type: 'int' });
 // @ts-expect-error Internals are not exported.
 export { Links } from 'halfedge';
 // @ts-expect-error Nor can they be reached by path.

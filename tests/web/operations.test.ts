@@ -190,6 +190,9 @@ describe('compact', () => {
       expect(mesh.edgeVertices(maps.edges[e]).toArray()).toEqual(ends[i].map((v) => vertices[v]));
       expect(maps.halfedges[2 * e + 1]).toBe(2 * maps.edges[e] + 1);
     });
+    expect(() => mesh.degree(mesh.faceSlots)).toThrow(RangeError);
+    expect(() => mesh.valence(mesh.vertexSlots)).toThrow(RangeError);
+    expect(() => mesh.toVertex(mesh.halfedgeSlots)).toThrow(RangeError);
     expect([vertices[5], vertices[15], vertices.length]).toEqual([NONE, 11, 16]);
     expect(mesh.attributes.get('vertex', 'id')[11]).toBe(15);
     expect(mesh.validate()).toEqual([]);
@@ -228,6 +231,28 @@ describe('reserve and clear', () => {
     expect(() => mesh.circulate('vertexVertices', 4)).toThrow(RangeError);
     expect(() => mesh.reserve(1, -1, 1)).toThrow('edges is -1; expected an integer from 0.');
     expectRefused(() => mesh.reserve(2 ** 31 - 1, 1, 1), 'out-of-memory');
+  });
+
+  test('what moves then is followed by views and attributes', () => {
+    using mesh = build(twoTriangles());
+    mesh.attributes.add('vertex', 'a');
+    const { connectivity, positions } = mesh;
+    const ends = connectivity.toVertex.slice();
+    mesh.reserve(10_000, 20_000, 10_000);
+    expect(mesh.connectivity).not.toBe(connectivity);
+    expect(mesh.positions).not.toBe(positions);
+    const e = mesh.findEdge(0, 2);
+    const view = mesh.attributes.get('vertex', 'a');
+    view[3] = 7;
+    mesh.positions[0] = 6;
+    expect(mesh.connectivity.toVertex).toEqual(ends);
+    mesh.flipEdge(e);
+    mesh.addVertex();
+    expect(mesh.attributes.get('vertex', 'a')[3]).toBe(7);
+    expect(mesh.position(0)).toEqual([6, 0, 0]);
+    expect([mesh.toVertex(2 * e), mesh.toVertex(2 * e + 1)].sort()).toEqual([1, 3]);
+    expect(mesh.connectivity.toVertex[2 * e]).toBe(mesh.toVertex(2 * e));
+    expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
   test('clear leaves an empty mesh that can be used', () => {
@@ -424,6 +449,9 @@ describe('Faces', () => {
     expectRefused(() => mesh.fillHole(0), 'not-a-boundary-halfedge');
     using disk = build(twoTriangles());
     expectRefused(() => disk.makeHole(0), 'edge-without-face');
+    expect(disk.connectivity.faceHalfedge.length).toBe(2);
+    expect(disk.fillHole(disk.boundaryLoops()[0])).toBe(2);
+    expect(disk.connectivity.faceHalfedge.length).toBe(3);
   });
 
   test('are cut into triangles', () => {
@@ -683,6 +711,19 @@ describe('Whatever the operation', () => {
     ]);
     expect(more.length).toBe(3 * mesh.vertexSlots);
     expect(mesh.connectivity).toBe(longer);
+    const slots = () => [mesh.vertexSlots, mesh.halfedgeSlots, mesh.faceSlots];
+    const lengths = ({ next, vertexHalfedge, faceHalfedge } = mesh.connectivity) => [
+      vertexHalfedge.length,
+      next.length,
+      faceHalfedge.length,
+    ];
+    const v = mesh.addVertex(); // vertices alone
+    expect(lengths()).toEqual(slots());
+    mesh.deleteVertex(v);
+    mesh.insertVertexOnEdge(0); // edges alone: the vertex takes that slot
+    expect(lengths()).toEqual(slots());
+    mesh.insertEdge(mesh.next(0), mesh.prev(0)); // edges and faces
+    expect(lengths()).toEqual(slots());
     growMemory();
     expect(longer.next.length).toBe(0);
     mesh.splitEdge(1);

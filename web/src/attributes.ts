@@ -58,8 +58,8 @@ interface Column {
   readonly info: AttributeInfo;
   readonly address: number;
   view: AttributeView;
-  /** What the view was good for: this version of the mesh. */
-  version: number;
+  /** The value of `links.changes` up to which the view is known to be good. */
+  changes: number;
 }
 
 /**
@@ -222,12 +222,12 @@ export class Attributes {
     const links = this.#links;
     const { info, view } = column;
     const length = info.components * slotCount(links, info.kind);
-    if (column.version === links.version && view.length === length) return view;
+    if (column.changes === links.changes && view.length === length) return view;
     const { core } = links;
     const address = core._attribute_values(column.address) >>> 0;
     const isGood =
       view.length === length && view.byteOffset === address && view.buffer === core.memory.buffer;
-    column.version = links.version;
+    column.changes = links.changes;
     if (!isGood) {
       const View = TYPES[info.type];
       const fresh = length === 0 ? new View(0) : new View(core.memory.buffer, address, length);
@@ -238,7 +238,7 @@ export class Attributes {
 }
 
 function newColumn(info: AttributeInfo, address: number): Column {
-  return { info, address, view: new TYPES[info.type](0), version: -1 };
+  return { info, address, view: new TYPES[info.type](0), changes: -1 };
 }
 
 const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;

@@ -93,6 +93,9 @@ export class Links {
   /** How deep in groups of history the mesh is: the next edit ends no step where that is not 0. */
   groups = 0;
 
+  /** Another number after each call that may have changed or moved something. */
+  changes = 0;
+
   readonly #core: Core;
   readonly #address: number;
   #version = 0;
@@ -134,6 +137,7 @@ export class Links {
     this.faceHalfedge = view(5, faces, words[9]);
     this.#exact = undefined;
     this.#positions = NO_POSITIONS;
+    this.changes += 1;
     this.#takeCounts(words);
     this.onRefresh?.();
   }
@@ -144,10 +148,11 @@ export class Links {
    */
   update(): void {
     const words = this.#words;
-    if (words.length === 0 || this.#haveMoved(words)) {
+    if (this.#haveMoved(words)) {
       this.refresh();
       return;
     }
+    this.changes += 1;
     const { vertexSlots, halfedgeSlots, faceSlots } = this;
     this.#takeCounts(words);
     if (this.detached) this.refresh(); // arrays that have grown where they were
@@ -159,6 +164,7 @@ export class Links {
     }
   }
 
+  /** Also true if the memory has grown, which has detached the words. */
   #haveMoved(words: Uint32Array): boolean {
     const taken = this.#taken;
     for (let i = 0; i < ADDRESSES; i++) if (words[i] !== taken[i]) return true;
