@@ -66,7 +66,7 @@ bool is_triangle_mesh(const Mesh& mesh) {
 /// Meshes to sweep, and each of them of triangles: split at the faces' centres, or as they are.
 template <class Each>
 void for_each_mesh(const Each& each) {
-  for (auto& [name, mesh] : meshes_to_sweep(4)) {
+  for (auto& [name, mesh] : meshes_to_sweep(12)) {
     SCOPED_TRACE(name);
     each(std::as_const(mesh));
     if (is_triangle_mesh(mesh)) continue;
