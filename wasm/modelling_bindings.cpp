@@ -1,4 +1,4 @@
-// The operations by which shapes are modelled: see operation_bindings.h.
+// The operations by which shapes are modelled, one at a time: see operation_bindings.h.
 
 #include <halfedge/operations/operations.h>
 
@@ -6,6 +6,22 @@
 
 using namespace halfedge;
 using namespace halfedge::bindings;
+
+HALFEDGE_EXPORT int dissolve_edge(Address mesh, Index mode, Index e) {
+  return HALFEDGE_OPERATE(dissolve_edge, Edge(e));
+}
+
+HALFEDGE_EXPORT int dissolve_vertex(Address mesh, Index mode, Index v) {
+  return HALFEDGE_OPERATE(dissolve_vertex, Vertex(v));
+}
+
+HALFEDGE_EXPORT int make_hole(Address mesh, Index mode, Index f) {
+  return HALFEDGE_OPERATE(make_hole, Face(f));
+}
+
+HALFEDGE_EXPORT int fill_hole(Address mesh, Index mode, Index h) {
+  return HALFEDGE_OPERATE(fill_hole, Halfedge(h));
+}
 
 HALFEDGE_EXPORT int triangulate_face(Address mesh, Index mode, Index f) {
   return HALFEDGE_OPERATE(triangulate, Face(f));

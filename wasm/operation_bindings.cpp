@@ -1,4 +1,5 @@
-// The operations on edges, faces and vertices of halfedge/operations: see operation_bindings.h.
+// The operations on edges, faces and vertices that programs do by the million: see
+// operation_bindings.h.
 
 #include "operation_bindings.h"
 
@@ -70,28 +71,12 @@ HALFEDGE_EXPORT int remove_edge(Address mesh, Index mode, Index e) {
   return HALFEDGE_OPERATE(remove_edge, Edge(e));
 }
 
-HALFEDGE_EXPORT int dissolve_edge(Address mesh, Index mode, Index e) {
-  return HALFEDGE_OPERATE(dissolve_edge, Edge(e));
-}
-
 HALFEDGE_EXPORT int split_face(Address mesh, Index mode, Index f, double x, double y, double z) {
   return operate(
       mesh, mode, [=](const auto& m) { return operations::check_split_face(m, Face(f)); },
       [=](auto& m) {
         return operations::split_face(m, Face(f), position_if_given(mode, x, y, z));
       });
-}
-
-HALFEDGE_EXPORT int dissolve_vertex(Address mesh, Index mode, Index v) {
-  return HALFEDGE_OPERATE(dissolve_vertex, Vertex(v));
-}
-
-HALFEDGE_EXPORT int make_hole(Address mesh, Index mode, Index f) {
-  return HALFEDGE_OPERATE(make_hole, Face(f));
-}
-
-HALFEDGE_EXPORT int fill_hole(Address mesh, Index mode, Index h) {
-  return HALFEDGE_OPERATE(fill_hole, Halfedge(h));
 }
 
 EMSCRIPTEN_BINDINGS(halfedge_operations) {

@@ -13,6 +13,7 @@
 #include <halfedge/result.h>
 
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -46,6 +47,10 @@ int answer(const Result<Item>& result) {
   } else {
     return static_cast<int>(result.value().index());
   }
+}
+
+inline Error no_room_for(const char* what) {
+  return {"out-of-memory", std::string("memory is exhausted: no room for ") + what};
 }
 
 /// Does something to a mesh that may fail, and closes the step of history.
