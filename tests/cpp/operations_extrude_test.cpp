@@ -443,12 +443,7 @@ TEST(BevelEdge, Refusals) {
 }
 
 TEST(ExtrudeAndBevel, WithoutPrev) {
-  BasicMesh<kWithoutPrev> light;
-  Mesh mesh;
-  BuildReport report;
   const Shape shape = grid_of("", 4, 4, [](Index x, Index y) { return (x + y) % 2 == 0; });
-  ASSERT_TRUE(build_from_polygons(light, shape.polygons(), report));
-  ASSERT_TRUE(build_from_polygons(mesh, shape.polygons(), report));
   const auto apply = [](auto& m) {
     EXPECT_TRUE(extrude_face(m, Face(3), 0.5).ok());
     EXPECT_TRUE(inset_face(m, Face(5), 0.5).ok());
@@ -461,12 +456,7 @@ TEST(ExtrudeAndBevel, WithoutPrev) {
     }
     EXPECT_FALSE(has_errors(validate(m)));
   };
-  apply(light);
-  apply(mesh);
-  EXPECT_TRUE(std::equal(light.links().next.begin(), light.links().next.end(),
-                         mesh.links().next.begin(), mesh.links().next.end()));
-  EXPECT_TRUE(std::equal(light.positions().begin(), light.positions().end(),
-                         mesh.positions().begin(), mesh.positions().end()));
+  expect_same_without_prev(shape, apply);
 }
 
 }  // namespace

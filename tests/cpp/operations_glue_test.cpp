@@ -470,15 +470,7 @@ TEST(GlueAndCut, WithoutPrev) {
     EXPECT_TRUE(glue(m, m.next(cut_off), cut_off).ok());
     EXPECT_FALSE(has_errors(validate(m)));
   };
-  BasicMesh<kWithoutPrev> light;
-  Mesh mesh;
-  BuildReport report;
-  ASSERT_TRUE(build_from_polygons(light, quad_grid(4, 4).polygons(), report));
-  ASSERT_TRUE(build_from_polygons(mesh, quad_grid(4, 4).polygons(), report));
-  apply(light);
-  apply(mesh);
-  EXPECT_TRUE(std::equal(light.links().next.begin(), light.links().next.end(),
-                         mesh.links().next.begin(), mesh.links().next.end()));
+  expect_same_without_prev(quad_grid(4, 4), apply);
 }
 
 }  // namespace

@@ -480,15 +480,7 @@ TEST(LoopsAndOrientation, WithoutPrev) {
     EXPECT_TRUE(remove_bridge(m, s).ok());
     EXPECT_FALSE(has_errors(validate(m)));
   };
-  BasicMesh<kWithoutPrev> light;
-  Mesh mesh;
-  BuildReport report;
-  ASSERT_TRUE(build_from_polygons(light, torus(6, 6).polygons(), report));
-  ASSERT_TRUE(build_from_polygons(mesh, torus(6, 6).polygons(), report));
-  apply(light);
-  apply(mesh);
-  EXPECT_TRUE(std::equal(light.links().next.begin(), light.links().next.end(),
-                         mesh.links().next.begin(), mesh.links().next.end()));
+  expect_same_without_prev(torus(6, 6), apply);
 }
 
 }  // namespace

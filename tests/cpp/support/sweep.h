@@ -56,6 +56,22 @@ inline std::vector<std::pair<std::string, Mesh>> meshes_to_sweep(std::uint32_t r
   return meshes;
 }
 
+/// That `apply` makes the same of a mesh without prev as of one with it.
+template <class Apply>
+void expect_same_without_prev(const Shape& shape, const Apply& apply) {
+  BasicMesh<kWithoutPrev> light;
+  Mesh mesh;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(light, shape.polygons(), report));
+  ASSERT_TRUE(build_from_polygons(mesh, shape.polygons(), report));
+  apply(light);
+  apply(mesh);
+  EXPECT_TRUE(std::equal(light.links().next.begin(), light.links().next.end(),
+                         mesh.links().next.begin(), mesh.links().next.end()));
+  EXPECT_TRUE(std::equal(light.positions().begin(), light.positions().end(),
+                         mesh.positions().begin(), mesh.positions().end()));
+}
+
 /// Whether `operate`, a function of a mesh, succeeds on a copy of `mesh`, which becomes `after`,
 /// just if `check` says so; a success leaves a valid mesh and can be undone and redone exactly, a
 /// refusal changes nothing.
