@@ -27,7 +27,7 @@ const tests = 'tests/cpp';
 const isAboutIt = (name, text) =>
   /<halfedge\/(?:operations|decorator|history|attributes)\//.test(text) ||
   /"random\//.test(text) ||
-  /^(?:operations|decorator|history|attributes)_/.test(name);
+  /^(?:operations|decorator|history|attributes|append|dual)_/.test(name);
 /** They take long, and are about something else. */
 const leftOut = /_(?:scale|data)_test\.cpp$/;
 
