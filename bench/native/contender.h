@@ -15,12 +15,11 @@ struct TriangleMesh {
   [[nodiscard]] std::size_t face_count() const { return corners.size() / 3; }
 };
 
-/// One library in the benchmark. The workloads follow Sieger and Botsch, "Design, Implementation,
-/// and Evaluation of the Surface_mesh Data Structure" (2011), each written the way the library's
-/// own documentation writes it.
-class Contender {
+/// A mesh that is built and circulated in. The workloads follow Sieger and Botsch, "Design,
+/// Implementation, and Evaluation of the Surface_mesh Data Structure" (2011).
+class Circulated {
  public:
-  virtual ~Contender() = default;
+  virtual ~Circulated() = default;
 
   /// Makes the mesh anew, in whatever is the library's fastest documented way.
   virtual void build(const TriangleMesh& input) = 0;
@@ -30,7 +29,12 @@ class Contender {
 
   /// The sum of the indices of the one-ring vertices of all vertices.
   virtual std::uint64_t one_ring_sum() = 0;
+};
 
+/// One library in the benchmark, each written the way the library's own documentation writes it:
+/// its mesh is edited as well.
+class Contender : public Circulated {
+ public:
   // ---- operations, each on the mesh as it was when `keep` was called ------------------------
 
   /// Keeps a copy of the mesh; `restore` goes back to it.

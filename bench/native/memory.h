@@ -36,7 +36,7 @@ inline std::size_t process_status(const std::string& key) {
 
 /// Builds the mesh in a process of its own, where large arrays come from the system, so that the
 /// resident memory tells the peak.
-inline HeapUse measure_heap(const std::function<std::unique_ptr<Contender>()>& make,
+inline HeapUse measure_heap(const std::function<std::unique_ptr<Circulated>()>& make,
                             const TriangleMesh& input) {
   int ends[2];
   HeapUse use;

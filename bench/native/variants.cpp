@@ -23,7 +23,7 @@ namespace {
 
 using namespace halfedge;
 
-class Variant : public Contender {
+class Variant : public Circulated {
  public:
   /// As `one_ring_sum`, counter-clockwise: along prev, where that is stored.
   virtual std::uint64_t one_ring_sum_ccw() = 0;
@@ -131,7 +131,7 @@ void compare_times(const std::string& label, const TriangleMesh& input) {
 void compare_memory(const std::string& label, const TriangleMesh& input) {
   std::vector<HeapUse> uses;
   for (const Entry& entry : kEntries) {
-    uses.push_back(measure_heap([&] { return std::unique_ptr<Contender>(entry.make()); }, input));
+    uses.push_back(measure_heap([&] { return std::unique_ptr<Circulated>(entry.make()); }, input));
   }
   for (const bool peak : {false, true}) {
     std::printf("| %s | bytes a vertex, %s |", label.c_str(),
