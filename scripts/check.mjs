@@ -26,6 +26,7 @@ export async function check(steps) {
   );
   await steps.run('Types (tsc)', async () => {
     await run(process.execPath, [tsc, '-p', 'tsconfig.build.json', '--noEmit']);
+    await run(process.execPath, [tsc, '-p', 'tsconfig.cli.json', '--noEmit']);
     await run(process.execPath, [tsc, '-p', 'tsconfig.json']);
   });
   await steps.run('Lint of C++ (clang-tidy)', clangTidy);

@@ -1,0 +1,379 @@
+import { spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { HalfedgeMesh, init } from 'halfedge';
+
+const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+
+interface Ended {
+  status: number | null;
+  out: string;
+  err: string;
+  /** Standard output as it is. */
+  bytes: Buffer;
+}
+
+/** Runs the command-line tool with something on its standard input. */
+function run(args: string[], input: string | Uint8Array = ''): Promise<Ended> {
+  return new Promise((resolve, reject) => {
+    const child = spawn(process.execPath, [program, ...args], { cwd: folder });
+    const out: Buffer[] = [];
+    const err: Buffer[] = [];
+    child.stdout.on('data', (chunk) => out.push(chunk));
+    child.stderr.on('data', (chunk) => err.push(chunk));
+    child.on('error', reject);
+    child.stdin.on('error', () => {}); // a program that refuses its arguments doesn't read
+    child.stdin.end(input);
+    child.on('close', (status) => {
+      const bytes = Buffer.concat(out);
+      resolve({ status, bytes, out: bytes.toString(), err: Buffer.concat(err).toString() });
+    });
+  });
+}
+
+const SQUARE = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
+/** The second face runs along the common edge in the same direction as the first. */
+const CLASHING = SQUARE.replace('3 0 2 3', '3 0 3 2');
+/** Two triangles that touch in vertex 0, and an isolated vertex. */
+const BOWTIE = 'OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n-1 0 0\n-1 -1 0\n9 9 9\n3 0 1 2\n3 0 3 4\n';
+const QUAD = 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n';
+
+let folder: string;
+beforeAll(async () => {
+  await init();
+  folder = mkdtempSync(join(tmpdir(), 'halfedge-cli-'));
+  const files = {
+    'square.off': SQUARE,
+    'clashing.off': CLASHING,
+    'bowtie.off': BOWTIE,
+    'quad.obj': QUAD,
+    'broken.off': SQUARE.replace('1 1 0', '1 one 0'),
+  };
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const written = (name: string) => HalfedgeMesh.parse(readFileSync(join(folder, name)));
+
+describe('halfedge', () => {
+  test('tells its version, which is that of the package', async () => {
+    const manifest = new URL('../../package.json', import.meta.url);
+    const { version } = JSON.parse(readFileSync(manifest, 'utf8'));
+    expect(await run(['--version'])).toMatchObject({ status: 0, out: `${version}\n`, err: '' });
+  });
+
+  test('helps: on all commands, and on each', async () => {
+    const { status, out } = await run(['--help']);
+    expect(status).toBe(0);
+    for (const command of ['info', 'check', 'repair', 'convert']) {
+      expect(out).toMatch(new RegExp(`^  ${command} +[A-Z]`, 'm'));
+      const help = await run([command, '--help']);
+      expect(help).toMatchObject({ status: 0, err: '' });
+      expect(help.out).toContain(`Usage: halfedge ${command} [options] <`);
+      expect(help.out).toMatch(/^Exit status: 0/m);
+      expect(await run(['help', command])).toMatchObject({ status: 0, out: help.out });
+    }
+  });
+
+  test('without a command tells what there is, as an error', async () => {
+    const { status, out, err } = await run([]);
+    expect({ status, out }).toEqual({ status: 2, out: '' });
+    expect(err).toContain('Usage: halfedge <command>');
+  });
+
+  test.each([
+    [['chekc', 'a'], '"chekc" is no command of halfedge. Did you mean check?'],
+    [['frobnicate'], '"frobnicate" is no command of halfedge. `halfedge --help` lists them.'],
+    [['--vresion'], '"--vresion" is no option of halfedge. Did you mean --version?'],
+    [['info', '--jsn', 'a'], '--jsn is no option of `halfedge info`. Did you mean --json?'],
+    [['info', '-x'], '-x is no option of `halfedge info`. `halfedge info --help` lists them.'],
+    [['info', '--constructor'], '--constructor is no option of'],
+    [['info', '--json=yes', 'a'], '--json is "yes"; it takes no value.'],
+    [['convert', 'a', '--to'], '--to has no value; expected --to <format>.'],
+    [['convert', 'a', '--to', '--json'], '--to has no value; expected --to <format>.'],
+    [
+      ['convert', 'a', '--to', 'pyl'],
+      '--to is "pyl"; expected obj, off, ply or stl. Did you mean ply?',
+    ],
+    [
+      ['convert', 'a', 'b.xyz'],
+      'The name "b.xyz" doesn\'t tell the format to write; expected --to',
+    ],
+    [['convert', 'a', 'b.obj', 'c.obj'], '"c.obj" is one file too many'],
+    [['convert', 'a', '-o', 'b.obj', 'c.obj'], '"c.obj" is one file too many'],
+    [
+      ['repair', 'a', '--keep-largest', 'many'],
+      '--keep-largest is "many"; expected a number from 1.',
+    ],
+    [['info', '-', '-'], 'Standard input (-) is named twice'],
+    [['info', 'nowhere.obj'], "nowhere.obj can't be read: no such file or directory (ENOENT)."],
+    [['info', '.'], '. is a folder; expected a file.'],
+    [['info', 'broken.off'], 'broken.off: Line 5: '],
+    [['convert', 'quad.obj', 'q.stl', '--encoding', 'binary-big-endian'], 'STL has'],
+    [['convert', 'quad.obj', 'no/such/folder.off'], "no/such/folder.off can't be written: no such"],
+  ])('refuses %j in one sentence, with status 2', async (args, sentence) => {
+    const { status, out, err } = await run(args);
+    expect(err).toContain(`halfedge: ${sentence}`);
+    expect(err.trimEnd()).not.toContain('\n');
+    expect({ status, out }).toEqual({ status: 2, out: '' });
+  });
+});
+
+describe('halfedge info', () => {
+  test('tells counts, topology, validity and bounding box', async () => {
+    expect(await run(['info', 'quad.obj'])).toMatchObject({
+      status: 0,
+      err: '',
+      out: `format                OBJ
+size                  42 bytes
+vertices              4
+halfedges             8
+edges                 4
+faces                 1 (1 quad)
+Euler characteristic  1
+components            1
+boundary loops        1
+genus                 0
+isolated vertices     0
+bounding box          0 0 0 to 2 1 0
+extent                2 1 0
+valid                 yes
+`,
+    });
+  });
+
+  test('reads standard input, named or not, in any format', async () => {
+    const facts = { file: 'standard input', format: 'stl', vertices: 4, faces: 4, closed: true };
+    const stl = HalfedgeMesh.tetrahedron().write('stl') as Uint8Array;
+    for (const args of [
+      ['info', '--json'],
+      ['info', '-', '--json'],
+    ]) {
+      const { status, out } = await run(args, stl);
+      expect(status).toBe(0);
+      expect(JSON.parse(out)).toMatchObject({ ...facts, valid: true, bytes: stl.length });
+    }
+  });
+
+  test('tells of several files, in JSON a line for each', async () => {
+    const { out } = await run(['info', '--json', 'clashing.off', 'bowtie.off']);
+    const [clashing, bowtie, rest] = out.split('\n');
+    expect(JSON.parse(clashing)).toMatchObject({
+      file: 'clashing.off',
+      valid: false,
+      repairs: { 'opposite-orientation': 1 },
+    });
+    expect(JSON.parse(bowtie)).toMatchObject({
+      valid: true,
+      isolatedVertices: 1,
+      boundingBox: { min: [-1, -1, 0], max: [9, 9, 9] },
+    });
+    expect(rest).toBe('');
+    const text = await run(['info', 'quad.obj', 'clashing.off']);
+    expect(text.out).toMatch(/^quad\.obj\nformat [\s\S]*\n\nclashing\.off\nformat /);
+    expect(text.out).toMatch(/^valid +no \(1 repair; see halfedge check\)$/m);
+  });
+});
+
+describe('halfedge check', () => {
+  test('ends with 0 for a valid mesh', async () => {
+    expect(await run(['check', 'square.off'])).toMatchObject({
+      status: 0,
+      out: 'square.off: valid\n',
+      err: '',
+    });
+  });
+
+  test('ends with 1 for a mesh with problems, which it names with their lines', async () => {
+    const { status, out } = await run(['check', 'clashing.off']);
+    expect(status).toBe(1);
+    expect(out).toMatch(
+      /^clashing\.off: error: Face \d was turned over, .* \(Line \d\) \[opposite-orientation\]\nclashing\.off: 1 problem\n$/,
+    );
+  });
+
+  test('takes warnings for problems if asked to', async () => {
+    expect(await run(['check', 'bowtie.off'])).toMatchObject({
+      status: 0,
+      out: expect.stringMatching(/: warning: Vertex 0 is pinched: .* \[pinched-vertex\]$/m),
+    });
+    expect(await run(['check', '--strict', 'bowtie.off'])).toMatchObject({
+      status: 1,
+      out: expect.stringContaining('bowtie.off: 1 warning\n'),
+    });
+  });
+
+  test('ends with 2 for a file that can not be read, and checks the others', async () => {
+    const { status, out, err } = await run(['check', 'broken.off', 'clashing.off', 'square.off']);
+    expect(status).toBe(2);
+    expect(err).toMatch(/^halfedge: broken\.off: Line 5: /);
+    expect(out).toMatch(/clashing\.off: 1 problem\nsquare\.off: valid\n$/);
+  });
+
+  test('prints JSON, also of a file that can not be read', async () => {
+    const { status, out, err } = await run(['check', '--json', 'clashing.off', 'broken.off']);
+    expect({ status, err }).toEqual({ status: 2, err: '' });
+    const [clashing, broken] = out
+      .trimEnd()
+      .split('\n')
+      .map((line) => JSON.parse(line));
+    expect(clashing).toMatchObject({
+      file: 'clashing.off',
+      readable: true,
+      valid: false,
+      problems: [{ code: 'opposite-orientation', severity: 'error', kind: 'face' }],
+    });
+    expect(broken).toMatchObject({ file: 'broken.off', readable: false });
+    expect(broken.error).toContain('Line 5');
+  });
+
+  test('says nothing with --quiet', async () => {
+    expect(await run(['check', '-q', 'clashing.off'])).toMatchObject({
+      status: 1,
+      out: '',
+      err: '',
+    });
+  });
+});
+
+describe('halfedge repair', () => {
+  test('writes a valid mesh and prints the report', async () => {
+    const { status, out, err } = await run(['repair', 'clashing.off', 'mended.ply']);
+    expect({ status, err }).toEqual({ status: 0, err: '' });
+    expect(out).toMatch(
+      /^Face \d was turned over, .*\nclashing\.off: OFF: .* 1 face turned over\./,
+    );
+    expect(out).toMatch(/\nmended\.ply: PLY: 4 vertices, 5 edges, 2 faces\.\n$/);
+    const { mesh, report } = written('mended.ply');
+    expect(report).toMatchObject({ format: 'ply', problems: [] });
+    expect(mesh.faceCount).toBe(2);
+    expect(await run(['check', 'mended.ply'])).toMatchObject({ status: 0 });
+  });
+
+  test('can mend a file in place, and be asked for JSON', async () => {
+    writeFileSync(join(folder, 'here.off'), CLASHING);
+    const { out } = await run(['repair', 'here.off', '-o', 'here.off', '--json']);
+    expect(JSON.parse(out)).toMatchObject({
+      input: 'here.off',
+      output: 'here.off',
+      faces: 2,
+      counts: { 'opposite-orientation': 1 },
+    });
+    expect(written('here.off').report.problems).toEqual([]);
+  });
+
+  test('without an output keeps the format, and the report out of standard output', async () => {
+    const { status, out, err } = await run(['repair'], CLASHING);
+    expect(status).toBe(0);
+    expect(out).toMatch(/^OFF\n4 2 /);
+    expect(err).toContain('1 face turned over.');
+    expect((await run(['repair', '--quiet'], CLASHING)).err).toBe('');
+  });
+
+  test('drops what it is asked to drop', async () => {
+    const { out } = await run(['repair', 'bowtie.off', 'kept.off', '--drop-isolated']);
+    expect(out).toContain('1 vertex without faces dropped.');
+    expect(written('kept.off').mesh.vertexCount).toBe(5);
+    const two = `${SQUARE.replace('4 2 0', '7 3 0').replace('0 1 0\n', '0 1 0\n5 5 5\n6 5 5\n6 6 5\n')}3 4 5 6\n`;
+    const largest = await run(['repair', '-', 'largest.off', '--keep-largest', '1'], two);
+    expect(largest.out).toContain('1 smaller component dropped.');
+    expect(written('largest.off').mesh.faceCount).toBe(2);
+  });
+});
+
+describe('halfedge convert', () => {
+  test.each(['obj', 'off', 'ply', 'stl'] as const)(
+    'writes %s by the name of the output',
+    async (format) => {
+      const name = `converted.${format.toUpperCase()}`;
+      expect(await run(['convert', 'square.off', name])).toMatchObject({
+        status: 0,
+        out: '',
+        err: '',
+      });
+      const { mesh, report } = written(name);
+      expect(report.format).toBe(format);
+      expect([mesh.vertexCount, mesh.faceCount]).toEqual([4, 2]);
+    },
+  );
+
+  test('writes to standard output what --to says, bit for bit what the package writes', async () => {
+    const { mesh } = HalfedgeMesh.parse(QUAD);
+    const { status, bytes } = await run(['convert', '--to', 'ply'], QUAD);
+    expect(status).toBe(0);
+    expect(new Uint8Array(bytes)).toEqual(mesh.write('ply'));
+    const text = await run(['convert', 'quad.obj', '-', '--to=ply', '--encoding', 'text']);
+    expect(text.out).toBe(mesh.write('ply', { encoding: 'text' }));
+  });
+
+  test('cuts polygons into triangles if asked to', async () => {
+    await run(['convert', 'quad.obj', 'cut.off', '--triangulate']);
+    expect(written('cut.off').mesh.faceCount).toBe(2);
+  });
+
+  test('tells on standard error what it had to repair', async () => {
+    const { status, out, err } = await run(['convert', 'clashing.off', '--to', 'obj']);
+    expect(status).toBe(0);
+    expect(out).toMatch(/^v 0 0 0\n/);
+    expect(err).toBe('clashing.off: OFF: 4 vertices, 5 edges, 2 faces. 1 face turned over.\n');
+  });
+
+  test('ends without a word when nobody reads its output any more', async () => {
+    const { mesh } = HalfedgeMesh.parse(HalfedgeMesh.icoSphere(6).write('obj'));
+    writeFileSync(join(folder, 'sphere.obj'), mesh.write('obj'));
+    const child = spawn(process.execPath, [program, 'convert', 'sphere.obj', '--to', 'obj'], {
+      cwd: folder,
+    });
+    let err = '';
+    child.stderr.on('data', (chunk) => {
+      err += chunk;
+    });
+    child.stdout.once('data', () => child.stdout.destroy());
+    const status = await new Promise((resolve) => child.on('close', resolve));
+    expect({ status, err }).toEqual({ status: 141, err: '' });
+  });
+});
+
+describe('Progress', () => {
+  test('is told where it is asked for, and never with --quiet', async () => {
+    const { err } = await run(['info', 'quad.obj', '--progress']);
+    expect(err).toMatch(/^quad\.obj: reading 100 %\n/);
+    expect((await run(['info', 'quad.obj', '--progress', '--quiet'])).err).toBe('');
+    expect((await run(['info', 'quad.obj'])).err).toBe('');
+  });
+});
+
+describe('The tool and the collection', () => {
+  const data =
+    process.env.HALFEDGE_DATA ?? fileURLToPath(new URL('../../../shared/data', import.meta.url));
+  const files = (name: string) =>
+    readdirSync(join(data, name))
+      .filter((file) => /\.(obj|off|ply|stl)$/i.test(file))
+      .map((file) => join(data, name, file));
+
+  test('good meshes are readable and nasty ones give a verdict for each file', async () => {
+    if (!existsSync(data)) {
+      console.log(`Skipped: there are no test meshes in ${data}; HALFEDGE_DATA names the folder.`);
+      return;
+    }
+    const good = await run(['check', '--json', ...files('good')]);
+    const verdicts = good.out
+      .trimEnd()
+      .split('\n')
+      .map((line) => JSON.parse(line));
+    expect(verdicts.map(({ file }) => file)).toEqual(files('good'));
+    expect(verdicts.filter(({ readable }) => !readable)).toEqual([]);
+
+    const nasty = await run(['check', '--json', ...files('nasty')]);
+    expect(nasty.err).toBe('');
+    expect(nasty.status).toBe(2);
+    for (const line of nasty.out.trimEnd().split('\n')) {
+      const { file, readable, error, valid, problems } = JSON.parse(line);
+      if (!readable) expect(error).toMatch(/: \S.*[.)]$/);
+      else if (!valid) expect([file, problems.length]).not.toEqual([file, 0]);
+    }
+    expect(nasty.out.trimEnd().split('\n')).toHaveLength(files('nasty').length);
+  });
+});

@@ -1,0 +1,47 @@
+import type { Arguments, Options } from './arguments.js';
+import { COMMON, type Command, progressMode, WRITING } from './command.js';
+import { outputFormat } from './formats.js';
+import { load, nameOf } from './input.js';
+import { print, printError, save } from './output.js';
+import { Progress } from './progress.js';
+import { inputAndOutput } from './repair.js';
+
+const OPTIONS: Options = {
+  triangulate: { help: 'cuts faces with more corners into triangles, concave ones too' },
+  ...WRITING,
+  ...COMMON,
+};
+
+export const convert: Command = {
+  name: 'convert',
+  summary: 'Writes a file in another format.',
+  operands: '<input> [<output>]',
+  details: `The format is that which the name of the output ends in, or --to; without an output the file goes
+to standard output. What had to be repaired on the way is told on standard error.
+Exit status: 0 if the file was written, else 2.`,
+  options: OPTIONS,
+  run,
+};
+
+async function run(args: Arguments): Promise<number> {
+  const { input, output } = inputAndOutput(args);
+  const format = outputFormat(args, output);
+  const progress = new Progress(progressMode(args));
+  const { mesh, report } = await load(input, args, progress);
+  if (args.has('triangulate')) mesh.triangulate();
+  const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
+  await save(mesh, output, format, args);
+  mesh.dispose();
+  const { summary } = report;
+  if (args.has('quiet')) return 0;
+  if (args.has('json')) {
+    const { format: from, counts } = report;
+    const told = { input: nameOf(input), output, from, to: format };
+    (output === '-' ? printError : print)(
+      JSON.stringify({ ...told, vertices, edges, faces, counts, summary }),
+    );
+  } else if (report.problems.length > 0) {
+    printError(`${nameOf(input)}: ${summary}`);
+  }
+  return 0;
+}

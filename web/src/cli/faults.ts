@@ -1,0 +1,18 @@
+import type { HalfedgeMesh, ParseReport, Problem } from '../index.js';
+
+/** Worth telling, but no reason to call a file broken. */
+const HARMLESS = ['coincident-position', 'isolated-vertex', 'note'];
+
+/**
+ * What is wrong with a file: what had to be repaired are errors, because a strict build would refuse
+ * it; what is left are warnings, such as open fans that touch in a vertex; then what is worth telling.
+ */
+export function faultsOf(mesh: HalfedgeMesh, report: ParseReport): Problem[] {
+  const repaired = report.problems.map((problem): Problem => {
+    return { ...problem, severity: HARMLESS.includes(problem.code) ? 'info' : 'error' };
+  });
+  // Isolated vertices: the report has told of them, by their index in the file.
+  const left = mesh.validate().filter(({ code }) => code !== 'isolated-vertex');
+  const rank = ({ severity }: Problem) => ['error', 'warning', 'info'].indexOf(severity);
+  return [...repaired, ...left].sort((a, b) => rank(a) - rank(b));
+}

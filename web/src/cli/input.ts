@@ -1,0 +1,93 @@
+import { open } from 'node:fs/promises';
+import { type FileFormat, HalfedgeError, HalfedgeMesh, type ParseReport } from '../index.js';
+import type { Arguments } from './arguments.js';
+import { Complaint, isSystemError, reasonOf } from './complaint.js';
+import { FORMATS, formatOfName } from './formats.js';
+import type { Progress } from './progress.js';
+
+/** What a file is read by at a time. */
+const CHUNK = 2 ** 22;
+
+/** A file that has become a mesh. */
+export interface Loaded {
+  readonly mesh: HalfedgeMesh;
+  readonly report: ParseReport;
+  /** Bytes of the file. */
+  readonly size: number;
+}
+
+/** What a file is called in messages. */
+export const nameOf = (path: string) => (path === '-' ? 'standard input' : path);
+
+/** Reads a file (`-`: standard input) and makes a mesh of it, repaired where that is necessary. */
+export async function load(path: string, args: Arguments, progress: Progress): Promise<Loaded> {
+  const claimed = args.choice('from', FORMATS) ?? formatOfName(path);
+  progress.begin(nameOf(path));
+  const bytes = await readBytes(path, progress);
+  try {
+    return { ...parse(bytes, claimed), size: bytes.length };
+  } catch (error) {
+    if (error instanceof HalfedgeError) throw new Complaint(`${nameOf(path)}: ${error.message}`);
+    throw error;
+  } finally {
+    progress.clear();
+  }
+}
+
+function parse(bytes: Uint8Array, format: FileFormat | undefined) {
+  return HalfedgeMesh.parse(bytes, format === undefined ? {} : { format });
+}
+
+/** The bytes of a file, read into memory once. */
+async function readBytes(path: string, progress: Progress): Promise<Uint8Array> {
+  try {
+    if (path === '-') return await readAll(process.stdin, progress);
+    const file = await open(path);
+    try {
+      const stat = await file.stat();
+      if (stat.isDirectory()) throw new Complaint(`${path} is a folder; expected a file.`);
+      // A device or a pipe doesn't know its size.
+      if (!stat.isFile())
+        return await readAll(file.createReadStream({ autoClose: false }), progress);
+      const bytes = new Uint8Array(stat.size);
+      let at = 0;
+      while (at < bytes.length) {
+        const { bytesRead } = await file.read(bytes, at, Math.min(CHUNK, bytes.length - at));
+        if (bytesRead === 0) break; // it was cut meanwhile
+        at += bytesRead;
+        progress.update('reading', at / bytes.length);
+      }
+      return bytes.subarray(0, at);
+    } finally {
+      await file.close();
+    }
+  } catch (error) {
+    if (error instanceof RangeError) {
+      throw new Complaint(`${nameOf(path)} is too large to be read into memory.`);
+    }
+    if (!isSystemError(error)) throw error;
+    throw new Complaint(`${nameOf(path)} can't be read: ${reasonOf(error)}.`);
+  }
+}
+
+/** All that a stream brings, whose length isn't known before it ends. */
+async function readAll(stream: AsyncIterable<Buffer>, progress: Progress): Promise<Uint8Array> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of stream) {
+    chunks.push(chunk);
+    progress.update('reading', 0);
+  }
+  return Buffer.concat(chunks);
+}
+
+/** The files that a command reads: those named, or else standard input. */
+export function inputsOf(operands: readonly string[]): readonly string[] {
+  if (operands.filter((path) => path === '-').length > 1) {
+    throw new Complaint('Standard input (-) is named twice; it can be read once.');
+  }
+  if (operands.length > 0) return operands;
+  if (process.stdin.isTTY) {
+    throw new Complaint('No file is named; expected one, or - for standard input.');
+  }
+  return ['-'];
+}
