@@ -169,6 +169,21 @@ TEST(Bytes, SayWhatIsWrong) {
   EXPECT_EQ(with_word(56 + 12, kNone).code, "truncated");
 }
 
+// Found by fuzzing: a circle was followed, and kept in memory, for as long as the header says.
+TEST(Bytes, HaveNoMoreDeletedSlotsThanSlots) {
+  Mesh mesh = reference_build(tetrahedron());
+  for (int i = 0; i < 2; ++i) (void)mesh.new_vertex();
+  for (int i = 4; i < 6; ++i) mesh.release(Vertex(Index(i)));
+  Bytes bytes = bytes_of(mesh);
+  const std::size_t anchors = 56 + 4 * (16 + 4 * mesh.halfedge_slots()) + 16;
+  std::memcpy(&bytes[anchors + 4 * 4], &bytes[anchors + 4 * 5], 4);  // 5 -> 4 -> 4
+  EXPECT_EQ(refusal_of(bytes).message,
+            "Byte 328: the chain of deleted vertex slots, expected 2 of them, leads to slot 4.");
+  put_word(bytes, 32, 7);
+  EXPECT_EQ(refusal_of(bytes).message,
+            "Byte 32: there are 7 deleted slots, expected at most all 6.");
+}
+
 TEST(Bytes, ThatAreFlippedAreRefusedOrGiveAMeshThatIsSafe) {
   std::mt19937 random(3);
   int refused = 0;

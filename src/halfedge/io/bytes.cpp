@@ -203,6 +203,11 @@ Result<Header> read_header(Bytes bytes) {
                                    " slots, expected at most " + std::to_string(kMaxSlots) +
                                    ", and an even number of halfedges");
     }
+    const Index items = i == 1 ? header.slots[i] / 2 : header.slots[i];
+    if (header.free[i].count > items) {  // a chain that runs in a circle would be followed as long
+      return wrong(32 + 8 * i, "there are " + std::to_string(header.free[i].count) +
+                                   " deleted slots, expected at most all " + std::to_string(items));
+    }
   }
   header.sections = word_at(bytes, 52);
   if (header.sections > kMaxSections) {
