@@ -27,7 +27,7 @@ const requirements = [
   need('build', 'fast_float', 'libfast-float-dev', hasFastFloat),
   need('tests', 'g++', 'g++', () => onPath('g++')),
   need('tests', 'clang', 'clang', () => onPath('clang++')),
-  need('tests', "clang's sanitizers", 'libclang-rt-dev', hasSanitizers),
+  need('tests', "clang's sanitizers and fuzzer", 'libclang-rt-dev', hasSanitizers),
   need('tests', 'clang-format', 'clang-format', () => onPath('clang-format')),
   need('tests', 'clang-tidy', 'clang-tidy', () => onPath('clang-tidy')),
   need('tests', 'GoogleTest', 'libgtest-dev', () => header('gtest/gtest.h')),
@@ -53,12 +53,14 @@ function hasFastFloat() {
   return process.env.HALFEDGE_FAST_FLOAT_DIR || header('fast_float/fast_float.h') || !hasApt();
 }
 
-/** Whether clang can link AddressSanitizer, which Debian packs apart from the compiler. */
+/** Whether clang can link AddressSanitizer and libFuzzer, which Debian packs apart from it. */
 function hasSanitizers() {
   if (!onPath('clang++')) return false;
   const folder = execFileSync('clang++', ['-print-resource-dir'], { encoding: 'utf8' }).trim();
   const libraries = filesBelow(join(folder, 'lib')).map((path) => basename(path));
-  return libraries.some((name) => name.startsWith('libclang_rt.asan'));
+  return ['asan', 'fuzzer'].every((part) =>
+    libraries.some((name) => name.startsWith(`libclang_rt.${part}`)),
+  );
 }
 
 const hasApt = () => onPath('apt-get');

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,8 +52,12 @@ struct Items {
 class Draw {
  public:
   explicit Draw(std::uint32_t seed) : random_(seed) {}
+  /// Draws what the bytes say, as long as there are some.
+  explicit Draw(std::span<const std::uint8_t> bytes) : bytes_(bytes), ends_(true) {}
 
-  std::size_t below(std::size_t count) { return std::size_t(random_()) % count; }
+  std::size_t below(std::size_t count) { return std::size_t(number(count)) % count; }
+  /// The bytes to draw from have been used up.
+  [[nodiscard]] bool used_up() const { return ends_ && bytes_.empty(); }
   bool one_in(std::size_t count) { return below(count) == 0; }
 
   Vertex vertex(const Mesh& mesh) { return item<Vertex>(mesh, mesh.vertex_count()); }
@@ -115,7 +120,19 @@ class Draw {
     }
   }
 
+  std::uint32_t number(std::size_t count) {
+    if (bytes_.empty()) return std::uint32_t(random_());
+    std::uint32_t drawn = 0;
+    for (std::size_t reach = 1; reach < count && !bytes_.empty(); reach *= 256) {
+      drawn = 256 * drawn + bytes_.front();
+      bytes_ = bytes_.subspan(1);
+    }
+    return drawn;
+  }
+
   std::mt19937 random_;
+  std::span<const std::uint8_t> bytes_;
+  bool ends_ = false;
 };
 
 /// Whether an operation makes the mesh larger: small meshes get more of those that do, large ones

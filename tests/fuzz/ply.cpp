@@ -1,0 +1,10 @@
+// Any bytes, read as PLY.
+
+#include <halfedge/io/parse.h>
+
+#include "support/reading.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return halfedge::fuzz::expect_read({data, size},
+                                     [](auto bytes) { return halfedge::read_ply(bytes); });
+}

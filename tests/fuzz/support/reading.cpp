@@ -1,0 +1,113 @@
+#include "support/reading.h"
+
+#include <gtest/gtest.h>
+#include <halfedge/build/build.h>
+
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "support/memory.h"
+#include "support/repairing.h"
+#include "support/round_trip.h"
+
+namespace halfedge::fuzz {
+namespace {
+
+// The soup, its arrays while they grow, and a few sentences.
+constexpr std::size_t kMemoryPerByte = 24;
+constexpr std::size_t kMemoryAtLeast = 1U << 16U;
+
+void expect_place(const Error& error, std::size_t size) {
+  const std::string& message = error.message;
+  const bool line = message.starts_with("line ");
+  if (!line && !message.starts_with("byte ")) return;  // about the whole file
+  const std::size_t place = std::stoul(message.substr(5));
+  EXPECT_LE(place, size + 1) << message;
+  EXPECT_GE(place, line ? 1U : 0U) << message;
+}
+
+void expect_whole(const PolygonSoup& soup) {
+  ASSERT_EQ(soup.positions.size() % 3, 0U);
+  std::size_t corners = 0;
+  for (const Index size : soup.sizes) corners += size;
+  if (soup.sizes.empty()) {
+    ASSERT_EQ(soup.corners.size() % 3, 0U);
+  } else {
+    ASSERT_EQ(corners, soup.corners.size());
+  }
+  for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
+}
+
+void expect_lines(std::span<const std::uint8_t> bytes, const ParsedFile& file) {
+  const Index count = Index(file.soup.view().face_count());
+  const std::vector<Index> faces = {0, count / 2, count};
+  const std::vector<std::size_t> lines = lines_of_faces(bytes, file.format, faces);
+  ASSERT_EQ(lines.size(), faces.size());
+  for (const std::size_t line : lines) EXPECT_LE(line, bytes.size() + 1);
+  EXPECT_EQ(lines[2], 0U);
+  if (!file.binary && count > 0) {
+    EXPECT_GE(lines[0], 1U);
+    EXPECT_GE(lines[1], 1U);
+  }
+}
+
+void expect_strict_verdict(const Polygons& polygons) {
+  Mesh mesh;
+  BuildReport report;
+  const bool built = build_from_polygons(mesh, polygons, report);
+  EXPECT_EQ(built, report.problem_count == 0);
+  EXPECT_GE(report.problem_count, report.problems.size());
+  for (const Error& problem : report.problems) expect_sentence(problem);
+  if (built) {
+    EXPECT_TRUE(test::errors_of(mesh).empty());
+  } else {
+    EXPECT_EQ(mesh.vertex_slots(), 0U);
+  }
+}
+
+// GoogleTest prints the failure before this hears of it.
+class StopAtFailure : public testing::EmptyTestEventListener {
+  void OnTestPartResult(const testing::TestPartResult& result) override {
+    if (result.failed()) std::abort();
+  }
+};
+
+}  // namespace
+
+void expect_sentence(const Error& error) {
+  ASSERT_FALSE(error.code.empty());
+  ASSERT_GE(error.message.size(), 10U) << error.code;
+  for (const char c : error.message) ASSERT_TRUE(c >= ' ' && c <= '~') << error.message;
+  ASSERT_LE(error.message.size(), 400U) << error.message;
+}
+
+void stop_at_failures() {
+  [[maybe_unused]] static const bool installed = [] {
+    testing::UnitTest::GetInstance()->listeners().Append(new StopAtFailure);
+    return true;
+  }();
+}
+
+int expect_read(std::span<const std::uint8_t> bytes, const Reader& read) {
+  stop_at_failures();
+  const MemoryMeter meter;
+  const Result<ParsedFile> file = read(bytes);
+  EXPECT_LE(meter.peak(), kMemoryPerByte * bytes.size() + kMemoryAtLeast);
+  if (!file) {
+    expect_sentence(file.error());
+    expect_place(file.error(), bytes.size());
+    return 0;
+  }
+  for (const std::string& note : file.value().notes) expect_sentence({"note", note});
+  expect_whole(file.value().soup);
+  expect_lines(bytes, file.value());
+  const Polygons polygons = file.value().soup.view();
+  expect_strict_verdict(polygons);
+  const test::Repaired repaired(polygons);
+  test::expect_sound(polygons, repaired);
+  expect_round_trips(repaired.mesh);
+  return 0;
+}
+
+}  // namespace halfedge::fuzz

@@ -1,0 +1,82 @@
+#include "support/round_trip.h"
+
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+#include <halfedge/io/write.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace halfedge::fuzz {
+namespace {
+
+constexpr std::pair<Format, Encoding> kPolygonForms[] = {
+    {Format::kObj, Encoding::kText},   {Format::kOff, Encoding::kText},
+    {Format::kOff, Encoding::kBinary}, {Format::kPly, Encoding::kText},
+    {Format::kPly, Encoding::kBinary}, {Format::kPly, Encoding::kBinaryBigEndian}};
+constexpr std::pair<Format, Encoding> kTriangleForms[] = {{Format::kStl, Encoding::kText},
+                                                          {Format::kStl, Encoding::kBinary}};
+
+template <class A, class B>
+bool same_bits(const A& a, const B& b) {
+  return a.size() == b.size() &&
+         (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
+}
+
+ParsedFile written_and_read(const Mesh& mesh, Format format, Encoding encoding) {
+  Result<Array<std::uint8_t>> bytes = write(mesh, format, {encoding});
+  EXPECT_TRUE(bytes) << bytes.error().message;
+  Result<ParsedFile> file = parse(bytes.value().span());
+  EXPECT_TRUE(file) << file.error().message;
+  EXPECT_EQ(file.value().format, format);
+  return std::move(file).value();
+}
+
+void expect_same_polygons(const Mesh& mesh, const PolygonSoup& soup) {
+  EXPECT_TRUE(same_bits(soup.positions, mesh.positions()));
+  std::vector<Index> corners;
+  ASSERT_EQ(soup.view().face_count(), mesh.face_count());
+  for (const Face f : mesh.faces()) {
+    const Halfedge last = mesh.face_halfedge(f);  // a face is written from where it ends on
+    const std::size_t before = corners.size();
+    for (const Halfedge h : mesh.loop_ccw(last)) corners.push_back(mesh.to_vertex(h).index());
+    const std::size_t size = corners.size() - before;
+    EXPECT_EQ(soup.sizes.empty() ? 3 : soup.sizes[f.index()], size);
+  }
+  EXPECT_TRUE(same_bits(soup.corners, corners));
+}
+
+// STL repeats positions, and reading welds them, where 0 and -0 are the same.
+void expect_same_triangles(const Mesh& mesh, const PolygonSoup& soup) {
+  std::vector<Point> expected;
+  for (const Face f : mesh.faces()) {
+    std::vector<Point> polygon;
+    for (const Halfedge h : mesh.loop_ccw(mesh.face_halfedge(f))) {
+      polygon.push_back(mesh.position(mesh.to_vertex(h)));
+    }
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      expected.insert(expected.end(), {polygon[0], polygon[i - 1], polygon[i]});
+    }
+  }
+  EXPECT_TRUE(soup.sizes.empty());
+  ASSERT_EQ(soup.corners.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const float* const p = &soup.positions[3 * std::size_t{soup.corners[i]}];
+    EXPECT_EQ((Point{p[0], p[1], p[2]}), expected[i]);
+  }
+}
+
+}  // namespace
+
+void expect_round_trips(const Mesh& mesh) {
+  for (const auto& [format, encoding] : kPolygonForms) {
+    if (format == Format::kObj && mesh.vertex_slots() == 0) continue;  // an empty file
+    expect_same_polygons(mesh, written_and_read(mesh, format, encoding).soup);
+  }
+  for (const auto& [format, encoding] : kTriangleForms) {
+    expect_same_triangles(mesh, written_and_read(mesh, format, encoding).soup);
+  }
+}
+
+}  // namespace halfedge::fuzz
