@@ -15,6 +15,7 @@
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>
+#include <halfedge/mend/mend.h>
 #include <halfedge/mesh.h>
 #include <halfedge/operations/append.h>
 #include <halfedge/operations/dual.h>

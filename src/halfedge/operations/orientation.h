@@ -18,6 +18,25 @@ template <EditableSurface Mesh>
   return decorator::inside_out(mesh);
 }
 
+namespace internal {
+
+/// Turns over whole components, of which these are the edges. pre: `seen` is false for each
+/// halfedge slot
+template <class Mesh, class Edges>
+void reverse_edges(Mesh& mesh, const Edges& edges, Array<bool>& seen) {
+  for (const Edge e : edges) {
+    for (const Index side : {0U, 1U}) {
+      const Halfedge anchor = mesh.edge_halfedge(e, side);
+      const Vertex v = mesh.from_vertex(anchor);
+      // As in inside_out. What arrives leaves another vertex, so no anchor is moved twice.
+      if (mesh.vertex_halfedge(v) == anchor) mesh.set_vertex_halfedge(v, mesh.prev(anchor));
+    }
+  }
+  decorator::internal::reverse_loops(mesh, edges, seen);
+}
+
+}  // namespace internal
+
 /// Whether reverse_component(h) can be done: else not-a-halfedge.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_reverse_component(const Mesh& mesh, Halfedge h) {
@@ -40,15 +59,7 @@ template <EditableSurface Mesh>
     return decorator::internal::no_memory("the edges of the component");
   }
   const Array<Edge>& edges = walk.edges_of(mesh.edge(h));
-  for (const Edge e : edges) {
-    for (const Index side : {0U, 1U}) {
-      const Halfedge anchor = mesh.edge_halfedge(e, side);
-      const Vertex v = mesh.from_vertex(anchor);
-      // As in inside_out. What arrives leaves another vertex, so no anchor is moved twice.
-      if (mesh.vertex_halfedge(v) == anchor) mesh.set_vertex_halfedge(v, mesh.prev(anchor));
-    }
-  }
-  decorator::internal::reverse_loops(mesh, edges, seen);
+  internal::reverse_edges(mesh, edges, seen);
   return Index(edges.size());
 }
 

@@ -1,0 +1,72 @@
+#include <halfedge/mend/measure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace halfedge::mend {
+
+namespace {
+
+// Sums over the faces of a component, from its first corner as the origin: so that what is small
+// and far away isn't lost.
+struct Sums {
+  Vector origin = {};
+  Vector area = {};    // as a vector: 0 if closed
+  Vector moment = {};  // of the area
+};
+
+void add_triangle(const Vector& a, const Vector& b, const Vector& c, Extent& extent, Sums& sums) {
+  const Vector normal = cross(b - a, c - a);
+  const double area = length(normal) / 2;
+  extent.area += area;
+  extent.volume += dot(a, normal) / 6;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sums.area[k] += normal[k] / 2;
+    sums.moment[k] += area * (a[k] + b[k] + c[k]) / 3;
+  }
+}
+
+}  // namespace
+
+double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+bool measure(const Surface& surface, const Components& components, Array<Extent>& extents) {
+  Array<Sums> all;
+  if (!extents.resize(components.list.size(), Extent{}) || !all.resize(extents.size(), Sums{})) {
+    return false;
+  }
+  for (Index f = 0; f < components.of_face.size(); ++f) {
+    if (components.of_face[f] == kNone) continue;
+    Extent& extent = extents[components.of_face[f]];
+    Sums& sums = all[components.of_face[f]];
+    const Halfedge first = surface.halfedge(Face(f));
+    const Vector corner = point_of(surface, surface.to_vertex(first));
+    if (extent.first_face == kNone) {
+      extent.first_face = f;
+      sums.origin = extent.low = extent.high = corner;
+    }
+    Halfedge h = first;
+    Vector last = {};
+    do {
+      const Vector p = point_of(surface, surface.to_vertex(h));
+      for (std::size_t k = 0; k < 3; ++k) {
+        extent.low[k] = std::min(extent.low[k], p[k]);
+        extent.high[k] = std::max(extent.high[k], p[k]);
+      }
+      if (h != first) {
+        add_triangle(corner - sums.origin, last - sums.origin, p - sums.origin, extent, sums);
+      }
+      last = p;
+      h = surface.next(h);
+    } while (h != first);
+  }
+  for (std::size_t c = 0; c < extents.size(); ++c) {
+    if (extents[c].area > 0) {
+      extents[c].volume -= dot(all[c].moment, all[c].area) / (3 * extents[c].area);
+    }
+  }
+  return true;
+}
+
+}  // namespace halfedge::mend

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <halfedge/mend/surface.h>
+
+#include <array>
+
+namespace halfedge::mend {
+
+/// A point or a vector, of which differences of floats are exact or nearly so.
+using Vector = std::array<double, 3>;
+
+[[nodiscard]] inline Vector operator-(const Vector& a, const Vector& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+[[nodiscard]] inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+[[nodiscard]] double length(const Vector& a);
+[[nodiscard]] inline Vector point_of(const Surface& surface, Vertex v) {
+  const Point p = surface.position(v);
+  return {double{p.x}, double{p.y}, double{p.z}};
+}
+
+/// What a connected component measures.
+struct Extent {
+  Index first_face = kNone;
+  Vector low = {};
+  Vector high = {};
+  double area = 0;
+  double volume = 0;  // of the cone from the centre of the area: signed, and its own if closed
+
+  [[nodiscard]] double diagonal() const { return length(high - low); }
+};
+
+/// By component. False when memory is exhausted.
+[[nodiscard]] bool measure(const Surface& surface, const Components& components,
+                           Array<Extent>& extents);
+
+}  // namespace halfedge::mend

@@ -1,0 +1,196 @@
+// Repairs of whole components: outward orientation, and dropping small ones.
+
+#include <gtest/gtest.h>
+#include <halfedge/algorithms/topology.h>
+#include <halfedge/operations/append.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/mending.h"
+
+namespace halfedge::test {
+namespace {
+
+using mend::Code;
+
+const auto orient_with(mend::OrientOptions options) {
+  return [=](auto& mesh) { return mend::orient_outward(mesh, options); };
+}
+const auto orient = orient_with({});
+const auto drop_with(mend::DropOptions options) {
+  return [=](auto& mesh) { return mend::drop_small_components(mesh, options); };
+}
+
+/// The sum over all faces, by Gauss.
+double volume_of(const Mesh& mesh) {
+  double volume = 0;
+  for (const Face f : mesh.faces()) {
+    const std::vector<Index> corners = corners_of(mesh, mesh.face_halfedge(f));
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      const Point a = mesh.position(Vertex(corners[0]));
+      const Point b = mesh.position(Vertex(corners[i - 1]));
+      const Point c = mesh.position(Vertex(corners[i]));
+      volume += double(a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+                       a.z * (b.x * c.y - b.y * c.x)) /
+                6;
+    }
+  }
+  return volume;
+}
+
+Mesh moved(Mesh mesh, float x, float scale = 1) {
+  for (const Vertex v : mesh.vertices()) {
+    const Point p = mesh.position(v);
+    mesh.set_position(v, {x + scale * p.x, scale * p.y, scale * p.z});
+  }
+  return mesh;
+}
+
+Mesh cube_at(float x, float scale = 1) {
+  return moved(shapes::mesh_of(shapes::cube()).value(), x, scale);
+}
+
+TEST(OrientOutward, TurnsAClosedComponentOver) {
+  Mesh mesh = cube_at(0);
+  ASSERT_TRUE(operations::reverse(mesh));
+  EXPECT_NEAR(volume_of(mesh), -1, 1e-6);
+  const mend::Report report = mended(mesh, orient);
+  EXPECT_NEAR(volume_of(mesh), 1, 1e-6);
+  EXPECT_EQ(report.summary, "1 component turned over.");
+  EXPECT_EQ(report.faces.size(), 6U);
+  EXPECT_EQ(mended(mesh, orient).summary, "Nothing to repair.");
+}
+
+TEST(OrientOutward, TurnsOverThoseComponentsThatNeedIt) {
+  Mesh mesh;
+  for (int i = 0; i < 7; ++i) ASSERT_TRUE(append(mesh, cube_at(float(3 * i))));
+  for (const Index f : {0U, 12U, 36U}) {
+    ASSERT_TRUE(operations::reverse_component(mesh, mesh.face_halfedge(Face(f))));
+  }
+  EXPECT_NEAR(volume_of(mesh), 1, 1e-4);
+  const mend::Report report = mended(mesh, orient);
+  EXPECT_EQ(report.count(Code::kReversedComponent), 3U);
+  EXPECT_NEAR(volume_of(mesh), 7, 1e-4);
+  std::vector<Index> turned;
+  for (const Index first : {0U, 12U, 36U}) {
+    for (Index f = first; f < first + 6; ++f) turned.push_back(f);
+  }
+  EXPECT_EQ(std::vector<Index>(report.faces.begin(), report.faces.end()), turned);
+}
+
+TEST(OrientOutward, SeesSmallComponentsFarAway) {
+  Mesh mesh = cube_at(1e4F, 0.01F);
+  ASSERT_TRUE(operations::reverse(mesh));
+  EXPECT_EQ(mended(mesh, orient).count(Code::kReversedComponent), 1U);
+  EXPECT_EQ(mended(mesh, orient).count(Code::kReversedComponent), 0U);
+}
+
+TEST(OrientOutward, LeavesWhatIsOpenOrFlat) {
+  Mesh mesh = shapes::mesh_of(shapes::cylinder(8, 2, shapes::Caps::kOpen)).value();
+  Mesh pillow = mesh_of({{9, 0, 0}, {10, 0, 0}, {9, 1, 0}}, {{0, 1, 2}, {2, 1, 0}});
+  ASSERT_TRUE(append(mesh, pillow));
+  ASSERT_TRUE(operations::reverse(mesh));
+  const Snapshot before(mesh);
+  const Result<mend::Report> report = mend::orient_outward(mesh);
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(Snapshot(mesh) == before);
+  EXPECT_EQ(report.value().summary, "1 open component left, 1 component without volume left.");
+  ASSERT_EQ(report.value().problems.size(), 2U);
+  EXPECT_EQ(report.value().problems[0].code, "open-component");
+  EXPECT_EQ(report.value().problems[0].message,
+            "The component of face 0, of 16 faces, has 2 boundary loops, expected none: what is "
+            "open has no inside.");
+  EXPECT_EQ(report.value().problems[1].code, "flat-component");
+  EXPECT_EQ(report.value().problems[1].witness.faces, (std::vector<Index>{16}));
+  (void)mended(mesh, orient);
+}
+
+TEST(OrientOutward, TurnsOpenComponentsAwayFromTheirCentreIfAsked) {
+  for (const bool is_reversed : {false, true}) {
+    Mesh mesh = moved(shapes::mesh_of(shapes::uv_sphere(12, 8)).value(), 5);
+    for (int i = 0; i < 30; ++i) {
+      ASSERT_TRUE(operations::delete_face(mesh, *mesh.faces().begin()));
+    }
+    if (is_reversed) {
+      ASSERT_TRUE(operations::reverse(mesh));
+    }
+    const mend::Report report = mended(mesh, orient_with({.open = true}));
+    EXPECT_EQ(report.count(Code::kReversedComponent), is_reversed ? 1U : 0U);
+    EXPECT_EQ(report.count(Code::kOpenComponent), 0U);
+  }
+}
+
+TEST(OrientOutward, TakesNestedComponentsForCavitiesIfAsked) {
+  for (unsigned turned = 0; turned < 8; ++turned) {
+    SCOPED_TRACE(turned);
+    Mesh mesh;
+    for (unsigned i = 0; i < 3; ++i) {
+      Mesh sphere = moved(shapes::mesh_of(shapes::ico_sphere(2)).value(), 0, float(1 << i));
+      if ((turned >> i & 1U) != 0) {
+        ASSERT_TRUE(operations::reverse(sphere));
+      }
+      ASSERT_TRUE(append(mesh, sphere));
+    }
+    ASSERT_TRUE(append(mesh, cube_at(9)));
+    const double unit = volume_of(shapes::mesh_of(shapes::ico_sphere(2)).value());
+    Mesh each = copy_of(mesh);
+    (void)mended(each, orient);
+    EXPECT_NEAR(volume_of(each), unit * (1 + 8 + 64) + 1, 1e-2);
+    (void)mended(mesh, orient_with({.nested = true}));
+    EXPECT_NEAR(volume_of(mesh), unit * (1 - 8 + 64) + 1, 1e-2);
+  }
+}
+
+TEST(OrientOutward, IsSafeWithPositionsThatAreNoNumbers) {
+  Mesh mesh = cube_at(0);
+  mesh.set_position(Vertex(0), {std::nanf(""), 0, 0});
+  const Result<mend::Report> report = mend::orient_outward(mesh, {.nested = true});
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report.value().count(Code::kFlatComponent), 1U);
+}
+
+TEST(DropSmallComponents, DropsThoseWithFewFaces) {
+  Mesh mesh = cube_at(0);
+  ASSERT_TRUE(append(mesh, shapes::mesh_of(shapes::tetrahedron()).value()));
+  ASSERT_TRUE(append(mesh, shapes::mesh_of(shapes::ico_sphere(1)).value()));
+  const Vertex isolated = mesh.add_vertex({7, 7, 7});
+  const mend::Report report = mended(mesh, drop_with({.faces = 7}));
+  EXPECT_EQ(counts_of(mesh), (std::array<Index, 3>{43, 120, 80}));
+  EXPECT_TRUE(mesh.is_live(isolated));
+  EXPECT_EQ(report.summary, "2 components dropped.");
+  ASSERT_EQ(report.faces.size(), 10U);
+  EXPECT_EQ(report.faces[9], 9U);
+  EXPECT_EQ(mesh.free_faces().count, 10U);
+}
+
+TEST(DropSmallComponents, KeepsThoseWithJustEnough) {
+  Mesh mesh = cube_at(0);
+  EXPECT_EQ(mended(mesh, drop_with({.faces = 6})).summary, "Nothing to repair.");
+  EXPECT_EQ(mended(mesh, drop_with({})).summary, "Nothing to repair.");
+  EXPECT_EQ(mended(mesh, drop_with({.area = 1, .diagonal = 1})).summary, "Nothing to repair.");
+  EXPECT_EQ(mesh.face_count(), 6U);
+}
+
+TEST(DropSmallComponents, DropsByShareOfTheLargestAreaOrDiagonal) {
+  Mesh mesh;
+  for (const float size : {1.0F, 0.5F, 0.2F, 0.1F}) {
+    ASSERT_TRUE(append(mesh, cube_at(10 * size, size)));
+  }
+  Mesh by_area = copy_of(mesh);
+  EXPECT_EQ(mended(by_area, drop_with({.area = 0.05})).summary, "2 components dropped.");
+  Mesh by_diagonal = copy_of(mesh);
+  EXPECT_EQ(mended(by_diagonal, drop_with({.diagonal = 0.15})).summary, "1 component dropped.");
+  EXPECT_EQ(by_diagonal.face_count(), 18U);
+}
+
+TEST(DropSmallComponents, DropsADustOfManyInLinearTime) {
+  Mesh mesh = soup_of(shapes::mesh_of(shapes::ico_sphere(5)).value());
+  ASSERT_TRUE(append(mesh, cube_at(0)));
+  EXPECT_EQ(mended(mesh, drop_with({.faces = 2})).summary, "20480 components dropped.");
+  EXPECT_EQ(counts_of(mesh), (std::array<Index, 3>{8, 12, 6}));
+}
+
+}  // namespace
+}  // namespace halfedge::test
