@@ -93,13 +93,15 @@ val mesh_to_bytes(Address address) {
   return success("bytes", hand_over(bytes.value()));
 }
 
-val mesh_from_bytes(Address address, std::size_t count) {
+/// `is_ours`: another thread with this module has made the bytes.
+val mesh_from_bytes(Address address, std::size_t count, bool is_ours) {
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   const Result<bool> with_prev = stores_prev(bytes);
   if (!with_prev) return failure(with_prev.error());
   NewMesh mesh(with_prev.value());
   if (!mesh) return failure(no_room_for_a_mesh());
-  const Result<void> done = visit(*mesh, [&](auto& m) { return from_bytes(bytes, m); });
+  const BytesFrom from = is_ours ? BytesFrom::kThisProgram : BytesFrom::kAnywhere;
+  const Result<void> done = visit(*mesh, [&](auto& m) { return from_bytes(bytes, m, from); });
   if (!done) return failure(done.error());
   return success("mesh", val(mesh.release()));
 }

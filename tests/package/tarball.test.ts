@@ -75,6 +75,8 @@ describe('The tarball', () => {
       './dialects',
       './inline',
       './package.json',
+      './worker',
+      './worker-thread',
     ]);
     // What remains is CommonJS, which an ESM package does not serve.
     const problems = analysis.problems.filter(

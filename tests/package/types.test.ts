@@ -5,6 +5,7 @@ import { type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init,
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { init as initInline } from 'halfedge/inline';
+import { createMeshWorker, parseInWorker } from 'halfedge/worker';
 
 export async function oneRing(positions: Float32Array, indices: Uint32Array): Promise<Vertex[]> {
   await init();
@@ -19,6 +20,14 @@ export async function oneRing(positions: Float32Array, indices: Uint32Array): Pr
   const ring: Vertex[] = [...mesh.vertexVertices(mesh.toVertex(links[h]), 'cw')];
   mesh.dispose();
   return ring;
+}
+
+export async function elsewhere(bytes: Uint8Array): Promise<number> {
+  const { mesh, report } = await parseInWorker(bytes, { format: 'ply', transfer: true });
+  const worker = createMeshWorker();
+  const soup = await worker.fromSoup(mesh.positions, [[0, 1, 2]], { weld: true });
+  worker.terminate();
+  return soup.mesh.faceCount + report.vertexMap[0];
 }
 
 export function explain(error: unknown): string {

@@ -138,7 +138,8 @@ export interface RawCore {
   ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
   /** The bytes are JavaScript's to copy and to free. */
   toBytes(mesh: number): { bytes: { address: number; count: number } } | RawFailure;
-  fromBytes(bytes: number, count: number): { mesh: number } | RawFailure;
+  /** `isOurs`: another thread with this module has made the bytes, which are not checked. */
+  fromBytes(bytes: number, count: number, isOurs: boolean): { mesh: number } | RawFailure;
 
   isClosed(mesh: number): boolean;
   /** Whether all faces have three, or else four, corners. */

@@ -7,6 +7,7 @@ export interface Core extends RawCore {
 }
 
 let loaded: Core | undefined;
+let compiled: WebAssembly.Module | undefined;
 let loading: Promise<void> | undefined;
 
 /** The loaded module. Throws if there is none yet. */
@@ -20,13 +21,19 @@ export function core(): Core {
   return loaded;
 }
 
+/** What the loaded module was compiled to, for another thread. Throws if there is none yet. */
+export function compiledModule(): WebAssembly.Module {
+  core();
+  return compiled as WebAssembly.Module;
+}
+
 /** Loads the module that `compile` makes, unless one is loaded or being loaded. A failure is not kept. */
 export function load(compile: () => Promise<WebAssembly.Module>): Promise<void> {
   if (loaded !== undefined) return Promise.resolve();
   loading ??= compile()
-    .then(instantiate)
-    .then((core) => {
-      loaded = core;
+    .then(async (module) => {
+      loaded = await instantiate(module);
+      compiled = module;
     })
     .finally(() => {
       loading = undefined;

@@ -59,8 +59,11 @@ export function bytesOfLinks({ core, address: mesh }: Links): Uint8Array {
   }
 }
 
-/** The mesh in bytes. */
-export function linksOfBytes(source: unknown): Links {
+/**
+ * The mesh in bytes. Those of another thread that runs this package (`isOurs`) are not checked, which
+ * takes most of the time.
+ */
+export function linksOfBytes(source: unknown, isOurs = false): Links {
   const bytes = bytesOf('bytes', source);
   if (bytes === undefined) {
     throw new TypeError(`bytes is ${describe(source)}; expected an ArrayBuffer or a Uint8Array.`);
@@ -68,7 +71,7 @@ export function linksOfBytes(source: unknown): Links {
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('bytes', bytes);
-    return wasm.fromBytes(address, count);
+    return wasm.fromBytes(address, count, isOurs);
   });
   return new Links(wasm, unwrap(raw).mesh);
 }

@@ -363,7 +363,7 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
 }
 
 template <Storage kStored>
-Result<void> read_all(Bytes bytes, const Header& header, BasicMesh<kStored>& mesh) {
+Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMesh<kStored>& mesh) {
   const Result<Sections> sections = read_sections(bytes, header);
   if (!sections) return sections.error();
   const Section* const arrays = sections.value().arrays;
@@ -393,6 +393,7 @@ Result<void> read_all(Bytes bytes, const Header& header, BasicMesh<kStored>& mes
   for (const Section& attribute : sections.value().attributes) {
     if (Result<void> read = read_attribute(mesh, header, attribute); !read) return read;
   }
+  if (from == BytesFrom::kThisProgram) return {};
   const std::vector<Problem> problems = validate(mesh, 2);
   for (const Problem& problem : problems) {
     if (problem.severity != Severity::kError) continue;
@@ -427,7 +428,8 @@ Result<bool> stores_prev(std::span<const std::uint8_t> bytes) {
 }
 
 template <Storage kStored>
-Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh) {
+Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
+                        BytesFrom from) {
   const Result<Header> header = read_header(bytes);
   if (!header) return header.error();
   if (header.value().stores_prev != kStored.prev) {
@@ -436,12 +438,13 @@ Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>&
                                                        : "with prev, expected one without it.")};
   }
   BasicMesh<kStored> read;
-  if (Result<void> done = read_all(bytes, header.value(), read); !done) return done;
+  if (Result<void> done = read_all(bytes, header.value(), from, read); !done) return done;
   mesh = std::move(read);
   return {};
 }
 
-template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kEverything>&);
-template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kWithoutPrev>&);
+template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kEverything>&, BytesFrom);
+template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kWithoutPrev>&,
+                                 BytesFrom);
 
 }  // namespace halfedge

@@ -56,18 +56,22 @@ template <Storage kStored>
                               kStored.prev});
 }
 
+/// Where bytes come from: those that another thread of this very program has just made need not be
+/// checked once more.
+enum class BytesFrom : std::uint8_t { kAnywhere, kThisProgram };
+
 /// Whether the mesh in these bytes stores prev. errors: as from_bytes, of the first 56 bytes
 [[nodiscard]] Result<bool> stores_prev(std::span<const std::uint8_t> bytes);
 
 /// Makes `mesh` the one that these bytes were made of; its history is off. The bytes may be
 /// anything: all that a mesh needs to be safe is checked, the invariants up to level 2 of
-/// `validate` included. After an error `mesh` is as it was. cost: O(bytes); beside the mesh, what
-/// `validate` takes errors: unknown-format (these are no such bytes), unsupported-version,
-/// truncated, parse-error (with what was expected at which byte), storage-mismatch (prev is stored
-/// and `mesh` has none, or the reverse), corrupt-connectivity, attribute-exists, bad-attribute,
-/// out-of-memory
+/// `validate` included, unless `from` says that this is known. After an error `mesh` is as it was.
+/// cost: O(bytes), most of it for the checks; beside the mesh, what `validate` takes errors:
+/// unknown-format (these are no such bytes), unsupported-version, truncated, parse-error (with what
+/// was expected at which byte), storage-mismatch (prev is stored and `mesh` has none, or the
+/// reverse), corrupt-connectivity, attribute-exists, bad-attribute, out-of-memory
 template <Storage kStored>
-[[nodiscard]] Result<void> from_bytes(std::span<const std::uint8_t> bytes,
-                                      BasicMesh<kStored>& mesh);
+[[nodiscard]] Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
+                                      BytesFrom from = BytesFrom::kAnywhere);
 
 }  // namespace halfedge

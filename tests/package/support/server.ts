@@ -29,18 +29,23 @@ export interface RunningServer {
 }
 
 /**
- * Serves the files below a folder. `policy` is sent as Content-Security-Policy; `answers` replace
- * (parts of) what is sent for paths that end so.
+ * Serves the files below a folder. `policy` is sent as Content-Security-Policy, `origins` are those
+ * whose scripts may read it all; `answers` replace (parts of) what is sent for paths that end so.
  */
 export async function serve(
   folder: string,
-  { policy, answers = {} }: { policy?: string; answers?: Record<string, Answer> } = {},
+  {
+    policy,
+    origins,
+    answers = {},
+  }: { policy?: string; origins?: string; answers?: Record<string, Answer> } = {},
 ): Promise<RunningServer> {
   const server = createServer((request, response) => {
     const path = new URL(request.url ?? '/', 'http://localhost').pathname;
     const file = path.endsWith('/') ? `${path}index.html` : path;
     const [, answer] = Object.entries(answers).find(([end]) => file.endsWith(end)) ?? [];
     if (policy !== undefined) response.setHeader('Content-Security-Policy', policy);
+    if (origins !== undefined) response.setHeader('Access-Control-Allow-Origin', origins);
     try {
       const body = answer?.body ?? readFileSync(join(folder, decodeURIComponent(file)));
       response.setHeader('Content-Type', answer?.type ?? types[extname(file)] ?? 'text/plain');

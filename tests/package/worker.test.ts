@@ -1,0 +1,126 @@
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { disconnect, visit } from './support/browser.js';
+import { page, TITLE } from './support/programs.js';
+import { node, project, tool } from './support/project.js';
+import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
+
+/** Its second face is turned over, its third is no face. */
+const FILE = 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3\\nf 1 4 3\\nf 1 1 1\\n';
+const EXPECTED = 'OBJ: 2 faces, valid, same as here. Line 1: nonsense is told.';
+
+/** Parses a file and a broken one in a worker, and hands a line about that to `show`. */
+const program = (show: string, { halfedge = 'halfedge', worker = 'halfedge/worker' } = {}) => `
+import { HalfedgeError, HalfedgeMesh, init } from '${halfedge}';
+import { parseInWorker } from '${worker}';
+
+const show = ${show};
+
+async function compare() {
+  await init();
+  const { mesh, report } = await parseInWorker(new Blob(['${FILE}']));
+  const here = HalfedgeMesh.parse('${FILE}');
+  const same = String(here.mesh.toBytes()) === String(mesh.toBytes()) && here.report.summary === report.summary;
+  const error = await parseInWorker('nonsense').catch((error) => error);
+  return [
+    report.format.toUpperCase() + ': ' + mesh.faceCount + ' faces,',
+    mesh.validate().length === 0 ? 'valid,' : 'not valid,',
+    same ? 'same as here.' : 'not the same as here.',
+    error instanceof HalfedgeError && /^Line 1.*nonsense/.test(error.message) ? 'Line 1: nonsense is told.' : error,
+  ].join(' ');
+}
+
+compare().then(show, (error) => show(error.name + ' ' + error.code + ': ' + error.message));
+`;
+
+const sources = {
+  'package.json': '{ "private": true, "type": "module" }',
+  'src/index.js': program(TITLE),
+};
+
+afterAll(disconnect);
+
+async function expectWorking(server: RunningServer, path = '') {
+  try {
+    const { title, complaints } = await visit(server.address + path);
+    expect(complaints).toEqual([]);
+    expect(title).toBe(EXPECTED);
+  } finally {
+    await server.close();
+  }
+}
+
+describe('Installed, a worker makes meshes', () => {
+  test('in Node, where it keeps no process alive', async () => {
+    const folder = project('worker-node', { 'main.mjs': program('console.log') });
+    expect(await node(folder, 'main.mjs')).toBe(EXPECTED);
+  });
+
+  test('in Node, many jobs in one, without being terminated', async () => {
+    const folder = project('worker-jobs', {
+      'main.mjs': `
+import { init } from 'halfedge';
+import { createMeshWorker } from 'halfedge/worker';
+await init();
+const worker = createMeshWorker();
+const meshes = await Promise.all([1, 2, 3].map(() => worker.parse('${FILE}')));
+console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
+`,
+    });
+    expect(await node(folder, 'main.mjs')).toBe('2,2,2');
+  });
+
+  test('in a page without a bundler, under the strict policy', async () => {
+    const dist = './node_modules/halfedge/dist';
+    const folder = project('worker-site', {
+      'index.html': page('./main.js'),
+      'main.js': program(TITLE, { halfedge: `${dist}/index.js`, worker: `${dist}/worker.js` }),
+    });
+    await expectWorking(await serve(folder, { policy: STRICT_POLICY }));
+  });
+
+  test('in a page that imports the package from another site', async () => {
+    const folder = project('worker-cdn', {});
+    const cdn = await serve(join(folder, 'node_modules/halfedge'), { origins: '*' });
+    try {
+      const dist = `${cdn.address}dist`;
+      writeFileSync(join(folder, 'index.html'), page('./main.js'));
+      const options = { halfedge: `${dist}/index.js`, worker: `${dist}/worker.js` };
+      writeFileSync(join(folder, 'main.js'), program(TITLE, options));
+      await expectWorking(await serve(folder));
+    } finally {
+      await cdn.close();
+    }
+  });
+
+  describe.each(['vite', 'vite-7'])('through %s', (name) => {
+    const vite = tool(`${name}/bin/vite.js`);
+    let folder: string;
+    let output: string;
+    beforeAll(async () => {
+      folder = project(`worker-${name}`, { ...sources, 'index.html': page('/src/index.js') });
+      output = await node(folder, vite, 'build');
+    });
+
+    test('built without a warning, under the strict policy', async () => {
+      expect(output).not.toMatch(/warn|externalized|node:/i);
+      const assets = readdirSync(join(folder, 'dist/assets'));
+      expect(assets.filter((asset) => asset.endsWith('.wasm'))).toHaveLength(1);
+      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }));
+    });
+
+    test('in development', async () => {
+      await expectWorking(await serveWith(folder, vite, '--host', '127.0.0.1', '--port', '0'));
+    });
+  });
+
+  test('through webpack, without a warning, under the strict policy', async () => {
+    const folder = project('worker-webpack', sources);
+    const options = ['--mode', 'production', '--no-performance', '--json', 'stats.json'];
+    await node(folder, tool('webpack/bin/webpack.js'), ...options);
+    const stats = JSON.parse(readFileSync(join(folder, 'stats.json'), 'utf8'));
+    expect([stats.errors, stats.warnings]).toEqual([[], []]);
+    writeFileSync(join(folder, 'dist/index.html'), page('main.js'));
+    await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }));
+  });
+});

@@ -1,0 +1,220 @@
+import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { createMeshWorker, type MeshWorker, parseInWorker } from 'halfedge/worker';
+import { bytesInUse } from './support/core.js';
+
+beforeAll(() => init());
+
+const SQUARE = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
+/** The second face runs along the common edge in the same direction as the first. */
+const CLASHING = SQUARE.replace('3 0 2 3', '3 0 3 2');
+
+/** A mesh and its report, for comparison with another. */
+function shown({ mesh, report }: { mesh: HalfedgeMesh; report: object }) {
+  const { problems, ...rest } = report as { problems: object[] };
+  return { bytes: Buffer.from(mesh.toBytes()).toString('base64'), problems, ...rest };
+}
+
+async function rejection(promise: Promise<unknown>): Promise<Error & { code?: string }> {
+  return promise.then(
+    () => {
+      throw new Error('It resolved.');
+    },
+    (error) => error,
+  );
+}
+
+describe('parseInWorker', () => {
+  const sphere = () => HalfedgeMesh.icoSphere(3).write('stl') as Uint8Array<ArrayBuffer>;
+
+  test.each([
+    ['a string', () => CLASHING],
+    ['a typed array', sphere],
+    ['a buffer', () => sphere().buffer],
+    ['a Blob', () => new Blob([sphere()])],
+    ['a file of Node', () => Buffer.from(CLASHING)],
+    ['a view of a part', () => new Uint8Array([...Buffer.from(`??${CLASHING}`)]).subarray(2)],
+  ])('gives the same mesh and report as parse, of %s', async (_, make) => {
+    const source = make();
+    const content = source instanceof Blob ? await source.arrayBuffer() : source;
+    const expected = HalfedgeMesh.parse(content);
+    const actual = await parseInWorker(source);
+    expect(actual.mesh).toBeInstanceOf(HalfedgeMesh);
+    expect(actual.mesh.validate()).toEqual([]);
+    expect(shown(actual)).toEqual(shown(expected));
+  });
+
+  test('hands on its options', async () => {
+    const { mesh, report } = await parseInWorker('3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n', {
+      format: 'off',
+      storePrev: false,
+    });
+    expect(report.format).toBe('off');
+    expect(mesh.connectivity.prev.length).toBe(0);
+  });
+
+  test.each([
+    ['a file that is none', 'OFF\n3 1 0\n0 0 zero\n', {}],
+    ['a strict build', CLASHING, { repair: false }],
+    ['an option of the wrong type', SQUARE, { repair: 'yes' }],
+    ['an option out of range', SQUARE, { format: 'doc' }],
+  ])('throws the error of parse for %s, with all that it has', async (_, source, options) => {
+    let expected: unknown;
+    try {
+      HalfedgeMesh.parse(source, options as object);
+    } catch (error) {
+      expected = error;
+    }
+    const actual = await rejection(parseInWorker(source, options as object));
+    expect(actual.constructor).toBe((expected as Error).constructor);
+    expect(actual).toEqual(expected);
+    expect({ ...actual }).toEqual({ ...(expected as object) });
+  });
+
+  test('refuses what is no file, no signal and no option before anything is sent', async () => {
+    const none = (source: unknown, options: object = {}) =>
+      rejection(parseInWorker(source as string, options));
+    expect((await none(7)).message).toMatch(/^source is 7; expected the content of a file/);
+    expect((await none(SQUARE, { signal: 7 })).message).toContain('options.signal is 7');
+    expect((await none(SQUARE, { transfer: 7 })).message).toContain('options.transfer is 7');
+    expect((await none(SQUARE, { worker: 7 })).message).toContain('options.worker is 7');
+  });
+
+  test('leaves buffers alone, unless they are handed over', async () => {
+    const bytes = new Uint8Array(Buffer.from(SQUARE)).slice();
+    await parseInWorker(bytes);
+    expect(bytes.length).toBe(SQUARE.length);
+    const { mesh } = await parseInWorker(bytes, { transfer: true });
+    expect(mesh.faceCount).toBe(2);
+    expect(bytes.buffer.byteLength).toBe(0);
+  });
+
+  test('is cancelled by a signal, before and while it works', async () => {
+    const reason = new Error('The user went away.');
+    expect(await rejection(parseInWorker(SQUARE, { signal: AbortSignal.abort(reason) }))).toBe(
+      reason,
+    );
+    const controller = new AbortController();
+    const large = HalfedgeMesh.icoSphere(7).write('obj');
+    const start = performance.now();
+    const promise = rejection(parseInWorker(large, { signal: controller.signal }));
+    setTimeout(() => controller.abort(reason), 20);
+    expect(await promise).toBe(reason);
+    expect(performance.now() - start).toBeLessThan(5000);
+  });
+});
+
+describe('A mesh worker', () => {
+  let worker: MeshWorker;
+  beforeEach(() => {
+    worker = createMeshWorker();
+  });
+  afterEach(() => worker.terminate());
+
+  test('does many jobs, in order, and goes on after one that failed', async () => {
+    const order: number[] = [];
+    const jobs = [SQUARE, 'OFF\n1 one', CLASHING].map((source, i) =>
+      worker.parse(source).finally(() => order.push(i)),
+    );
+    const [first, second, third] = await Promise.allSettled(jobs);
+    expect([first.status, second.status, third.status]).toEqual([
+      'fulfilled',
+      'rejected',
+      'fulfilled',
+    ]);
+    expect(order).toEqual([0, 1, 2]);
+  });
+
+  test('makes meshes of soups, in all three forms', async () => {
+    const positions = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0]);
+    const faces = [
+      [0, 1, 2],
+      [3, 4, 5],
+    ];
+    const sizes = [3, 3];
+    const corners = new Uint32Array(faces.flat());
+    const expected = shown(HalfedgeMesh.fromSoup(positions, faces, { weld: true }));
+    for (const form of [faces, corners, { sizes, corners }]) {
+      expect(shown(await worker.fromSoup(positions, form, { weld: true }))).toEqual(expected);
+    }
+    const error = await rejection(worker.fromSoup([0, 0], faces));
+    expect(error).toBeInstanceOf(RangeError);
+    await worker.fromSoup(positions, { sizes, corners }, { transfer: true });
+    expect([positions.length, corners.length]).toEqual([0, 0]);
+  });
+
+  test('takes what it is given at that moment', async () => {
+    const bytes = new Uint8Array(Buffer.from(SQUARE));
+    const before = worker.parse(HalfedgeMesh.icoSphere(5).write('obj'));
+    const job = worker.parse(bytes);
+    bytes.fill(0);
+    await before;
+    expect((await job).mesh.faceCount).toBe(2);
+  });
+
+  test('when one job is cancelled does the others all the same', async () => {
+    const controllers = [new AbortController(), new AbortController()];
+    const large = HalfedgeMesh.icoSphere(6).write('obj');
+    const running = rejection(worker.parse(large, { signal: controllers[0].signal }));
+    const waiting = rejection(worker.parse(large, { signal: controllers[1].signal }));
+    const other = worker.parse(SQUARE);
+    controllers[1].abort();
+    controllers[0].abort();
+    expect([(await running).name, (await waiting).name]).toEqual(['AbortError', 'AbortError']);
+    expect((await other).mesh.faceCount).toBe(2);
+  });
+
+  test('once terminated rejects its jobs, and takes no more', async () => {
+    const job = rejection(worker.parse(SQUARE));
+    worker.terminate();
+    expect(await job).toMatchObject({ code: 'worker-terminated' });
+    expect(await rejection(worker.parse(SQUARE))).toMatchObject({ code: 'worker-terminated' });
+  });
+
+  test('leaves nothing in memory here but the mesh', async () => {
+    const { mesh } = await worker.parse(SQUARE);
+    mesh.dispose();
+    const before = bytesInUse();
+    for (let i = 0; i < 3; i++) {
+      await rejection(worker.parse('OFF\n1 one'));
+      (await worker.parse(CLASHING)).mesh.dispose();
+    }
+    expect(bytesInUse()).toBe(before);
+  });
+});
+
+describe('A worker that can not be started', () => {
+  const given = (script: string) =>
+    createMeshWorker({
+      worker: () => {
+        const { Worker } = process.getBuiltinModule('node:worker_threads');
+        return new Worker(script, { eval: true });
+      },
+    });
+
+  test.each([
+    ['throws', "throw new Error('No way.')", 'The worker failed: No way.'],
+    ['ends', '', 'The worker failed: it has ended.'],
+  ])('because its script %s is a HalfedgeError', async (_, script, message) => {
+    const worker = given(script);
+    const error = await rejection(worker.parse(SQUARE));
+    worker.terminate();
+    expect(error).toBeInstanceOf(HalfedgeError);
+    expect(error).toMatchObject({ code: 'worker-failed', message });
+  });
+
+  test('because there is none is one, too', () => {
+    const make = () =>
+      createMeshWorker({
+        worker: () => {
+          throw new Error('Not allowed.');
+        },
+      });
+    expect(make).toThrow('The worker failed: Error: Not allowed.');
+  });
+
+  test('before init is an error that says what to call', async () => {
+    import.meta.jest.resetModules();
+    const fresh = (await import('halfedge/worker')) as typeof import('halfedge/worker');
+    expect(() => fresh.createMeshWorker()).toThrow('call `await init()` once');
+  });
+});
