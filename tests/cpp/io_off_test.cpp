@@ -268,6 +268,36 @@ TEST(OffBinary, ReadsBothByteOrdersWithColoursAndWithout) {
   }
 }
 
+// Found by cutting a file at each byte: cut in the right place, the numbers of colour components,
+// all of them 0, passed for faces, and there were as many as promised.
+TEST(OffBinary, DoesNotTakeColoursForFaces) {
+  for (const bool big : {true, false}) {
+    Words words(big);
+    words.ints({3, 4, 0}).floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    for (int face = 0; face < 4; ++face) words.ints({3, 0, 1, 2, 0});
+    const std::string whole = "OFF BINARY\n" + words.bytes();
+    EXPECT_EQ(parse_off(whole).faces.size(), 4U);
+    for (std::size_t size = 15; size < whole.size(); ++size) {
+      EXPECT_TRUE(off_error(whole.substr(0, size)).starts_with("truncated: ")) << size;
+    }
+  }
+}
+
+TEST(OffBinary, ReadsFacesOfFewerCornersThanThree) {
+  for (const bool colours : {true, false}) {
+    Words words(true);
+    words.ints({3, 4, 0}).floats({0, 0, 0, 1, 0, 0, 0, 1, 0});
+    for (int face = 0; face < 4; ++face) {
+      words.ints({2, face % 2, 2});
+      if (colours) words.ints({1, 7});
+    }
+    const Parsed file = parse_off("OFF BINARY\n" + words.bytes());
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 2}, {1, 2}, {0, 2}, {1, 2}}));
+    EXPECT_TRUE(file.notes.empty());
+  }
+}
+
 TEST(OffBinary, ReadsThePrefixes) {
   Words words(true);
   words.ints({1, 1, 0}).floats({2, 4, 6, 2, /* normal */ 0, 0, 1, /* colour */ 1, 1, 1, 1});

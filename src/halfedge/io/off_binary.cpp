@@ -44,27 +44,44 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
 
 /// How many faces can be walked over as they stand, and whether they end where the file does.
 struct Fit {
-  std::uint64_t faces = 0;
+  /// Three corners or more, all of them vertices, and no more than four numbers of a colour.
+  std::uint64_t sound = 0;
+  /// All others. Where there are colours, their lengths taken for faces are among these: so a file
+  /// that was cut doesn't pass for a whole one without colours. Where all faces are odd (segments,
+  /// say), the more the better.
+  std::uint64_t odd = 0;
   bool exact = false;
 
   [[nodiscard]] bool better_than(const Fit& other) const {
-    return faces != other.faces ? faces > other.faces : exact && !other.exact;
+    if (sound != other.sound) return sound > other.sound;
+    if (odd != other.odd) return (odd < other.odd) == (sound > 0);
+    return exact && !other.exact;
   }
 };
 
 /// pre: read_counts() found nothing wrong
 template <ByteOrder kOrder>
 Fit fit_of(ByteScanner bytes, const OffHeader& header, bool colours) {
-  const auto skip_list = [&bytes] {
+  constexpr std::size_t kMaxComponents = 4;
+  const auto read_length = [&bytes](std::size_t& length) {
     if (bytes.left() < kWord) return false;
-    const std::size_t length = bytes.take<std::uint32_t, kOrder>();
-    if (length > bytes.left() / kWord) return false;
-    bytes.skip(length * kWord);
-    return true;
+    length = bytes.take<std::uint32_t, kOrder>();
+    return length <= bytes.left() / kWord;
   };
   bytes.skip(static_cast<std::size_t>(header.vertices) * vertex_size(header));
   Fit fit;
-  while (fit.faces < header.faces && skip_list() && (!colours || skip_list())) ++fit.faces;
+  for (std::uint64_t face = 0; face < header.faces; ++face) {
+    std::size_t degree = 0;
+    std::size_t components = 0;
+    if (!read_length(degree)) return fit;
+    bool sound = degree >= 3;
+    for (std::size_t i = 0; i < degree; ++i) {
+      sound = bytes.take<std::uint32_t, kOrder>() < header.vertices && sound;
+    }
+    if (colours && !read_length(components)) return fit;
+    bytes.skip(components * kWord);
+    ++(sound && components <= kMaxComponents ? fit.sound : fit.odd);
+  }
   fit.exact = bytes.left() == 0;
   return fit;
 }
@@ -180,9 +197,10 @@ Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours) {
   return BinaryReader<kOrder>(bytes, header, colours).read();
 }
 
-/// Tries one byte order, with and without colours.
+/// Tries one byte order, with and without colours, unless there is nothing to be better than.
 template <ByteOrder kOrder>
 void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best) {
+  if (best && best->fit.exact && best->fit.odd == 0) return;
   if (read_counts<kOrder>(bytes, header)) return;
   for (const bool colours : {true, false}) {
     const Fit fit = fit_of<kOrder>(bytes, header, colours);
