@@ -79,7 +79,7 @@ void expect_sentence(const Error& error) {
   ASSERT_FALSE(error.code.empty());
   ASSERT_GE(error.message.size(), 10U) << error.code;
   for (const char c : error.message) ASSERT_TRUE(c >= ' ' && c <= '~') << error.message;
-  ASSERT_LE(error.message.size(), 400U) << error.message;
+  ASSERT_LE(error.message.size(), 1000U) << error.message;
 }
 
 void stop_at_failures() {
