@@ -8,7 +8,7 @@ beforeAll(() => init());
 const SECONDS = 1000;
 
 /** The classes of operations: they need a mesh that is sound, and rely on it. */
-const EDITS = ['Construction', 'EulerOperations', 'Surgery', 'Modelling'];
+const EDITS = ['Construction', 'EulerOperations', 'Surgery', 'Modelling', 'Mending'];
 
 /** The names of all that a mesh has, but for operations. */
 function membersOf(mesh: HalfedgeMesh): string[] {

@@ -35,6 +35,13 @@ export {
 } from './items.js';
 export type { ConnectivityViews } from './links.js';
 export type { LiveItems } from './live.js';
+export type {
+  DropOptions,
+  MendCode,
+  MendReport,
+  OrientOptions,
+  StitchOptions,
+} from './mending.js';
 export { HalfedgeMesh } from './mesh.js';
 export type { ItemSet, Items } from './neighbourhoods.js';
 export type { Orbit } from './orbit.js';

@@ -53,6 +53,17 @@ export interface RawRepair {
   faceMap: RawWords;
 }
 
+/** What a repair of a mesh has done, and not. */
+export interface RawMending {
+  left: RawProblem[];
+  /** By the name of the enum Code in C++. */
+  counts: Record<string, number>;
+  summary: string;
+  vertices: RawWords;
+  edges: RawWords;
+  faces: RawWords;
+}
+
 /** A column of attributes. */
 export interface RawAttribute {
   attribute: number;
@@ -246,6 +257,16 @@ export interface RawCore {
   _poke(mesh: number, mode: number, f: number, offset: number): number;
   _bevel_edge(mesh: number, mode: number, e: number, amount: number): number;
   _bevel_vertex(mesh: number, mode: number, v: number, amount: number): number;
+
+  /** `repair` is an index into REPAIRS; the numbers are its options. */
+  mend(
+    mesh: number,
+    mode: number,
+    repair: number,
+    a: number,
+    b: number,
+    c: number,
+  ): RawMending | RawFailure;
 
   /** Why the last call that returned -2 did so. To be asked for once, as it is forgotten then. */
   lastRefusal(): RawProblem;

@@ -1,11 +1,11 @@
 import { Attributes } from './attributes.js';
 import { Generations } from './generations.js';
 import { History } from './history.js';
-import { Modelling } from './modelling.js';
+import { Mending } from './mending.js';
 import { linksOf } from './navigation.js';
 
 /** All operations of a mesh, and what goes along with them: history, attributes, generations. */
-export abstract class Editing extends Modelling {
+export abstract class Editing extends Mending {
   #history: History | undefined;
   #attributes: Attributes | undefined;
   #generations: Generations | undefined;

@@ -1,0 +1,184 @@
+import { HalfedgeMesh, init, type MendReport } from 'halfedge';
+import { bytesInUse } from './support/core.js';
+import { addAttributes, expectState, stateOf } from './support/editing.js';
+import { random } from './support/random.js';
+
+beforeAll(() => init());
+
+const errorsOf = (mesh: HalfedgeMesh) =>
+  mesh.validate(4).filter(({ severity }) => severity === 'error');
+
+const countsOf = (mesh: HalfedgeMesh) => [mesh.vertexCount, mesh.edgeCount, mesh.faceCount];
+
+/** The same faces, of which no two share a vertex. */
+function soupOf(mesh: HalfedgeMesh): HalfedgeMesh {
+  const { sizes, corners } = mesh.toPolygons();
+  const positions = Array.from(corners, (v) => [...mesh.positions.subarray(3 * v, 3 * v + 3)]);
+  return HalfedgeMesh.fromPolygons(positions.flat(), { sizes, corners: corners.map((_, i) => i) });
+}
+
+/** What `repair` reports; the mesh is valid afterwards, and the repair one step of history. */
+function mended(mesh: HalfedgeMesh, repair: (mesh: HalfedgeMesh) => MendReport): MendReport {
+  if (mesh.attributes.list().length === 0) addAttributes(mesh, random(7));
+  mesh.history.enabled = true;
+  const before = stateOf(mesh);
+  const report = repair(mesh);
+  expect(errorsOf(mesh)).toEqual([]);
+  const after = stateOf(mesh);
+  if (mesh.history.undo()) {
+    expect(mesh.history.undo()).toBe(false);
+    expectState(mesh, before);
+    mesh.history.redo();
+  }
+  expectState(mesh, after);
+  mesh.history.enabled = false;
+  expect(report.summary).toMatch(/^[A-Z0-9].*\.$/);
+  for (const problem of report.problems) expect(problem.message).toMatch(/^[A-Z].*\.$/);
+  return report;
+}
+
+describe('stitchBoundaries', () => {
+  test('makes the mesh again of its faces, also without prev', () => {
+    using sphere = HalfedgeMesh.icoSphere(2);
+    for (const storePrev of [true, false]) {
+      using apart = soupOf(sphere);
+      using mesh = HalfedgeMesh.fromPolygons([...apart.positions], apart.toPolygons(), {
+        storePrev,
+      });
+      const report = mended(mesh, (m) => m.stitchBoundaries());
+      expect(countsOf(mesh)).toEqual(countsOf(sphere));
+      expect(report.counts).toEqual({ 'stitched-edge': 480 });
+      expect(report.edges).toHaveLength(480);
+      expect(new Set(report.edges).size).toBe(480);
+      expect(report.summary).toBe('480 edges stitched.');
+      expect(mesh.isClosed()).toBe(true);
+    }
+  });
+
+  test('closes cracks no wider than the tolerance', () => {
+    const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1.01, 0, 1, 0.01, 0, 1, 1, 0];
+    using mesh = HalfedgeMesh.fromTriangles(positions, [0, 1, 2, 3, 4, 5]);
+    expect(mended(mesh, (m) => m.stitchBoundaries()).summary).toBe('Nothing to repair.');
+    const report = mended(mesh, (m) => m.stitchBoundaries({ tolerance: 0.02 }));
+    expect(report.counts).toEqual({ 'stitched-edge': 1 });
+    expect(countsOf(mesh)).toEqual([4, 5, 2]);
+  });
+
+  test('says what it left, and why', () => {
+    const positions = [
+      [0, 0, 0, 1, 0, 0, 0, 1, 0],
+      [1, 0, 0, 0, 0, 0, 0, -1, 0],
+      [1, 0, 0, 0, 0, 0, 0, 0, 1],
+    ];
+    using mesh = HalfedgeMesh.fromTriangles(positions.flat(), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+    const { problems, counts } = mended(mesh, (m) => m.stitchBoundaries());
+    expect(counts).toEqual({ 'ambiguous-edge': 3 });
+    expect(problems).toHaveLength(3);
+    expect(problems[0]).toMatchObject({ code: 'ambiguous-edge', severity: 'warning' });
+    expect(problems[0].witness?.edges).toHaveLength(1);
+    expect(problems[0].message).toMatch(/lies together with 2 other boundary edges/);
+  });
+
+  test('checks its options', () => {
+    using mesh = HalfedgeMesh.cube();
+    expect(() => mesh.stitchBoundaries({ tolerance: -1 })).toThrow(
+      'options.tolerance is -1; expected a number from 0.',
+    );
+    expect(() => mesh.stitchBoundaries({ tolerance: Number.NaN })).toThrow(RangeError);
+    expect(() => mesh.stitchBoundaries({ tolerance: '1' as never })).toThrow(TypeError);
+    expect(() => mesh.stitchBoundaries(null as never)).toThrow(TypeError);
+  });
+});
+
+describe('splitPinchedVertices', () => {
+  test('gives each fan a vertex', () => {
+    const positions = Array.from({ length: 7 }, (_, i) => [i, i * i, 0]).flat();
+    using mesh = HalfedgeMesh.fromTriangles(positions, [0, 1, 2, 0, 3, 4, 0, 5, 6]);
+    expect(mesh.isManifoldVertex(0)).toBe(false);
+    const report = mended(mesh, (m) => m.splitPinchedVertices());
+    expect(countsOf(mesh)).toEqual([9, 9, 3]);
+    expect(report.counts).toEqual({ 'split-vertex': 1 });
+    expect([...report.vertices].sort()).toEqual([7, 8]);
+    expect(mesh.validate(4)).toEqual([]);
+  });
+});
+
+describe('orientOutward', () => {
+  test('turns closed components over, and leaves open ones', () => {
+    using mesh = HalfedgeMesh.cube();
+    using open = HalfedgeMesh.grid(2, 2);
+    mesh.append(open);
+    mesh.reverse();
+    const { counts, faces, problems } = mended(mesh, (m) => m.orientOutward());
+    expect(counts).toEqual({ 'reversed-component': 1, 'open-component': 1 });
+    expect([...faces]).toEqual([0, 1, 2, 3, 4, 5]);
+    expect(problems[0]).toMatchObject({ code: 'open-component', kind: 'face', index: 6 });
+    using cube = HalfedgeMesh.cube();
+    const corners = (m: HalfedgeMesh, f: number) => [...m.faceVertices(f)].sort();
+    for (const f of cube.faces()) expect(corners(mesh, f)).toEqual(corners(cube, f));
+  });
+
+  test('takes cavities for what they are, if asked to', () => {
+    using mesh = HalfedgeMesh.cube({ size: 4 });
+    using inner = HalfedgeMesh.cube({ size: 1 });
+    mesh.append(inner);
+    expect(mended(mesh, (m) => m.orientOutward()).summary).toBe('Nothing to repair.');
+    expect([...mended(mesh, (m) => m.orientOutward({ nested: true })).faces]).toEqual([
+      6, 7, 8, 9, 10, 11,
+    ]);
+    expect(() => mesh.orientOutward({ nested: 1 as never })).toThrow(
+      'options.nested is 1; expected true or false.',
+    );
+  });
+});
+
+describe('dropSmallComponents', () => {
+  test('drops what is too small in any respect', () => {
+    using mesh = HalfedgeMesh.cube();
+    using dust = HalfedgeMesh.tetrahedron({ radius: 0.01 });
+    mesh.append(dust);
+    for (const options of [{ faces: 5 }, { area: 0.1 }, { diagonal: 0.1 }]) {
+      using copy = mesh.clone();
+      const report = mended(copy, (m) => m.dropSmallComponents(options));
+      expect(report.counts).toEqual({ 'dropped-component': 1 });
+      expect([...report.faces]).toEqual([6, 7, 8, 9]);
+      expect(countsOf(copy)).toEqual([8, 12, 6]);
+    }
+    expect(() => mesh.dropSmallComponents({ area: 2 })).toThrow(
+      'options.area is 2; expected a number from 0 to 1.',
+    );
+  });
+});
+
+test('a repair in a group is a part of its step', () => {
+  using mesh = HalfedgeMesh.cube();
+  mesh.reverse();
+  mesh.history.enabled = true;
+  const before = stateOf(mesh);
+  mesh.history.group(() => {
+    mesh.orientOutward();
+    mesh.deleteFace(0);
+  });
+  expect(mesh.history.undo()).toBe(true);
+  expectState(mesh, before);
+});
+
+test('reports cost no memory once they are made', () => {
+  using sphere = HalfedgeMesh.icoSphere(1);
+  const before = bytesInUse();
+  for (let i = 0; i < 5; i++) {
+    using mesh = soupOf(sphere);
+    mesh.stitchBoundaries();
+    mesh.splitPinchedVertices();
+    mesh.orientOutward();
+    mesh.dropSmallComponents({ faces: 1000 });
+  }
+  expect(bytesInUse()).toBe(before);
+});
+
+test('a disposed mesh refuses repairs', () => {
+  const mesh = HalfedgeMesh.cube();
+  mesh.dispose();
+  expect(() => mesh.stitchBoundaries()).toThrow('disposed');
+  expect(() => mesh.dropSmallComponents({ faces: 2 })).toThrow('disposed');
+});
