@@ -21,6 +21,7 @@
 #include <halfedge/halfedge.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>
+#include <halfedge/repair/transfer.h>
 #include <halfedge/validate/validate.h>
 
 #include <array>
@@ -92,11 +93,19 @@ void add_lines(std::vector<Error>& problems, std::span<const std::uint8_t> bytes
   }
 }
 
+val sentences_of(const std::vector<std::string>& sentences) {
+  val list = val::array();
+  for (const std::string& sentence : sentences) list.call<void>("push", sentence);
+  return list;
+}
+
 /// `claimed` is what the user says the format is: a value of Format, or -1.
-val parse_file(Address address, std::size_t count, int claimed, bool repair, bool stores_prev) {
+val parse_file(Address address, std::size_t count, int claimed, bool repair, bool attributes,
+               bool stores_prev) {
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   Result<ParsedFile> file =
-      parse(bytes, claimed < 0 ? std::nullopt : std::optional(static_cast<Format>(claimed)));
+      parse(bytes, claimed < 0 ? std::nullopt : std::optional(static_cast<Format>(claimed)),
+            {.attributes = attributes, .for_repair = repair});
   if (!file) return failure(file.error());
   const Format format = file.value().format;
   NewMesh mesh(stores_prev);
@@ -107,27 +116,38 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   const Polygons polygons = file.value().soup.view();
   const bool is_built = repair ? build_any_from_soup(*mesh, polygons, {}, repaired)
                                : build_any(*mesh, polygons, strict);
+  Result<void> has_attributes;
+  if (is_built) {
+    has_attributes = visit(*mesh, [&](auto& m) {
+      return add_attributes(m, polygons, repair ? &repaired : nullptr, file.value().attributes);
+    });
+  }
   file.value().soup = {};
+  if (!has_attributes) return failure(has_attributes.error());
   if (!file.value().binary) add_lines(problems, bytes, format);
   if (!is_built) return failure(problems, repair ? problems.size() : strict.problem_count);
   const RoomForReport room;
-  val notes = val::array();
-  for (const std::string& note : file.value().notes) notes.call<void>("push", note);
   val result = success("mesh", val(mesh.release()));
   result.set("format", static_cast<int>(format));
-  result.set("notes", notes);
+  result.set("notes", sentences_of(file.value().notes));
   if (repair) add_repair(result, repaired);
   return result;
 }
 
 /// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
-val write_file(Address mesh, int format, int encoding) {
+val write_file(Address mesh, int format, int encoding, bool attributes) {
+  std::vector<std::string> notes;
   WriteOptions options;
+  options.attributes = attributes;
+  options.notes = &notes;
   if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
   Result<Array<std::uint8_t>> bytes = visit_mesh(
       mesh, [&](const auto& m) { return write(m, static_cast<Format>(format), options); });
   if (!bytes) return failure(bytes.error());
-  return success("bytes", hand_over(bytes.value()));
+  const RoomForReport room;
+  val result = success("bytes", hand_over(bytes.value()));
+  result.set("notes", sentences_of(notes));
+  return result;
 }
 
 // ---- questions about a whole mesh ------------------------------------------------------------

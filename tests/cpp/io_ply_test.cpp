@@ -78,7 +78,6 @@ TEST(Ply, ReadsBothByteOrdersAndEveryType) {
     EXPECT_EQ(file.positions, (std::vector<float>{-300, 60000, -70000, 1, 2, 3}));
     EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 0, 1, 1}}));
     EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the 1 elements \"odd\"",
-                                                    "ignored the property \"d\" of \"face\"",
                                                     "ignored the 1 elements \"more\""}));
   }
 }
@@ -101,8 +100,7 @@ TEST(Ply, ReadsBinaryFloatsBitForBit) {
       EXPECT_TRUE(std::signbit(file.positions[3 * v + 1]));
       EXPECT_EQ(file.positions[3 * v + 2], odd[1]);
     }
-    EXPECT_EQ(file.notes, std::vector<std::string>{
-                              "ignored the properties \"red\", \"quality\" of \"vertex\""});
+    EXPECT_TRUE(file.notes.empty());
   }
 }
 
@@ -118,7 +116,7 @@ TEST(Ply, TakesElementsAndPropertiesInAnyOrder) {
   EXPECT_EQ(file.positions, (std::vector<float>{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 1, 2, 3}}));
   EXPECT_EQ(file.notes,
-            (std::vector<std::string>{"ignored the properties \"flag\", \"uv\" of \"face\"",
+            (std::vector<std::string>{"ignored the property \"uv\" of \"face\"",
                                       "ignored the 5 elements \"nothing\"",
                                       "ignored the property \"n\" of \"vertex\""}));
 }

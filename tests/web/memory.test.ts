@@ -249,7 +249,7 @@ describe('Beyond 2 GiB', () => {
       expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
       expect(mesh.allVertexVertices('cw', [1])).toBeDefined();
       expect(mesh.components().length).toBeGreaterThan(0);
-      expect(() => HalfedgeMesh.parse('v 0 0 0\nf 1 2 3\n')).toThrow('Line 2');
+      expect(() => HalfedgeMesh.parse('v 0 0 0\nf 1 2 x\n')).toThrow('Line 2');
       expect(() => mesh.allVertexVertices('cw', [9999])).toThrow('Vertex 9999');
       for (const made of [...high, ...meshes]) made.dispose();
       expect(bytesInUse()).toBe(before);

@@ -67,8 +67,11 @@ describe('parse', () => {
     const { mesh, report } = HalfedgeMesh.parse(bytes);
     expect(report).toMatchObject({
       format: 'ply',
-      summary: 'PLY: 3 vertices, 3 edges, 1 face. Ignored the property "red" of "vertex".',
+      summary: 'PLY: 3 vertices, 3 edges, 1 face.',
     });
+    expect(mesh.attributes.list()).toEqual([
+      { kind: 'vertex', name: 'red', type: 'uint8', components: 1, onSplit: 'copy' },
+    ]);
     expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, Math.fround(0.1), 0]);
     mesh.dispose();
   });
@@ -96,7 +99,7 @@ describe('parse', () => {
     const strict = () => HalfedgeMesh.parse(data.buffer, { repair: false });
     expect(strict).toThrow(/^Face 1 repeats face 0.*2\.$/);
     data.setFloat32(84 + 12, Number.NaN, true);
-    expect(() => HalfedgeMesh.parse(data.buffer)).toThrow(
+    expect(strict).toThrow(
       'Byte 84: x of vertex 0 of triangle 0 is nan, expected a finite number.',
     );
   });
@@ -148,7 +151,7 @@ describe('parse', () => {
   ];
   test.each(broken)('says %s', (code, data, says) => {
     try {
-      HalfedgeMesh.parse(data);
+      HalfedgeMesh.parse(data, { repair: false });
     } catch (error) {
       expect(error).toBeInstanceOf(HalfedgeError);
       expect(error).toMatchObject({ code, message: expect.stringMatching(says) });
@@ -156,6 +159,45 @@ describe('parse', () => {
       return;
     }
     throw new Error('It was read.');
+  });
+
+  test('leaves out faces whose vertices are missing or nowhere, and names them', () => {
+    const stl = new DataView(new ArrayBuffer(84 + 2 * 50));
+    stl.setUint32(80, 2, true);
+    for (const triangle of [84, 134]) {
+      [0, 0, 0, 1, 0, 0, 0, 1, 0].forEach((x, i) => {
+        stl.setFloat32(triangle + 12 + 4 * i, x, true);
+      });
+    }
+    stl.setFloat32(84 + 12, Number.NaN, true);
+    const index = [
+      /^Face 0 uses vertex -?\d+, but the last one is 2: it was left out\. \(Line \d+\)$/,
+    ];
+    const files: [code: string, data: string | ArrayBuffer, says: RegExp[]][] = [
+      ['index-out-of-range', 'v 0 0 0\nv 1 0 0\nf 1 2 9\nf 1 2 3\nv 0 1 0\n', index],
+      ['index-out-of-range', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -9\nf 1 2 3\n', index],
+      ['index-out-of-range', 'OFF 3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n3 0 1 2\n', index],
+      [
+        'index-out-of-range',
+        'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n' +
+          'property float z\nelement face 2\nproperty list uchar int vertex_indices\n' +
+          'end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n3 0 1 2\n',
+        index,
+      ],
+      ['non-finite-position', stl.buffer, [/^Vertex 0 is at \(nan, 0, 0\), which is no position/]],
+    ];
+    for (const [code, data, says] of files) {
+      const { mesh, report } = HalfedgeMesh.parse(data);
+      expect([mesh.faceCount, report.counts[code as never]]).toEqual([1, 1]);
+      const problems = report.problems.filter((problem) => problem.code === code);
+      expect(problems.map(({ message }) => message)).toEqual(
+        says.map((says) => expect.stringMatching(says)),
+      );
+      expect(report.verdicts).toEqual([{ face: 0, kept: false, codes: [code] }]);
+      expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+      mesh.dispose();
+      expect(() => HalfedgeMesh.parse(data, { repair: false })).toThrow(HalfedgeError);
+    }
   });
 
   test('names the lines of the faces that make no manifold', () => {
@@ -185,6 +227,7 @@ describe('parse', () => {
       `options.format is "gif"; expected 'obj', 'off', 'ply' or 'stl'.`,
     );
     expect(parse({ format: 3 })).toThrow(TypeError);
+    expect(parse({ attributes: 1 })).toThrow('options.attributes is 1; expected true or false.');
     expect(parse({ repair: 'yes' })).toThrow(`options.repair is "yes"; expected true or false.`);
   });
 

@@ -107,13 +107,15 @@ export interface RawCore {
     mesh: number,
     format: number,
     encoding: number,
-  ): { bytes: { address: number; count: number } } | RawFailure;
+    attributes: boolean,
+  ): { bytes: { address: number; count: number }; notes: string[] } | RawFailure;
   /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
   parse(
     bytes: number,
     count: number,
     claimed: number,
     repair: boolean,
+    attributes: boolean,
     storesPrev: boolean,
   ): ({ mesh: number; format: number; notes: string[] } & Partial<RawRepair>) | RawFailure;
   /** A negative tolerance keeps vertices apart. */

@@ -24,6 +24,13 @@ export interface ParseOptions extends StorageOptions {
    * same mesh in both ways. Default: true.
    */
   repair?: boolean;
+  /**
+   * Whether what the file says of its vertices, corners and faces beside positions becomes
+   * {@link HalfedgeMesh.attributes}: `normal`, `color`, `uv`, and what else it names. Texture
+   * coordinates and normals of corners are attributes of halfedges. Left out, they cost nothing.
+   * Default: true.
+   */
+  attributes?: boolean;
 }
 
 /** What reading a file has found: what was repaired, and after that what was ignored. */
@@ -35,12 +42,12 @@ export interface ParseReport extends RepairReport {
 /** The mesh in a file. */
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
   const withPrev = storesPrev(options);
-  const { claimed, repair } = checkParseOptions(options as ParseOptions);
+  const { claimed, repair, attributes } = checkParseOptions(options as ParseOptions);
   const bytes = contentOf(data);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('data', bytes);
-    return wasm.parse(address, count, claimed, repair, withPrev);
+    return wasm.parse(address, count, claimed, repair, attributes, withPrev);
   });
   const done = unwrap(raw);
   const links = new Links(wasm, done.mesh);
@@ -50,12 +57,18 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   return { links, report: reportOf(links, FORMATS[done.format], found, done.notes.map(sentence)) };
 }
 
-function checkParseOptions(options: ParseOptions): { claimed: number; repair: boolean } {
-  const { format, repair = true } = options;
-  if (typeof repair !== 'boolean') {
-    throw new TypeError(`options.repair is ${describe(repair)}; expected true or false.`);
-  }
-  return { claimed: format === undefined ? -1 : formatIndex('options.format', format), repair };
+function checkParseOptions(options: ParseOptions) {
+  const { format, repair = true, attributes = true } = options;
+  checkFlag('repair', repair);
+  checkFlag('attributes', attributes);
+  const claimed = format === undefined ? -1 : formatIndex('options.format', format);
+  return { claimed, repair, attributes };
+}
+
+/** Throws a sentence unless an option is true or false. */
+export function checkFlag(option: string, value: unknown): void {
+  if (typeof value === 'boolean') return;
+  throw new TypeError(`options.${option} is ${describe(value)}; expected true or false.`);
 }
 
 /** The value of the enum Format in C++. */

@@ -1,8 +1,9 @@
 import { checkOptions, describe } from './arguments.js';
 import type { Links } from './links.js';
+import type { Core } from './loader.js';
 import { outOfMemory } from './memory.js';
-import { type FileFormat, formatIndex } from './parse.js';
-import { unwrap } from './reports.js';
+import { checkFlag, type FileFormat, formatIndex } from './parse.js';
+import { sentence, unwrap } from './reports.js';
 
 /** How the numbers of a file are written. */
 export type FileEncoding = 'text' | 'binary' | 'binary-big-endian';
@@ -18,17 +19,32 @@ export interface WriteOptions {
    * has another.
    */
   encoding?: FileEncoding;
+  /** Whether attributes are written, as far as the format has a place for them. Default: true. */
+  attributes?: boolean;
+  /** Called with a sentence for each attribute that isn't in the file, or not as it was. */
+  onNote?: (sentence: string) => void;
 }
 
 /** The bytes of the file, or its text. */
 export function writeFile(links: Links, format: unknown, options: unknown): string | Uint8Array {
   links.checkAlive();
   const index = formatIndex('format', format);
-  const encoding = encodingOf(checkOptions(options), format as FileFormat);
+  const { encoding, attributes, onNote } = checkWriteOptions(options, format as FileFormat);
   const { core } = links;
-  const { address, count } = unwrap(
-    core.write(links.address, index, ENCODINGS.indexOf(encoding)),
-  ).bytes;
+  const { bytes: block, notes } = unwrap(
+    core.write(links.address, index, ENCODINGS.indexOf(encoding), attributes),
+  );
+  const content = takeContent(core, block, encoding);
+  for (const note of notes) onNote?.(sentence(note));
+  return content;
+}
+
+/** A copy of the bytes of the core, which are freed. */
+function takeContent(
+  core: Core,
+  { address, count }: { address: number; count: number },
+  encoding: FileEncoding,
+): string | Uint8Array {
   try {
     const bytes = new Uint8Array(core.memory.buffer, address, count);
     return encoding === 'text' ? new TextDecoder().decode(bytes) : bytes.slice();
@@ -39,9 +55,18 @@ export function writeFile(links: Links, format: unknown, options: unknown): stri
   }
 }
 
-function encodingOf({ encoding }: WriteOptions, format: FileFormat): FileEncoding {
+function checkWriteOptions(options: unknown, format: FileFormat) {
+  const { encoding, attributes = true, onNote } = checkOptions(options) as WriteOptions;
+  checkFlag('attributes', attributes);
+  if (onNote !== undefined && typeof onNote !== 'function') {
+    throw new TypeError(`options.onNote is ${describe(onNote)}; expected a function.`);
+  }
+  return { encoding: encodingOf(encoding, format), attributes, onNote };
+}
+
+function encodingOf(encoding: FileEncoding | undefined, format: FileFormat): FileEncoding {
   if (encoding === undefined) return format === 'obj' || format === 'off' ? 'text' : 'binary';
   if (ENCODINGS.includes(encoding)) return encoding;
-  const sentence = `options.encoding is ${describe(encoding)}; expected 'text', 'binary' or 'binary-big-endian'.`;
-  throw typeof encoding === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  const expected = `options.encoding is ${describe(encoding)}; expected 'text', 'binary' or 'binary-big-endian'.`;
+  throw typeof encoding === 'string' ? new RangeError(expected) : new TypeError(expected);
 }

@@ -107,6 +107,12 @@ void Attribute::resize(Index slots) {
   const Index old = slots_;
   (void)bytes_.resize(stride_ * slots);  // in the room made before
   slots_ = slots;
+  const bool is_zero =
+      std::all_of(default_.begin(), default_.end(), [](std::byte b) { return b == std::byte{}; });
+  if (is_zero) {
+    if (slots > old) std::memset(&bytes_[stride_ * old], 0, stride_ * (slots - old));
+    return;
+  }
   for (Index item = old; item < slots; ++item) set_default(item, nullptr);
 }
 

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace halfedge {
 
@@ -110,6 +111,9 @@ class Attribute {
   [[nodiscard]] bool reserve(std::size_t slots);
   /// pre: there is room for them. New slots get the default.
   void resize(Index slots);
+  /// Takes over the values of all slots, as they lie in memory.
+  /// pre: values.size() == bytes().size()
+  void adopt(Array<std::byte>&& values) { bytes_ = std::move(values); }
   /// Takes over the values of `other`, a column like this one. False when memory is exhausted.
   [[nodiscard]] bool assign(const Attribute& other);
 

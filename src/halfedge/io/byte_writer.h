@@ -1,7 +1,9 @@
 #pragma once
 
+#include <halfedge/attributes/attribute.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/copy_numbers.h>
 #include <halfedge/io/number_writer.h>
 
 #include <cstddef>
@@ -32,6 +34,19 @@ class ByteWriter {
   }
   void number(char before, Index value) {
     number(before, [value](char* out) { return write_index(out, value); });
+  }
+  /// A number of any type.
+  void number(char before, Scalar type, const void* value) {
+    number(before, [=](char* out) { return write_number(out, type, value); });
+  }
+  /// `count` numbers of this type in a row, each turned round if `reverse`.
+  void binary(Scalar type, const void* values, std::size_t count, bool reverse) {
+    const std::size_t size = size_of(type);
+    if (std::uint8_t* const p = room(count * size)) {
+      copy_numbers({static_cast<const std::uint8_t*>(values), size}, {p, size}, count, size,
+                   reverse);
+      used(count * size);
+    }
   }
   template <ByteOrder kOrder, class T>
   void binary(T value) {

@@ -1,9 +1,11 @@
 #include <fast_float/fast_float.h>
 #include <halfedge/io/number_writer.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <string_view>
 
@@ -133,6 +135,60 @@ char* write_float(char* out, float value) {
 
 char* write_index(char* out, Index value) {
   return std::to_chars(out, out + kMaxNumberLength, value).ptr;
+}
+
+// Seldom, so it may be slow: tried by reading it.
+char* write_double(char* out, double value) {
+  if (std::isnan(value)) return write_word(out, "nan");
+  char text[40];
+  int length = 0;
+  for (int digits = 15; digits <= 17; ++digits) {
+    length = std::snprintf(text, sizeof(text), "%.*g", digits, value);
+    std::replace(text, text + length, ',', '.');  // of the language that the program is set to
+    double read = 0;
+    (void)fast_float::from_chars(text, text + length, read);
+    if (read == value) break;
+  }
+  return write_word(out, {text, static_cast<std::size_t>(length)});
+}
+
+namespace {
+
+template <class T>
+T number_at(const void* value) {
+  T number;
+  std::memcpy(&number, value, sizeof(number));
+  return number;
+}
+
+}  // namespace
+
+char* write_number(char* out, Scalar type, const void* value) {
+  std::int64_t integer = 0;
+  switch (type) {
+    case Scalar::kFloat32:
+      return write_float(out, number_at<float>(value));
+    case Scalar::kFloat64:
+      return write_double(out, number_at<double>(value));
+    case Scalar::kInt8:
+      integer = number_at<std::int8_t>(value);
+      break;
+    case Scalar::kUint8:
+      integer = number_at<std::uint8_t>(value);
+      break;
+    case Scalar::kInt16:
+      integer = number_at<std::int16_t>(value);
+      break;
+    case Scalar::kUint16:
+      integer = number_at<std::uint16_t>(value);
+      break;
+    case Scalar::kInt32:
+      integer = number_at<std::int32_t>(value);
+      break;
+    case Scalar::kUint32:
+      return write_index(out, number_at<Index>(value));
+  }
+  return std::to_chars(out, out + kMaxNumberLength, integer).ptr;
 }
 
 }  // namespace halfedge::io

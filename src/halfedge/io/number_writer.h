@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/attributes/attribute.h>
 #include <halfedge/connectivity/handle.h>
 
 namespace halfedge::io {
@@ -12,5 +13,9 @@ inline constexpr int kMaxNumberLength = 24;
 /// pre: room for kMaxNumberLength characters
 [[nodiscard]] char* write_float(char* out, float value);
 [[nodiscard]] char* write_index(char* out, Index value);
+/// The same for a double, at most 17 digits.
+[[nodiscard]] char* write_double(char* out, double value);
+/// The number of this type that lies at `value`.
+[[nodiscard]] char* write_number(char* out, Scalar type, const void* value);
 
 }  // namespace halfedge::io

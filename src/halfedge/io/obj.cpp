@@ -33,8 +33,8 @@ Statement statement_of(std::string_view word) {
 
 class ObjReader {
  public:
-  ObjReader(std::span<const std::uint8_t> bytes, FacePositions* wanted)
-      : text_(bytes), out_(wanted) {}
+  ObjReader(std::span<const std::uint8_t> bytes, const Request& request)
+      : text_(bytes), options_(request.options), out_(request.wanted) {}
 
   [[nodiscard]] std::optional<Error> read() {
     for (; !text_.at_end(); text_.skip_line()) {
@@ -66,6 +66,7 @@ class ObjReader {
   }
 
   TextScanner text_;
+  ParseOptions options_;
   SoupWriter out_;
   Error error_;
   std::size_t points_ = 0;
@@ -143,11 +144,11 @@ bool ObjReader::read_corner() {
   const auto vertices = static_cast<std::int64_t>(out_.vertex_count());
   if (index >= 0) {
     // Its vertex may be declared further down: compared with their number at the end.
-    out_.add_corner(index <= kMaxSlots ? static_cast<Index>(index) - 1 : kNone);
+    out_.add_corner(missing_vertex(index - 1));
     return true;
   }
-  if (index >= -vertices) {
-    out_.add_corner(static_cast<Index>(vertices + index));
+  if (index >= -vertices || options_.for_repair) {
+    out_.add_corner(missing_vertex(vertices + index));
     return true;
   }
   text_.move_to(start);
@@ -193,7 +194,7 @@ Error unknown_vertex(std::span<const std::uint8_t> bytes, PolygonSoup soup) {
   soup = {};
   const auto wanted = static_cast<Index>(face);
   FacePositions positions({&wanted, 1});
-  (void)read_obj(bytes, &positions);
+  (void)read_obj(bytes, {{.attributes = false, .for_repair = true}, &positions});
   const char* const start = positions.positions()[0];
   if (start == nullptr) {
     return {"out-of-memory", "memory was exhausted while a wrong index was looked for"};
@@ -212,12 +213,12 @@ Error unknown_vertex(std::span<const std::uint8_t> bytes, PolygonSoup soup) {
 
 }  // namespace
 
-Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, FacePositions* wanted) {
-  ObjReader reader(bytes, wanted);
+Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, const Request& request) {
+  ObjReader reader(bytes, request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   SoupWriter& out = reader.out();
   const bool complete = out.corner_count() == 0 || out.largest_index() < out.vertex_count();
-  if (!complete && wanted == nullptr) return unknown_vertex(bytes, std::move(out.soup()));
+  if (!complete && !request.options.for_repair) return unknown_vertex(bytes, std::move(out.soup()));
   return ParsedFile{Format::kObj, std::move(out.soup()), reader.notes()};
 }
 
@@ -240,8 +241,8 @@ bool looks_like_obj(TextScanner text) {
 
 }  // namespace io
 
-Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes) {
-  return io::read_obj(bytes, nullptr);
+Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
+  return io::read_obj(bytes, {options});
 }
 
 }  // namespace halfedge

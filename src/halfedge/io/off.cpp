@@ -18,8 +18,12 @@ namespace {
 class OffReader {
  public:
   /// `text` is behind the header.
-  OffReader(const TextScanner& text, const OffHeader& header, FacePositions* wanted)
-      : text_(text), data_(text), out_(wanted), header_(header) {}
+  OffReader(const TextScanner& text, const OffHeader& header, const Request& request)
+      : text_(text),
+        data_(text),
+        options_(request.options),
+        out_(request.wanted),
+        header_(header) {}
 
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return out_; }
@@ -44,6 +48,7 @@ class OffReader {
 
   TextScanner text_;
   TextScanner data_;  // stays behind the header
+  ParseOptions options_;
   SoupWriter out_;
   OffHeader header_;
   Error error_;
@@ -143,6 +148,10 @@ bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
     out_.add_corner(static_cast<Index>(vertex));
     return true;
   }
+  if (well_formed && options_.for_repair) {
+    out_.add_corner(missing_vertex(vertex));
+    return true;
+  }
   const std::string face = "face " + std::to_string(out_.face_count());
   if (!well_formed) {
     return fail(unexpected(start, "vertex " + std::to_string(corner + 1) + " of the " +
@@ -164,22 +173,23 @@ std::vector<std::string> OffReader::notes() {
 
 }  // namespace
 
-Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, FacePositions* wanted) {
+Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const Request& request) {
   TextScanner text(bytes);
   const Result<OffHeader> header = read_off_header(text);
   if (!header) return header.error();
   if (header.value().binary) {
-    return read_off_binary(bytes, bytes.size() - text.rest().size(), header.value());
+    return read_off_binary(bytes, bytes.size() - text.rest().size(), header.value(),
+                           request.options);
   }
-  OffReader reader(text, header.value(), wanted);
+  OffReader reader(text, header.value(), request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   return ParsedFile{Format::kOff, std::move(reader.out().soup()), reader.notes()};
 }
 
 }  // namespace io
 
-Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes) {
-  return io::read_off(bytes, nullptr);
+Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
+  return io::read_off(bytes, {options});
 }
 
 }  // namespace halfedge

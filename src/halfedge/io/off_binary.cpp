@@ -90,8 +90,9 @@ template <ByteOrder kOrder>
 class BinaryReader {
  public:
   /// pre: read_counts() found nothing wrong
-  BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours)
-      : bytes_(bytes), header_(header), colours_(colours), out_(nullptr) {}
+  BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours,
+               const ParseOptions& options)
+      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_(nullptr) {}
 
   [[nodiscard]] Result<ParsedFile> read();
 
@@ -105,6 +106,7 @@ class BinaryReader {
   ByteScanner bytes_;
   const OffHeader& header_;
   bool colours_;
+  ParseOptions options_;
   SoupWriter out_;
   Error error_;
 };
@@ -146,7 +148,7 @@ bool BinaryReader<kOrder>::read_face() {
   for (std::uint32_t corner = 0; corner < degree; ++corner) {
     const std::size_t offset = bytes_.offset();
     const std::uint32_t vertex = take();
-    if (vertex < header_.vertices) {
+    if (vertex < header_.vertices || options_.for_repair) {
       out_.add_corner(vertex);
       continue;
     }
@@ -192,9 +194,10 @@ struct Candidate {
 };
 
 template <ByteOrder kOrder>
-Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours) {
+Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours,
+                           const ParseOptions& options) {
   if (auto error = read_counts<kOrder>(bytes, header)) return *error;
-  return BinaryReader<kOrder>(bytes, header, colours).read();
+  return BinaryReader<kOrder>(bytes, header, colours, options).read();
 }
 
 /// Tries one byte order, with and without colours, unless there is nothing to be better than.
@@ -211,15 +214,15 @@ void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best
 }  // namespace
 
 Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes, std::size_t offset,
-                                   OffHeader header) {
+                                   OffHeader header, const ParseOptions& options) {
   const ByteScanner data(bytes, offset);
   std::optional<Candidate> best;
   compare<ByteOrder::kBig>(data, header, best);
   compare<ByteOrder::kLittle>(data, header, best);
   const Candidate chosen = best.value_or(Candidate{});
   return chosen.order == ByteOrder::kBig
-             ? read_as<ByteOrder::kBig>(data, header, chosen.colours)
-             : read_as<ByteOrder::kLittle>(data, header, chosen.colours);
+             ? read_as<ByteOrder::kBig>(data, header, chosen.colours, options)
+             : read_as<ByteOrder::kLittle>(data, header, chosen.colours, options);
 }
 
 }  // namespace halfedge::io

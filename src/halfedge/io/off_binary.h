@@ -15,6 +15,7 @@ namespace halfedge::io {
 /// (pmp-library) write the numbers of their machine, and no colours. What fits the size of the file
 /// best is taken.
 [[nodiscard]] Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes,
-                                                 std::size_t offset, OffHeader header);
+                                                 std::size_t offset, OffHeader header,
+                                                 const ParseOptions& options);
 
 }  // namespace halfedge::io

@@ -67,16 +67,16 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
 }
 
 Result<ParsedFile> read(std::span<const std::uint8_t> bytes, Format format,
-                        io::FacePositions* wanted) {
+                        const io::Request& request) {
   switch (format) {
     case Format::kObj:
-      return io::read_obj(bytes, wanted);
+      return io::read_obj(bytes, request);
     case Format::kOff:
-      return io::read_off(bytes, wanted);
+      return io::read_off(bytes, request);
     case Format::kPly:
-      return io::read_ply(bytes, wanted);
+      return io::read_ply(bytes, request);
     case Format::kStl:
-      return io::read_stl(bytes, wanted);
+      return io::read_stl(bytes, request);
   }
   return Error{"unknown-format", "the format asked for does not exist"};
 }
@@ -97,10 +97,11 @@ const char* name_of(Format format) {
   return "";
 }
 
-Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Format> claimed) {
+Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Format> claimed,
+                         const ParseOptions& options) {
   const Result<Format> format = detect(bytes, claimed);
   if (!format) return format.error();
-  Result<ParsedFile> file = read(bytes, format.value(), nullptr);
+  Result<ParsedFile> file = read(bytes, format.value(), {options});
   if (file && claimed && *claimed != format.value()) {
     file.value().notes.push_back(std::string("read as ") + name_of(format.value()) +
                                  ", which its content is, and not as " + name_of(*claimed));
@@ -119,7 +120,7 @@ std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes, For
   for (const std::size_t i : order) sorted.push_back(faces[i]);
 
   io::FacePositions found(sorted);
-  (void)read(bytes, format, &found);
+  (void)read(bytes, format, {{.attributes = false, .for_repair = true}, &found});
   std::vector<std::size_t> lines(faces.size(), 0);
   const char* counted = io::TextScanner(bytes).position();
   std::size_t line = 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/build/polygons.h>
+#include <halfedge/build/soup_attribute.h>
 #include <halfedge/result.h>
 
 #include <cstddef>
@@ -28,6 +29,20 @@ struct ParsedFile {
   std::vector<std::string> notes;
   /// It is no text, and has no lines.
   bool binary = false;
+  /// What the file says of its vertices, corners and faces beside positions, under the names that
+  /// are usual: `normal`, `color`, `uv`; see docs/files.md. No two of one kind of item have the
+  /// same name. `add_attributes` carries them to a mesh.
+  std::vector<SoupAttribute> attributes = {};
+};
+
+/// How a file is read.
+struct ParseOptions {
+  /// Whether attributes are read. If not, they cost nothing.
+  bool attributes = true;
+  /// Whether faces with vertices that don't exist, and triangles of STL without finite positions,
+  /// are let through, for `build_from_soup` to leave them out and say so. Otherwise they are an
+  /// error here, which names the place.
+  bool for_repair = false;
 };
 
 /// Reads a file. Its content decides the format; `claimed` (what the name of the file says, or its
@@ -45,29 +60,35 @@ struct ParsedFile {
 /// (in STL), unknown-format, unsupported-format (known, but not readable), not-text (UTF-16,
 /// binary), too-large, out-of-memory.
 [[nodiscard]] Result<ParsedFile> parse(std::span<const std::uint8_t> bytes,
-                                       std::optional<Format> claimed = std::nullopt);
+                                       std::optional<Format> claimed = std::nullopt,
+                                       const ParseOptions& options = {});
 
 /// Reads a Wavefront OBJ file: `v` and `f` with corners as 3, 3/1, 3/1/2 or 3//2, indices from 1 or
 /// negative and then counted back from the last vertex so far, `\` at the end of a line. A face may
 /// come before its vertices. Further values of a vertex, texture coordinates, normals, groups,
 /// materials, points, lines, curves and unknown statements are ignored.
-[[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
+                                          const ParseOptions& options = {});
 
 /// Reads a Geomview OFF file, in text or binary form (of either byte order): OFF with the prefixes
 /// ST, C, N, 4, n, or no header word at all; the number of edges may be left out; comments
 /// anywhere. Normals, colours and texture coordinates are ignored; 4OFF positions are divided by
 /// their fourth coordinate.
-[[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes,
+                                          const ParseOptions& options = {});
 
 /// Reads a PLY file, in text or in either binary form: elements and properties in any order, x, y
 /// and z of `vertex` and the list vertex_indices (or vertex_index) of `face` of any types, and
-/// `tristrips`. Other properties and elements are ignored, and named in a note.
-[[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes);
+/// `tristrips`. All other properties of vertices and faces that are numbers become attributes, and
+/// so does the list `texcoord` of faces; other lists and elements are ignored, and named in a note.
+[[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes,
+                                          const ParseOptions& options = {});
 
 /// Reads an STL file, in text or binary form. Positions are welded where all bits are equal, but
 /// for the sign of zero; what is no number has no place in that, and is an error that names the
 /// triangle. Normals and attributes are ignored.
-[[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes);
+[[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
+                                          const ParseOptions& options = {});
 
 /// The line, from 1, on which each of these faces starts, in the order asked for; 0 for a face that
 /// the file does not have, and for all faces of a binary file. Reads the file again, so that

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/copy_numbers.h>
+#include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/soup_writer.h>
 #include <halfedge/io/text_scanner.h>
@@ -43,6 +45,9 @@ class PlyText {
     if (text_.read_integer(value) && text_.at_token_end()) return true;
     text_.move_to(start);
     return !is_integer(type) && read_whole_float(value);
+  }
+  [[nodiscard]] bool read(PlyType type, std::byte* value) {
+    return read_number(text_, type, value);
   }
   [[nodiscard]] bool skip(PlyType, std::uint64_t count) {
     for (; count > 0; --count) {
@@ -98,6 +103,9 @@ template <ByteOrder kOrder>
 class PlyBinary {
  public:
   static constexpr ByteOrder kByteOrder = kOrder;
+  /// Numbers are turned round from what they are on this machine.
+  static constexpr bool kIsReversed =
+      (kOrder == ByteOrder::kBig) != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
 
   PlyBinary(std::span<const std::uint8_t> bytes, std::size_t offset) : bytes_(bytes, offset) {}
 
@@ -125,6 +133,13 @@ class PlyBinary {
     }
     bytes_ = start;
     return false;
+  }
+  [[nodiscard]] bool read(PlyType type, std::byte* value) {
+    if (room(type) == 0) return false;
+    copy_numbers({bytes_.position(), 0}, {reinterpret_cast<std::uint8_t*>(value), 0}, 1,
+                 size_of(type), kIsReversed);
+    bytes_.skip(size_of(type));
+    return true;
   }
   [[nodiscard]] bool skip(PlyType type, std::uint64_t count) {
     if (count > room(type)) return false;

@@ -8,15 +8,22 @@
 
 namespace halfedge::io {
 
-/// The readers themselves; `wanted`, if any, learns where its faces start.
+/// What is asked of a reader.
+struct Request {
+  ParseOptions options;
+  /// Learns where its faces start, if there is one.
+  FacePositions* wanted = nullptr;
+};
+
+/// The readers themselves.
 [[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
-                                          FacePositions* wanted);
+                                          const Request& request);
 [[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes,
-                                          FacePositions* wanted);
+                                          const Request& request);
 [[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes,
-                                          FacePositions* wanted);
+                                          const Request& request);
 [[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
-                                          FacePositions* wanted);
+                                          const Request& request);
 
 /// The text starts with an OBJ statement that has what such a statement needs, after any number of
 /// others. Looks at the first lines only.

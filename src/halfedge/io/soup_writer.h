@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,6 +38,12 @@ class FacePositions {
   std::size_t found_ = 0;
 };
 
+/// The corner of a vertex that the file does not have, for a repair to name: an index that no mesh
+/// has, with the same 32 bits where that is possible.
+[[nodiscard]] inline Index missing_vertex(std::int64_t index) {
+  return index >= INT32_MIN && index <= INT64_C(0xFFFF'FFFF) ? static_cast<Index>(index) : kNone;
+}
+
 /// Collects what a reader finds, and reads on as long as there is memory. Growth is amortised.
 class SoupWriter {
  public:
@@ -65,6 +72,10 @@ class SoupWriter {
     p[0] = x;
     p[1] = y;
     p[2] = z;
+  }
+  /// Room for so many more vertices, three numbers each, for the caller to fill in; or null.
+  [[nodiscard]] float* add_vertices(std::size_t count) {
+    return append(soup_.positions, 3 * count);
   }
   /// The text of the next face starts at `position`.
   void begin_face(const char* position) {

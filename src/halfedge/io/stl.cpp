@@ -90,7 +90,7 @@ std::uint64_t announced(std::span<const std::uint8_t> bytes) {
   return load<std::uint32_t, ByteOrder::kLittle>(bytes.data() + kHeader);
 }
 
-Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes) {
+Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
   if (bytes.size() < kStart) {
     return Error{"truncated", "the file has " + std::to_string(bytes.size()) +
                                   " bytes, expected at least the " + std::to_string(kStart) +
@@ -113,7 +113,7 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes) {
     for (std::size_t i = 0; i < 9; ++i) {
       triangle[i] = load<float, ByteOrder::kLittle>(at + 12 + 4 * i);
     }
-    if (!is_finite(triangle)) {
+    if (!options.for_repair && !is_finite(triangle)) {
       const auto offset = static_cast<std::size_t>(at - bytes.data());
       return not_finite(error_at_byte(offset, "non-finite-position", ""), triangle, face);
     }
@@ -134,8 +134,8 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes) {
 
 class TextReader {
  public:
-  TextReader(std::span<const std::uint8_t> bytes, FacePositions* wanted)
-      : text_(bytes), writer_(wanted) {}
+  TextReader(std::span<const std::uint8_t> bytes, const Request& request)
+      : text_(bytes), options_(request.options), writer_(request.wanted) {}
 
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return writer_.out(); }
@@ -164,6 +164,7 @@ class TextReader {
   }
 
   TextScanner text_;
+  ParseOptions options_;
   TriangleWriter writer_;
   bool in_solid_ = false;
   Error error_;
@@ -196,7 +197,7 @@ bool TextReader::read_facet() {
     if (text_.read_float(triangle[i])) continue;
     return fail(unexpected(text_, "a number for " + name_of_number(i, out().face_count())));
   }
-  if (!is_finite(triangle)) {
+  if (!options_.for_repair && !is_finite(triangle)) {
     TextScanner first = start;
     first.skip_to_token();
     return fail(
@@ -227,20 +228,20 @@ StlKind kind_of_stl(std::span<const std::uint8_t> bytes) {
   return is_word(text.token(), "facet") ? StlKind::kText : StlKind::kUnknown;
 }
 
-Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, FacePositions* wanted) {
+Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const Request& request) {
   const StlKind kind = kind_of_stl(bytes);
   const bool binary =
       kind == StlKind::kBinary || (kind == StlKind::kUnknown && has_nul(TextScanner(bytes).rest()));
-  if (binary) return read_binary(bytes);
-  TextReader reader(bytes, wanted);
+  if (binary) return read_binary(bytes, request.options);
+  TextReader reader(bytes, request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   return ParsedFile{Format::kStl, std::move(reader.out().soup()), reader.notes()};
 }
 
 }  // namespace io
 
-Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes) {
-  return io::read_stl(bytes, nullptr);
+Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
+  return io::read_stl(bytes, {options});
 }
 
 }  // namespace halfedge

@@ -9,14 +9,15 @@ namespace {
 
 /// The spellings of older Microsoft C libraries: 1.#IND, -1.#INF, 1.#QNAN, 1.#SNAN, and with digits
 /// behind ("1.#INF00"). Returns the end of the token, or null if it is none of them.
-const char* read_microsoft_special(const char* p, const char* end, float& value) {
+template <class T>
+const char* read_microsoft_special(const char* p, const char* end, T& value) {
   const bool negative = p != end && *p == '-';
   if (p != end && (*p == '-' || *p == '+')) ++p;
   const std::string_view rest(p, static_cast<std::size_t>(end - p));
   for (const std::string_view name : {"1.#INF", "1.#IND", "1.#QNAN", "1.#SNAN"}) {
     if (!rest.starts_with(name)) continue;
-    value = name == "1.#INF" ? std::numeric_limits<float>::infinity()
-                             : std::numeric_limits<float>::quiet_NaN();
+    value =
+        name == "1.#INF" ? std::numeric_limits<T>::infinity() : std::numeric_limits<T>::quiet_NaN();
     if (negative) value = -value;
     p += name.size();
     while (p != end && is_digit(*p)) ++p;
@@ -27,7 +28,8 @@ const char* read_microsoft_special(const char* p, const char* end, float& value)
 
 }  // namespace
 
-bool TextScanner::read_float(float& value) {
+template <class T>
+bool TextScanner::read_number(T& value) {
   const char* number = at_;
   if (number != end_ && *number == '+') {
     ++number;
@@ -44,6 +46,9 @@ bool TextScanner::read_float(float& value) {
   at_ = after;
   return true;
 }
+
+bool TextScanner::read_float(float& value) { return read_number(value); }
+bool TextScanner::read_double(double& value) { return read_number(value); }
 
 std::uint64_t TextScanner::saturated(const char* digits, const char* stop) {
   constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());

@@ -120,6 +120,7 @@ class TextScanner {
   /// Reads a number and moves past it; false, without moving, if the token is none. Correctly
   /// rounded; nan, inf and infinity in any case, and 1.#IND, 1.#INF and the like, are numbers.
   [[nodiscard]] bool read_float(float& value);
+  [[nodiscard]] bool read_double(double& value);
 
   /// Reads an integer and moves past it; false, without moving, if there is none. Stops at the
   /// first byte that is no digit: see at_token_end(). What 64 bits cannot hold becomes the nearest
@@ -170,6 +171,8 @@ class TextScanner {
     skip_newline();
     return true;
   }
+  template <class T>
+  [[nodiscard]] bool read_number(T& value);
   [[nodiscard]] static std::uint64_t saturated(const char* digits, const char* stop);
 
   const char* begin_;

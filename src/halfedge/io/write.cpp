@@ -1,5 +1,6 @@
 #include <halfedge/io/byte_writer.h>
-#include <halfedge/io/write.h>
+#include <halfedge/io/live_mesh.h>
+#include <halfedge/io/ply_writer.h>
 
 #include <algorithm>
 #include <array>
@@ -11,108 +12,19 @@ namespace halfedge {
 namespace io {
 namespace {
 
-/// The live vertices and faces of a mesh, numbered without gaps.
-class LiveMesh {
- public:
-  LiveMesh(std::span<const float> positions, const Adjacency& faces,
-           std::span<const std::uint8_t> deleted)
-      : positions_(positions), faces_(faces), deleted_(deleted) {}
-
-  /// Numbers and counts.
-  [[nodiscard]] std::optional<Error> prepare();
-
-  [[nodiscard]] Index vertex_count() const { return vertex_count_; }
-  [[nodiscard]] Index face_count() const { return face_count_; }
-  [[nodiscard]] Index largest_degree() const { return largest_degree_; }
-  [[nodiscard]] std::size_t corner_count() const { return faces_.items.size(); }
-  [[nodiscard]] std::uint64_t triangle_count() const { return triangle_count_; }
-
-  /// Calls `visit(x, y, z)` for each vertex.
-  template <class Visit>
-  void for_each_vertex(const Visit& visit) const {
-    for (std::size_t v = 0; 3 * v < positions_.size(); ++v) {
-      if (is_live(v)) visit(positions_[3 * v], positions_[3 * v + 1], positions_[3 * v + 2]);
-    }
-  }
-  /// Calls `visit(slots of its vertices)` for each face; number() tells what to write for them.
-  template <class Visit>
-  void for_each_face(const Visit& visit) const {
-    for (std::size_t f = 0; f + 1 < faces_.offsets.size(); ++f) {
-      const Index begin = faces_.offsets[f];
-      const Index size = faces_.offsets[f + 1] - begin;
-      if (size > 0) visit(faces_.items.span().subspan(begin, size));
-    }
-  }
-  [[nodiscard]] Index number(Index slot) const { return numbers_.empty() ? slot : numbers_[slot]; }
-  [[nodiscard]] const float* position(Index slot) const {
-    return &positions_[3 * std::size_t{slot}];
-  }
-
- private:
-  [[nodiscard]] bool is_live(std::size_t v) const { return deleted_.empty() || deleted_[v] == 0; }
-
-  std::span<const float> positions_;
-  const Adjacency& faces_;
-  std::span<const std::uint8_t> deleted_;
-  Array<Index> numbers_;  // of vertices; empty if there are no gaps
-  Index vertex_count_ = 0;
-  Index face_count_ = 0;
-  Index largest_degree_ = 0;
-  std::uint64_t triangle_count_ = 0;
-};
-
-Error out_of_memory() { return {"out-of-memory", "memory was exhausted while a file was written"}; }
-
-std::optional<Error> LiveMesh::prepare() {
-  const std::size_t slots = positions_.size() / 3;
-  vertex_count_ = static_cast<Index>(slots);
-  if (!deleted_.empty()) {
-    if (!numbers_.resize(slots)) return out_of_memory();
-    vertex_count_ = 0;
-    for (std::size_t v = 0; v < slots; ++v) numbers_[v] = is_live(v) ? vertex_count_++ : kNone;
-  }
-  const auto bad = std::find_if(faces_.items.begin(), faces_.items.end(),
-                                [&](Index v) { return v >= slots || !is_live(v); });
-  if (bad != faces_.items.end()) {
-    return Error{"corrupt-connectivity", "a face has the vertex " + std::to_string(*bad) +
-                                             ", which is no live one: validate names the face"};
-  }
-  for_each_face([this](std::span<const Index> corners) {
-    const auto degree = static_cast<Index>(corners.size());
-    ++face_count_;
-    largest_degree_ = std::max(largest_degree_, degree);
-    triangle_count_ += degree < 3 ? 0 : degree - 2;
-  });
-  return std::nullopt;
-}
-
 // ---- OBJ and OFF -----------------------------------------------------------------------------
 
 void write_obj(const LiveMesh& mesh, ByteWriter& out) {
-  mesh.for_each_vertex([&out](float x, float y, float z) {
+  mesh.for_each_vertex([&](Index v) {
     out.text("v");
-    for (const float p : {x, y, z}) out.number(' ', p);
+    for (std::size_t i = 0; i < 3; ++i) out.number(' ', mesh.position(v)[i]);
     out.text("\n");
   });
-  mesh.for_each_face([&](std::span<const Index> corners) {
+  mesh.for_each_face([&](Index, std::span<const Index> corners) {
     out.text("f");
     for (const Index v : corners) out.number(' ', mesh.number(v) + 1);
     out.text("\n");
   });
-}
-
-/// Rows as OFF and text PLY have them.
-void write_text_rows(const LiveMesh& mesh, ByteWriter& out) {
-  mesh.for_each_vertex([&out](float x, float y, float z) {
-    out.number('\n', x);
-    out.number(' ', y);
-    out.number(' ', z);
-  });
-  mesh.for_each_face([&](std::span<const Index> corners) {
-    out.number('\n', static_cast<Index>(corners.size()));
-    for (const Index v : corners) out.number(' ', mesh.number(v));
-  });
-  out.text("\n");
 }
 
 void write_text_off(const LiveMesh& mesh, ByteWriter& out) {
@@ -120,7 +32,14 @@ void write_text_off(const LiveMesh& mesh, ByteWriter& out) {
   out.number('\n', mesh.vertex_count());
   out.number(' ', mesh.face_count());
   out.text(" 0");  // edges, which nobody reads
-  write_text_rows(mesh, out);
+  mesh.for_each_vertex([&](Index v) {
+    for (std::size_t i = 0; i < 3; ++i) out.number(i == 0 ? '\n' : ' ', mesh.position(v)[i]);
+  });
+  mesh.for_each_face([&](Index, std::span<const Index> corners) {
+    out.number('\n', static_cast<Index>(corners.size()));
+    for (const Index v : corners) out.number(' ', mesh.number(v));
+  });
+  out.text("\n");
 }
 
 void write_binary_off(const LiveMesh& mesh, ByteWriter& out) {
@@ -129,45 +48,13 @@ void write_binary_off(const LiveMesh& mesh, ByteWriter& out) {
   for (const Index count : {mesh.vertex_count(), mesh.face_count(), Index{0}}) {
     out.binary<kBig>(count);
   }
-  mesh.for_each_vertex([&out](float x, float y, float z) {
-    for (const float p : {x, y, z}) out.binary<kBig>(p);
+  mesh.for_each_vertex([&](Index v) {
+    for (std::size_t i = 0; i < 3; ++i) out.binary<kBig>(mesh.position(v)[i]);
   });
-  mesh.for_each_face([&](std::span<const Index> corners) {
+  mesh.for_each_face([&](Index, std::span<const Index> corners) {
     out.binary<kBig>(static_cast<Index>(corners.size()));
     for (const Index v : corners) out.binary<kBig>(mesh.number(v));
     out.binary<kBig>(Index{0});  // components of a colour
-  });
-}
-
-// ---- PLY -------------------------------------------------------------------------------------
-
-void write_ply_header(const LiveMesh& mesh, const char* encoding, ByteWriter& out) {
-  out.text("ply\nformat ");
-  out.text(encoding);
-  out.text(" 1.0\nelement vertex");
-  out.number(' ', mesh.vertex_count());
-  out.text("\nproperty float x\nproperty float y\nproperty float z\nelement face");
-  out.number(' ', mesh.face_count());
-  out.text(mesh.largest_degree() < 256 ? "\nproperty list uchar" : "\nproperty list uint");
-  out.text(" int vertex_indices\nend_header");
-}
-
-template <ByteOrder kOrder>
-void write_binary_ply(const LiveMesh& mesh, ByteWriter& out) {
-  const bool small = mesh.largest_degree() < 256;
-  write_ply_header(mesh, kOrder == ByteOrder::kBig ? "binary_big_endian" : "binary_little_endian",
-                   out);
-  out.text("\n");
-  mesh.for_each_vertex([&out](float x, float y, float z) {
-    for (const float p : {x, y, z}) out.binary<kOrder>(p);
-  });
-  mesh.for_each_face([&](std::span<const Index> corners) {
-    if (small) {
-      out.binary<kOrder>(static_cast<std::uint8_t>(corners.size()));
-    } else {
-      out.binary<kOrder>(static_cast<Index>(corners.size()));
-    }
-    for (const Index v : corners) out.binary<kOrder>(mesh.number(v));
   });
 }
 
@@ -195,7 +82,7 @@ Vector normal_of(const float* a, const float* b, const float* c) {
 /// Calls `visit(normal and corners)` for each triangle of the fans.
 template <class Visit>
 void for_each_triangle(const LiveMesh& mesh, const Visit& visit) {
-  mesh.for_each_face([&](std::span<const Index> corners) {
+  mesh.for_each_face([&](Index, std::span<const Index> corners) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const float* const a = mesh.position(corners[0]);
       const float* const b = mesh.position(corners[i - 1]);
@@ -263,14 +150,7 @@ bool write_as(const LiveMesh& mesh, Format format, Encoding encoding, ByteWriter
       text ? write_text_off(mesh, out) : write_binary_off(mesh, out);
       return true;
     case Format::kPly:
-      if (text) {
-        write_ply_header(mesh, "ascii", out);
-        write_text_rows(mesh, out);
-      } else if (encoding == Encoding::kBinary) {
-        write_binary_ply<ByteOrder::kLittle>(mesh, out);
-      } else {
-        write_binary_ply<ByteOrder::kBig>(mesh, out);
-      }
+      write_ply(mesh, encoding, out);
       return true;
     case Format::kStl:
       if (encoding == Encoding::kBinaryBigEndian) return false;
@@ -283,15 +163,21 @@ bool write_as(const LiveMesh& mesh, Format format, Encoding encoding, ByteWriter
 }  // namespace
 }  // namespace io
 
-Result<Array<std::uint8_t>> write_faces(std::span<const float> positions, const Adjacency& faces,
-                                        std::span<const std::uint8_t> is_deleted, Format format,
+Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format,
                                         const WriteOptions& options) {
   const bool binary = format == Format::kPly || format == Format::kStl;
   const Encoding encoding = options.encoding.value_or(binary ? Encoding::kBinary : Encoding::kText);
-  io::LiveMesh mesh(positions, faces, is_deleted);
+  std::vector<std::string> notes;
+  io::LiveMesh mesh(source, options.notes != nullptr ? *options.notes : notes);
   if (std::optional<Error> error = mesh.prepare()) return *std::move(error);
   if (format == Format::kStl) {
-    if (auto error = io::check_stl(mesh, faces.items.span())) return *std::move(error);
+    if (auto error = io::check_stl(mesh, source.faces.items.span())) return *std::move(error);
+  }
+  if (format != Format::kPly) {
+    for (const ItemKind kind :
+         {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+      mesh.leave_out_all(kind, std::string(name_of(format)) + " has no place for it");
+    }
   }
   io::ByteWriter out;
   if (!io::write_as(mesh, format, encoding, out)) {
@@ -300,7 +186,7 @@ Result<Array<std::uint8_t>> write_faces(std::span<const float> positions, const 
                                                      ? " has no binary form, expected text"
                                                      : " has no big-endian form")};
   }
-  if (out.out_of_memory()) return io::out_of_memory();
+  if (out.out_of_memory()) return io::no_memory_for_a_file();
   out.bytes().shrink_to_fit();
   return std::move(out.bytes());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/algorithms/adjacency.h>
+#include <halfedge/attributes/attributes.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
@@ -9,6 +10,8 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace halfedge {
 
@@ -19,18 +22,27 @@ enum class Encoding : std::uint8_t { kText, kBinary, kBinaryBigEndian };
 struct WriteOptions {
   /// Left open, text for OBJ and OFF, binary for PLY and STL.
   std::optional<Encoding> encoding = std::nullopt;
+  /// Whether attributes are written, as far as the format has a place for them: see docs/files.md.
+  bool attributes = true;
+  /// Gets a sentence for each attribute that isn't in the file, or not as it was.
+  std::vector<std::string>* notes = nullptr;
 };
 
-/// What write() calls, whatever the mesh stores. `is_deleted` has an element for each vertex slot
-/// that isn't 0 for a deleted one, or is empty if there are none.
-[[nodiscard]] Result<Array<std::uint8_t>> write_faces(std::span<const float> positions,
-                                                      const Adjacency& faces,
-                                                      std::span<const std::uint8_t> is_deleted,
-                                                      Format format, const WriteOptions& options);
+/// What write() calls, whatever the mesh stores.
+struct WriteSource {
+  std::span<const float> positions;
+  Adjacency faces;                 // their vertices
+  Adjacency halfedges;             // that end at these; empty without attributes by halfedge
+  Array<std::uint8_t> is_deleted;  // by vertex slot, not 0 if so; empty if there are none
+  const Attributes* attributes = nullptr;  // null if they are left out
+};
+[[nodiscard]] Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format,
+                                                      const WriteOptions& options);
 
 /// The bytes of a file of this mesh: its live vertices and faces, each in the order of their
 /// indices, a face from the vertex on that it was built from. Reading it gives the same polygons,
-/// and the same bits of each position, also from text.
+/// and the same bits of each position, also from text; and the same attributes, where the format
+/// has a place for them.
 ///
 /// Polygons stay polygons, but in STL, which has only triangles: there a polygon becomes a fan
 /// around its first vertex, right for convex ones, and isolated vertices are left out.
@@ -41,17 +53,24 @@ struct WriteOptions {
 template <Storage kStored>
 [[nodiscard]] Result<Array<std::uint8_t>> write(const BasicMesh<kStored>& mesh, Format format,
                                                 const WriteOptions& options = {}) {
-  Adjacency faces;
-  const Result<void> rows = adjacency(mesh, Ring::kFaceVertices, Direction::kCcw, faces);
+  WriteSource source;
+  source.positions = mesh.positions();
+  Result<void> rows = adjacency(mesh, Ring::kFaceVertices, Direction::kCcw, source.faces);
   if (!rows) return rows.error();
-  Array<std::uint8_t> deleted;
+  if (options.attributes) source.attributes = &mesh.attributes();
+  if (options.attributes && !mesh.attributes().of(ItemKind::kHalfedge).empty()) {
+    rows = adjacency(mesh, Ring::kFaceHalfedges, Direction::kCcw, source.halfedges);
+    if (!rows) return rows.error();
+  }
   if (mesh.vertex_count() < mesh.vertex_slots()) {
-    if (!deleted.resize(mesh.vertex_slots())) {
+    if (!source.is_deleted.resize(mesh.vertex_slots())) {
       return Error{"out-of-memory", "memory was exhausted while a file was written"};
     }
-    for (Index v = 0; v < mesh.vertex_slots(); ++v) deleted[v] = mesh.is_deleted(Vertex(v));
+    for (Index v = 0; v < mesh.vertex_slots(); ++v) {
+      source.is_deleted[v] = mesh.is_deleted(Vertex(v));
+    }
   }
-  return write_faces(mesh.positions(), faces, deleted.span(), format, options);
+  return write_faces(source, format, options);
 }
 
 }  // namespace halfedge

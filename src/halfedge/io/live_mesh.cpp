@@ -1,0 +1,49 @@
+#include <halfedge/io/live_mesh.h>
+#include <halfedge/io/text_scanner.h>
+
+#include <algorithm>
+
+namespace halfedge::io {
+
+std::optional<Error> LiveMesh::prepare() {
+  const std::size_t slots = source_.positions.size() / 3;
+  vertex_count_ = static_cast<Index>(slots);
+  if (!source_.is_deleted.empty()) {
+    if (!numbers_.resize(slots)) return no_memory_for_a_file();
+    vertex_count_ = 0;
+    for (Index v = 0; v < slots; ++v) numbers_[v] = is_live(v) ? vertex_count_++ : kNone;
+  }
+  const auto bad = std::find_if(source_.faces.items.begin(), source_.faces.items.end(),
+                                [&](Index v) { return v >= slots || !is_live(v); });
+  if (bad != source_.faces.items.end()) {
+    return Error{"corrupt-connectivity", "a face has the vertex " + std::to_string(*bad) +
+                                             ", which is no live one: validate names the face"};
+  }
+  for_each_face([this](Index, std::span<const Index> corners) {
+    const auto degree = static_cast<Index>(corners.size());
+    ++face_count_;
+    largest_degree_ = std::max(largest_degree_, degree);
+    triangle_count_ += degree < 3 ? 0 : degree - 2;
+  });
+  return std::nullopt;
+}
+
+std::vector<const Attribute*> LiveMesh::attributes(ItemKind kind) const {
+  std::vector<const Attribute*> list;
+  if (source_.attributes == nullptr) return list;
+  for (const auto& column : source_.attributes->of(kind)) {
+    if (!column->is_generation()) list.push_back(column.get());
+  }
+  return list;
+}
+
+void LiveMesh::leave_out(const Attribute& attribute, const std::string& why) const {
+  notes_.push_back(std::string("left out the ") + name_of(attribute.kind()) + " attribute " +
+                   quoted(attribute.name()) + ": " + why);
+}
+
+void LiveMesh::leave_out_all(ItemKind kind, const std::string& why) const {
+  for (const Attribute* attribute : attributes(kind)) leave_out(*attribute, why);
+}
+
+}  // namespace halfedge::io

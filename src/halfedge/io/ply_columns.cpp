@@ -1,0 +1,189 @@
+#include <halfedge/io/ply_columns.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace halfedge::io {
+namespace {
+
+/// Properties that make one attribute, under the names that programs give them.
+struct Group {
+  const char* name;
+  std::string_view properties[4];
+  std::size_t fewest;  // of them
+};
+
+constexpr Group kGroups[] = {
+    {"normal", {"nx", "ny", "nz"}, 3},
+    {"color", {"red", "green", "blue", "alpha"}, 3},
+    {"color", {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}, 3},
+    {"uv", {"s", "t"}, 2},
+    {"uv", {"u", "v"}, 2},
+    {"uv", {"texture_u", "texture_v"}, 2},
+};
+
+/// Float, double, and then the integers.
+Scalar scalar_of(PlyType type) { return static_cast<Scalar>((static_cast<int>(type) + 2) % 8); }
+
+OnSplit policy_of(std::string_view name, PlyType type) {
+  if (name == "normal" && !is_integer(type)) return OnSplit::kNormalize;
+  // The mean of two labels is no label.
+  return is_integer(type) && name != "color" ? OnSplit::kCopy : OnSplit::kInterpolate;
+}
+
+class ColumnChooser {
+ public:
+  ColumnChooser(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
+                std::vector<SoupAttribute>& columns)
+      : element_(element),
+        item_(item),
+        taken_(taken),
+        columns_(columns),
+        targets_(element.properties.size()) {}
+
+  [[nodiscard]] std::vector<PlyTarget> choose() {
+    for (std::size_t i = 0; i < targets_.size() && columns_.size() < kMostColumns; ++i) {
+      if (!is_free(i)) continue;
+      const std::string_view name = element_.properties[i].name;
+      if (!add_group(name) && !add_components(i)) (void)add(name, std::span(&i, 1));
+    }
+    return std::move(targets_);
+  }
+
+ private:
+  /// Looking for names takes time in proportion to their number.
+  static constexpr std::size_t kMostColumns = 256;
+
+  [[nodiscard]] bool is_free(std::size_t i) const {
+    const PlyProperty& property = element_.properties[i];
+    return !property.length_type && targets_[i].column == PlyTarget::kNowhere &&
+           std::find(taken_.begin(), taken_.end(), &property) == taken_.end();
+  }
+
+  /// The group that begins with this property, with as many of its parts as there are.
+  [[nodiscard]] bool add_group(std::string_view first) {
+    for (const Group& group : kGroups) {
+      if (group.properties[0] != first) continue;
+      if (item_ == SoupItem::kFace && std::string_view(group.name) == "uv") continue;
+      std::vector<std::size_t> parts;
+      for (const std::string_view name : group.properties) {
+        const PlyProperty* const found = name.empty() ? nullptr : element_.find(name);
+        if (found == nullptr) break;
+        const auto i = static_cast<std::size_t>(found - element_.properties.data());
+        if (!is_free(i) || found->type != element_.find(first)->type) break;
+        parts.push_back(i);
+      }
+      if (parts.size() >= group.fewest) return add(group.name, parts);
+    }
+    return false;
+  }
+
+  /// weight[0], weight[1] and so on, in a row, as the writer names components.
+  [[nodiscard]] bool add_components(std::size_t first) {
+    std::string_view stem = element_.properties[first].name;
+    if (!stem.ends_with("[0]") || stem.size() == 3) return false;
+    stem.remove_suffix(3);
+    std::vector<std::size_t> parts;
+    for (std::size_t i = first; i < targets_.size(); ++i) {
+      const PlyProperty& property = element_.properties[i];
+      const std::string name = std::string(stem) + "[" + std::to_string(parts.size()) + "]";
+      if (!is_free(i) || property.name != name || parts.size() == Attribute::kMaxComponents ||
+          property.type != element_.properties[first].type) {
+        break;
+      }
+      parts.push_back(i);
+    }
+    return add(stem, parts);
+  }
+
+  [[nodiscard]] bool add(std::string_view name, std::span<const std::size_t> parts) {
+    for (const SoupAttribute& column : columns_) {
+      if (column.item == item_ && column.name == name) return false;
+    }
+    const PlyType type = element_.properties[parts[0]].type;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      targets_[parts[k]] = {columns_.size(), k * size_of(type)};
+    }
+    SoupAttribute& column = columns_.emplace_back();
+    column.name = name;
+    column.item = item_;
+    column.type = scalar_of(type);
+    column.components = static_cast<Index>(parts.size());
+    column.on_split = policy_of(name, type);
+    return true;
+  }
+
+  const PlyElement& element_;
+  SoupItem item_;
+  std::span<const PlyProperty* const> taken_;
+  std::vector<SoupAttribute>& columns_;
+  std::vector<PlyTarget> targets_;
+};
+
+/// pre: an integer type
+void store_integer(std::int64_t value, PlyType type, std::byte* to) {
+  const std::size_t bits = 8 * size_of(type);
+  const bool is_signed =
+      type == PlyType::kInt8 || type == PlyType::kInt16 || type == PlyType::kInt32;
+  const std::int64_t most = (std::int64_t{1} << (is_signed ? bits - 1 : bits)) - 1;
+  value = std::clamp(value, is_signed ? -most - 1 : 0, most);
+  const auto word = static_cast<std::uint32_t>(value);
+  const auto half = static_cast<std::uint16_t>(value);
+  const auto byte = static_cast<std::uint8_t>(value);
+  if (bits == 32) std::memcpy(to, &word, sizeof(word));
+  if (bits == 16) std::memcpy(to, &half, sizeof(half));
+  if (bits == 8) std::memcpy(to, &byte, sizeof(byte));
+}
+
+}  // namespace
+
+std::vector<PlyTarget> choose_columns(const PlyElement& element, SoupItem item,
+                                      std::span<const PlyProperty* const> taken,
+                                      std::vector<SoupAttribute>& columns) {
+  return ColumnChooser(element, item, taken, columns).choose();
+}
+
+bool is_texture_list(const PlyProperty& property) {
+  return property.length_type && property.name == "texcoord" && !is_integer(property.type);
+}
+
+SoupAttribute texture_column(const PlyProperty& property) {
+  SoupAttribute column;
+  column.name = "uv";
+  column.item = SoupItem::kCorner;
+  column.type = scalar_of(property.type);
+  column.components = 2;
+  return column;
+}
+
+bool read_number(TextScanner& text, PlyType type, std::byte* value) {
+  text.skip_blanks();
+  const char* const start = text.position();
+  float single = 0;
+  if (type == PlyType::kFloat64) {
+    double number = 0;
+    if (!text.read_double(number)) return false;
+    std::memcpy(value, &number, sizeof(number));
+    return true;
+  }
+  std::int64_t integer = 0;
+  if (is_integer(type) && text.read_integer(integer) && text.at_token_end()) {
+    store_integer(integer, type, value);
+    return true;
+  }
+  text.move_to(start);
+  if (!text.read_float(single)) return false;
+  if (is_integer(type)) {  // 255.0
+    constexpr float kFarOut = 0x1p40F;
+    single = std::isnan(single) ? 0 : std::clamp(std::nearbyint(single), -kFarOut, kFarOut);
+    store_integer(static_cast<std::int64_t>(single), type, value);
+  } else {
+    std::memcpy(value, &single, sizeof(single));
+  }
+  return true;
+}
+
+}  // namespace halfedge::io

@@ -1,0 +1,329 @@
+// Attributes of files: what is read, where it goes, and that it is written back.
+
+#include <gtest/gtest.h>
+#include <halfedge/validate/validate.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "support/attribute_file.h"
+
+namespace halfedge {
+namespace {
+
+using test::describe_all;
+using test::read_mesh;
+using test::values_of;
+using Doubles = std::vector<double>;
+using Strings = std::vector<std::string>;
+
+/// 3---2   6
+/// |   | \ |   a square, a triangle, and a pentagon over the three on the left
+/// 0---1---5
+Mesh sample() {
+  const std::vector<float> positions = {0, 0,    0, 1, 0, 0, 1, 1, 0, 0, 1,
+                                        0, 0.5F, 2, 0, 2, 0, 0, 2, 1, 0};
+  const std::vector<Index> sizes = {4, 3, 3, 3};
+  const std::vector<Index> corners = {0, 1, 2, 3, 3, 2, 4, 1, 5, 2, 5, 6, 2};
+  Mesh mesh;
+  BuildReport report;
+  EXPECT_TRUE(build_from_polygons(mesh, {positions, sizes, corners}, report));
+  return mesh;
+}
+
+Attribute& add(Mesh& mesh, ItemKind kind, const char* name, Scalar type, Index components,
+               OnSplit on_split) {
+  return *mesh.add_attribute(kind, name,
+                             {.type = type, .components = components, .on_split = on_split})
+              .value();
+}
+
+/// Writes, reads, and compares the attributes.
+void expect_round_trip(const Mesh& mesh, Format format, Encoding encoding) {
+  SCOPED_TRACE(std::string(name_of(format)) + " " + std::to_string(int(encoding)));
+  Strings notes;
+  const auto bytes = write(mesh, format, {.encoding = encoding, .notes = &notes});
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  EXPECT_EQ(notes, Strings());
+  const test::MeshFile read = read_mesh(bytes.value().span());
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(read.notes, Strings());
+  EXPECT_EQ(describe_all(read.mesh), describe_all(mesh));
+  for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kFace}) {
+    for (const auto& column : mesh.attributes().of(kind)) {
+      const char* const name = column->name().c_str();
+      const Doubles before = values_of(mesh, kind, name);
+      const Doubles after = values_of(read.mesh, kind, name);
+      ASSERT_EQ(before.size(), after.size()) << name;
+      EXPECT_EQ(std::memcmp(before.data(), after.data(), 8 * before.size()), 0) << name;
+    }
+  }
+}
+
+TEST(PlyAttributes, ComeBackBitForBit) {
+  for (const Encoding encoding : {Encoding::kText, Encoding::kBinary, Encoding::kBinaryBigEndian}) {
+    std::mt19937 random(7);
+    Mesh mesh = sample();
+    using enum Scalar;
+    for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kFace}) {
+      add(mesh, kind, "normal", kFloat32, 3, OnSplit::kNormalize);
+      add(mesh, kind, "color", kUint8, kind == ItemKind::kFace ? 3 : 4, OnSplit::kInterpolate);
+      add(mesh, kind, "quality", kFloat64, 1, OnSplit::kInterpolate);
+      add(mesh, kind, "weight", kFloat32, 5, OnSplit::kInterpolate);
+      const Scalar integers[] = {kInt8, kUint8, kInt16, kUint16, kInt32, kUint32};
+      for (const Scalar type : integers) {
+        add(mesh, kind, name_of(type), type, type == kInt16 ? 2 : 1, OnSplit::kCopy);
+      }
+    }
+    add(mesh, ItemKind::kVertex, "uv", kFloat64, 2, OnSplit::kInterpolate);
+    add(mesh, ItemKind::kHalfedge, "uv", kFloat32, 2, OnSplit::kInterpolate);
+    for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kFace}) {
+      for (const auto& column : mesh.attributes().of(kind)) test::randomize(*column, random);
+    }
+    expect_round_trip(mesh, Format::kPly, encoding);
+  }
+}
+
+TEST(PlyAttributes, KeepBitsThatAreNoNumbers) {
+  Mesh mesh = sample();
+  Attribute& quality =
+      add(mesh, ItemKind::kVertex, "q", Scalar::kFloat32, 1, OnSplit::kInterpolate);
+  const std::uint32_t payload = 0x7FA0'1234;  // a signalling NaN
+  std::memcpy(&quality.values<float>()[2], &payload, 4);
+  for (const Encoding encoding : {Encoding::kBinary, Encoding::kBinaryBigEndian}) {
+    const auto bytes = write(mesh, Format::kPly, {.encoding = encoding});
+    const test::MeshFile read = read_mesh(bytes.value().span());
+    const Attribute* const again = read.mesh.attributes().find(ItemKind::kVertex, "q");
+    ASSERT_NE(again, nullptr);
+    EXPECT_TRUE(std::equal(again->bytes().begin(), again->bytes().end(), quality.bytes().begin()));
+  }
+}
+
+TEST(PlyAttributes, SaysWhatItCannotHold) {
+  Mesh mesh = sample();
+  add(mesh, ItemKind::kVertex, "two words", Scalar::kFloat32, 1, OnSplit::kCopy);
+  add(mesh, ItemKind::kVertex, "x", Scalar::kFloat32, 1, OnSplit::kCopy);
+  add(mesh, ItemKind::kEdge, "crease", Scalar::kFloat32, 1, OnSplit::kCopy);
+  add(mesh, ItemKind::kHalfedge, "normal", Scalar::kFloat32, 3, OnSplit::kNormalize);
+  add(mesh, ItemKind::kFace, "kept", Scalar::kUint8, 1, OnSplit::kCopy);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kPly, {.notes = &notes});
+  EXPECT_EQ(notes,
+            (Strings{"left out the vertex attribute \"two words\": a name in PLY is one word",
+                     "left out the vertex attribute \"x\": there is another property \"x\"",
+                     "left out the halfedge attribute \"normal\": of halfedges PLY has only uv, "
+                     "two floats or doubles",
+                     "left out the edge attribute \"crease\": PLY has none by edge"}));
+  EXPECT_EQ(describe_all(read_mesh(bytes.value().span()).mesh), Strings{"face kept uint8 1 copy"});
+  notes.clear();
+  const auto bare = write(mesh, Format::kPly, {.attributes = false, .notes = &notes});
+  EXPECT_EQ(describe_all(read_mesh(bare.value().span()).mesh), Strings());
+  EXPECT_EQ(notes, Strings());
+}
+
+const std::string kPlyTriangle = R"(ply
+format ascii 1.0
+element vertex 3
+property float x
+property float nx
+property float y
+property uchar red
+property float ny
+property float z
+property float nz
+property uchar green
+property uchar blue
+property double quality
+property short label
+property list uchar int neighbours
+element face 1
+property list uchar float texcoord
+property list uchar int vertex_indices
+property int material
+end_header
+0 0 0 255 0 0 1 128 0 0.1 -7 2 1 2
+1 0 0 0 0 0 1 255.0 1 1e300 300 0
+0 1 1 0 0 0 0 300 -4 -0 99999 1 5
+6 0 0 1 0 0.5 1 3 0 1 2 -5
+)";
+
+TEST(PlyAttributes, HaveTheUsualNames) {
+  const test::MeshFile read = read_mesh(kPlyTriangle);
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(describe_all(read.mesh),
+            (Strings{"vertex normal float32 3 normalize", "vertex color uint8 3 interpolate",
+                     "vertex quality float64 1 interpolate", "vertex label int16 1 copy",
+                     "halfedge uv float32 2 interpolate", "face material int32 1 copy"}));
+  const Mesh& mesh = read.mesh;
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "normal"), (Doubles{0, 0, 1, 0, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "color"),
+            (Doubles{255, 128, 0, 0, 255, 1, 0, 255, 0}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "quality"), (Doubles{0.1, 1e300, 0}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "label"), (Doubles{-7, 300, 32767}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kHalfedge, "uv"), (Doubles{0, 0, 1, 0, 0.5, 1}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kFace, "material"), Doubles{-5});
+  // A corner lies where its halfedge ends.
+  EXPECT_EQ(mesh.to_vertex(mesh.face_halfedge(Face(0))), Vertex(0));
+  EXPECT_EQ(read.notes, Strings{"ignored the property \"neighbours\" of \"vertex\""});
+}
+
+TEST(PlyAttributes, MayBeLeftOut) {
+  const Result<ParsedFile> file =
+      parse(test::bytes_of(kPlyTriangle), std::nullopt, {.attributes = false});
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file.value().attributes.empty());
+  EXPECT_EQ(file.value().soup.positions.size(), 9U);
+}
+
+TEST(PlyAttributes, KeepNamesThatMakeNoGroup) {
+  const test::MeshFile read = read_mesh(R"(ply
+format ascii 1.0
+element vertex 1
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property uchar red
+property uchar green
+property float blue
+property float f[0]
+property float f[1]
+property float f[3]
+property float nx
+element face 1
+property list uchar int vertex_indices
+property list uchar float texcoord
+property float s
+property float t
+end_header
+0 0 0 1 2 3 4 5 6 7 8 9
+0 1 0 2 3
+)",
+                                        true);
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(describe_all(read.mesh),
+            (Strings{"vertex nx float32 1 interpolate", "vertex ny float32 1 interpolate",
+                     "vertex red uint8 1 copy", "vertex green uint8 1 copy",
+                     "vertex blue float32 1 interpolate", "vertex f float32 2 interpolate",
+                     "vertex f[3] float32 1 interpolate", "halfedge uv float32 2 interpolate",
+                     "face s float32 1 interpolate", "face t float32 1 interpolate"}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "f"), (Doubles{6, 7}));
+  EXPECT_EQ(read.notes,
+            (Strings{"ignored the property \"nx\" of \"vertex\"",
+                     "the list \"texcoord\" of 1 face has not two numbers for each corner: what "
+                     "is missing is 0"}));
+}
+
+TEST(PlyAttributes, SayWhereAValueIsNone) {
+  std::string text = kPlyTriangle;
+  text.replace(text.find("255.0"), 5, "green");
+  EXPECT_EQ(read_mesh(text).error,
+            "line 22: expected a number for \"green\" of \"vertex\" 1 of 3, found \"green\"");
+}
+
+// ---- following repairs -----------------------------------------------------------------------
+
+Index below(std::mt19937& random, Index end) { return Index(random() % end); }
+
+/// A column whose value is the index of its item.
+SoupAttribute numbered(const char* name, SoupItem item, std::size_t count) {
+  SoupAttribute column;
+  column.name = name;
+  column.item = item;
+  column.type = Scalar::kUint32;
+  column.on_split = OnSplit::kInterpolate;
+  EXPECT_TRUE(column.values.resize(4 * count));
+  for (Index i = 0; i < count; ++i) std::memcpy(&column.values[4 * std::size_t{i}], &i, 4);
+  return column;
+}
+
+/// Repairs a soup, and looks for every item of the mesh where it came from.
+void expect_to_follow(const std::vector<float>& positions, const std::vector<Index>& sizes,
+                      const std::vector<Index>& corners, const RepairOptions& options) {
+  const Polygons soup{positions, sizes, corners};
+  Mesh mesh;
+  RepairReport report;
+  ASSERT_TRUE(build_from_soup(mesh, soup, options, report)) << report.problems[0].message;
+  std::vector<SoupAttribute> columns;
+  columns.push_back(numbered("v", SoupItem::kVertex, soup.vertex_count()));
+  columns.push_back(numbered("c", SoupItem::kCorner, corners.size()));
+  columns.push_back(numbered("f", SoupItem::kFace, soup.face_count()));
+  ASSERT_TRUE(add_attributes(mesh, soup, &report, columns));
+  const auto of_vertices = mesh.find_attribute(ItemKind::kVertex, "v")->values<Index>();
+  const auto of_corners = mesh.find_attribute(ItemKind::kHalfedge, "c")->values<Index>();
+  const auto of_faces = mesh.find_attribute(ItemKind::kFace, "f")->values<Index>();
+  EXPECT_TRUE(std::equal(of_vertices.begin(), of_vertices.end(), report.vertex_origin.begin()));
+  std::vector<Index> begin = {0};
+  for (const Index size : sizes) begin.push_back(begin.back() + size);
+  for (Index f = 0; f < mesh.face_slots(); ++f) {
+    const Index source = of_faces[f];
+    ASSERT_EQ(report.face_map[source], f);
+    std::set<Index> seen;
+    int down = 0;
+    Index before = kNone;
+    const Halfedge first = mesh.face_halfedge(Face(f));
+    Halfedge h = first;
+    do {
+      const Index corner = of_corners[h.index()];
+      ASSERT_TRUE(corner >= begin[source] && corner < begin[source + 1]) << report.summary;
+      // At its place, and at its position unless welded with a tolerance.
+      const Index origin = of_vertices[mesh.to_vertex(h).index()];
+      EXPECT_EQ(report.vertex_map[corners[corner]], report.vertex_map[origin]);
+      EXPECT_TRUE(seen.insert(corner).second);
+      down += before != kNone && corner < before ? 1 : 0;
+      before = corner;
+      h = mesh.next(h);
+    } while (h != first);
+    // In order, or all in the opposite order, once round.
+    const int steps = int(seen.size()) - 1;
+    EXPECT_TRUE(down <= 1 || down >= steps - 1);
+  }
+}
+
+TEST(Transfer, FollowsWeldsSplitsDropsAndTurns) {
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const Index vertices = 4 + below(random, 12);
+    std::vector<float> positions;
+    for (Index i = 0; i < 3 * vertices; ++i) positions.push_back(float(below(random, 3)));
+    if (seed % 7 == 0) positions[4] = std::nanf("");
+    std::vector<Index> sizes;
+    std::vector<Index> corners;
+    const Index faces = 1 + below(random, 14);
+    for (Index f = 0; f < faces; ++f) {
+      sizes.push_back(seed % 3 == 0 ? 3 : below(random, 9));
+      for (Index i = 0; i < sizes.back(); ++i) corners.push_back(below(random, vertices));
+      if (below(random, 40) == 0 && !corners.empty()) corners.back() = 1000;
+    }
+    RepairOptions options;
+    if (seed % 2 == 0) options.weld = seed % 4 == 0 ? 0 : 1.5;
+    options.drop_isolated = seed % 5 == 0;
+    expect_to_follow(positions, sizes, corners, options);
+  }
+}
+
+TEST(Transfer, KeepsTheValuesOfTheCornerThatStays) {
+  // The face goes to 3 and back, and repeats 2; the other one is turned over.
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 5, 5};
+  const std::vector<Index> sizes = {6, 3, 3};
+  const std::vector<Index> corners = {0, 1, 4, 1, 2, 2, 0, 3, 2, 0, 1, 9};
+  Mesh mesh;
+  RepairReport report;
+  const Polygons soup{positions, sizes, corners};
+  ASSERT_TRUE(build_from_soup(mesh, soup, {}, report));
+  std::vector<SoupAttribute> columns;
+  columns.push_back(numbered("c", SoupItem::kCorner, corners.size()));
+  ASSERT_TRUE(add_attributes(mesh, soup, &report, columns));
+  const Doubles values = values_of(mesh, ItemKind::kHalfedge, "c");
+  EXPECT_TRUE((values == Doubles{0, 1, 4, 6, 8, 7}) || (values == Doubles{0, 4, 1, 6, 7, 8}))
+      << testing::PrintToString(values);
+}
+
+}  // namespace
+}  // namespace halfedge

@@ -1,0 +1,124 @@
+import { type FileFormat, HalfedgeMesh, init, type WriteOptions } from 'halfedge';
+
+beforeAll(() => init());
+
+/** A square of two triangles and a quad beside it, with a seam between them. */
+function sample(): HalfedgeMesh {
+  return HalfedgeMesh.fromPolygons(
+    [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0],
+    [
+      [0, 1, 2],
+      [0, 2, 3],
+      [1, 4, 5, 2],
+    ],
+  );
+}
+
+/** What a mesh has, in plain values; of halfedges only those with a face. */
+function attributesOf(mesh: HalfedgeMesh) {
+  return mesh.attributes.list().map((info) => {
+    const items =
+      info.kind === 'halfedge'
+        ? [...mesh.faces()].flatMap((f) => [...mesh.faceHalfedges(f)])
+        : Array.from(mesh.attributes.get(info.kind, info.name), (_, i) => i).slice(
+            0,
+            mesh.attributes.get(info.kind, info.name).length / info.components,
+          );
+    const values = items.map((item) => mesh.attributes.values(info.kind, info.name, item));
+    return { ...info, values };
+  });
+}
+
+function fill(mesh: HalfedgeMesh, kind: 'vertex' | 'halfedge' | 'face', name: string): void {
+  mesh.attributes.get(kind, name).forEach((_, i, view) => {
+    view[i] = (i * 37) % 101;
+  });
+}
+
+function roundTrip(mesh: HalfedgeMesh, format: FileFormat, options: WriteOptions) {
+  const notes: string[] = [];
+  const data = mesh.write(format, { ...options, onNote: (note) => notes.push(note) });
+  const { mesh: again, report } = HalfedgeMesh.parse(data);
+  expect(report.problems).toEqual([]);
+  const attributes = attributesOf(again);
+  again.dispose();
+  return { attributes, notes };
+}
+
+describe('attributes of files', () => {
+  test.each(['text', 'binary', 'binary-big-endian'] as const)(
+    'come back in PLY, %s',
+    (encoding) => {
+      const mesh = sample();
+      mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });
+      mesh.attributes.add('vertex', 'color', { type: 'uint8', components: 4 });
+      mesh.attributes.add('vertex', 'quality', { type: 'float64' });
+      mesh.attributes.add('halfedge', 'uv', { components: 2 });
+      mesh.attributes.add('face', 'label', { type: 'int16', onSplit: 'copy' });
+      for (const { kind, name } of mesh.attributes.list()) fill(mesh, kind as 'vertex', name);
+      mesh.attributes.get('vertex', 'quality')[1] = 0.1;
+      const { attributes, notes } = roundTrip(mesh, 'ply', { encoding });
+      expect(attributes).toEqual(attributesOf(mesh));
+      expect(notes).toEqual([]);
+      mesh.dispose();
+    },
+  );
+
+  test('are named where a format has no place for them', () => {
+    const mesh = sample();
+    mesh.attributes.add('edge', 'crease');
+    mesh.attributes.add('face', 'two words');
+    const { attributes, notes } = roundTrip(mesh, 'ply', {});
+    expect(attributes).toEqual([]);
+    expect(notes).toEqual([
+      'Left out the face attribute "two words": a name in PLY is one word.',
+      'Left out the edge attribute "crease": PLY has none by edge.',
+    ]);
+    const silent: string[] = [];
+    mesh.write('ply', { attributes: false, onNote: (note) => silent.push(note) });
+    expect(silent).toEqual([]);
+    mesh.dispose();
+  });
+
+  test('follow what a repair does', () => {
+    // The second face runs the wrong way, and the third has a vertex that isn't there.
+    const { mesh, report } = HalfedgeMesh.parse(
+      'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n' +
+        'property float z\nproperty uchar id\nelement face 4\n' +
+        'property list uchar int vertex_indices\nproperty list uchar float texcoord\n' +
+        'property int id\nend_header\n' +
+        '0 0 0 10\n1 0 0 11\n1 1 0 12\n0 1 0 13\n' +
+        '3 0 1 2 6 0 0 1 0 1 1 20\n3 0 1 9 6 9 9 9 9 9 9 21\n' +
+        '3 2 0 3 6 7 7 5 5 6 6 22\n3 3 2 0 0 23\n',
+    );
+    expect(report.counts).toMatchObject({ 'index-out-of-range': 1, 'opposite-orientation': 1 });
+    expect(Array.from(mesh.attributes.get('face', 'id'))).toEqual([20, 22]);
+    expect(Array.from(mesh.attributes.get('vertex', 'id'))).toEqual([10, 11, 12, 13]);
+    const uv = mesh.attributes.get('halfedge', 'uv');
+    for (const f of mesh.faces()) {
+      for (const h of mesh.faceHalfedges(f)) {
+        const v = mesh.toVertex(h);
+        const expected = f === 0 ? [v > 0 ? 1 : 0, v > 1 ? 1 : 0] : Array(2).fill([5, 0, 7, 6][v]);
+        expect(Array.from(uv.subarray(2 * h, 2 * h + 2))).toEqual(expected);
+      }
+    }
+    mesh.dispose();
+  });
+
+  test('are left out on demand', () => {
+    const mesh = sample();
+    mesh.attributes.add('vertex', 'quality');
+    const { mesh: bare } = HalfedgeMesh.parse(mesh.write('ply'), { attributes: false });
+    expect(bare.attributes.list()).toEqual([]);
+    bare.dispose();
+    mesh.dispose();
+  });
+
+  test('refuses wrong options', () => {
+    const mesh = sample();
+    const write = (options: unknown) => () => mesh.write('ply', options as never);
+    expect(write({ attributes: 0 })).toThrow('options.attributes is 0; expected true or false.');
+    expect(write({ onNote: [] })).toThrow('options.onNote is an array of 0 elements; expected');
+    mesh.dispose();
+  });
+});
