@@ -5,6 +5,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
+#include <cstddef>
 #include <limits>
 
 /// Repairs of a mesh that is there already: what `build_from_soup` does for polygons, and more that
@@ -98,6 +99,30 @@ template <Storage kStored>
                                                    const DropOptions& options) {
   SurfaceOf<kStored> surface(mesh);
   return drop_small_components(static_cast<Surface&>(surface), options);
+}
+
+struct FillOptions {
+  /// Boundary loops with more edges are left.
+  std::size_t max_edges = std::numeric_limits<std::size_t>::max();
+  /// In degrees, between the normals of neighbours: what can only be filled with a sharper fold is
+  /// left, such as the outline of a flat sheet. 180 fills it too.
+  double max_angle = 160;
+};
+
+/// Fills boundary loops with triangles, without new vertices, so that they fold as little as can be
+/// against each other and the faces around: HolePlan tells how. (CGAL: triangulate_hole)
+///
+/// Left is what has too many edges (large-hole), what would fold over (folding-hole), and what
+/// would join vertices that are joined already (unfillable-hole).
+///
+/// attributes: new faces and edges have the defaults; corners what the boundary halfedges had
+/// report: faces: the new ones
+/// cost: of a loop of n edges O(n^3) up to 200, above about O(n log n) and the valences
+[[nodiscard]] Result<Report> fill_holes(Surface& surface, const FillOptions& options);
+template <Storage kStored>
+[[nodiscard]] Result<Report> fill_holes(BasicMesh<kStored>& mesh, const FillOptions& options = {}) {
+  SurfaceOf<kStored> surface(mesh);
+  return fill_holes(static_cast<Surface&>(surface), options);
 }
 
 }  // namespace halfedge::mend

@@ -73,11 +73,12 @@ class Surface {
 
   // ---- steps of which repairs consist ---------------------------------------------------------
 
-  /// Fills the boundary loop of `first` with a face, and cuts it at the corners listed in `ears`,
-  /// of which corner 0 is where `first` leads (see PolygonTriangulator). The two halfedges of each
-  /// cut are those of the next edges that are made. False when memory is exhausted; then nothing
-  /// has changed. pre: the triangles and cuts are those of a valid mesh
-  [[nodiscard]] virtual bool fill(Halfedge first, std::span<const Index> ears) = 0;
+  /// As operations have it: so many items can be made then. False when memory is exhausted.
+  [[nodiscard]] virtual bool make_room(Index vertices, Index edges, Index faces) = 0;
+  /// A face on the boundary loop of `h`. pre: room for it; level 4 allows it
+  virtual void fill_hole(Halfedge h) = 0;
+  /// As decorator::split_face. pre: room for it; level 4 allows it
+  virtual Halfedge split_face(Halfedge h, Halfedge g) = 0;
   /// The fan of faces at `v` from the boundary halfedge `first`, which leaves it, to `end`, which
   /// arrives, gets a copy of `v`. Other fans are the caller's to link. Empty when memory is
   /// exhausted.
@@ -127,18 +128,15 @@ class SurfaceOf final : public Surface {
   Result<Index> triangulate(Face f) override { return operations::triangulate(mesh_, f); }
   void delete_face(Face f) override { (void)operations::delete_face(mesh_, f); }
 
-  bool fill(Halfedge first, std::span<const Index> ears) override {
-    const Index n = Index(ears.size()) + 3;
-    operations::internal::Corners corners;
-    if (!corners.reserve(n) || !decorator::internal::make_room(mesh_, 0, n - 3, n - 2)) {
-      return false;
-    }
-    (void)decorator::fill_hole(mesh_, first);  // there is room
-    operations::internal::cut_into_triangles(mesh_, first, ears.data(), corners);
-    return true;
+  bool make_room(Index vertices, Index edges, Index faces) override {
+    return decorator::internal::make_room(mesh_, vertices, edges, faces);
+  }
+  void fill_hole(Halfedge h) override { (void)decorator::fill_hole(mesh_, h); }
+  Halfedge split_face(Halfedge h, Halfedge g) override {
+    return decorator::split_face(mesh_, h, g).value();
   }
   Vertex split_fan(Vertex v, Halfedge first, Halfedge end) override {
-    if (!decorator::internal::make_room(mesh_, 1, 0, 0)) return {};
+    if (!make_room(1, 0, 0)) return {};
     const Vertex copy = decorator::internal::copy_vertex(mesh_, v);
     for (Halfedge in = Mesh::opposite(first);; in = mesh_.next_on_vertex(in)) {
       mesh_.set_to_vertex(in, copy);

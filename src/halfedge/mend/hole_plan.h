@@ -1,0 +1,105 @@
+#pragma once
+
+#include <halfedge/algorithms/triangulate_polygon.h>
+#include <halfedge/mend/measure.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace halfedge::mend {
+
+/// Which triangles fill boundary loops, one after another: it keeps its memory in between.
+///
+/// Up to kExact corners the largest angle between the normals of neighbouring triangles, those of
+/// the mesh around included, is the smallest there is, in steps of 30 degrees; among those of one
+/// step, diagonals are short and edges flat (dynamic programming over the pairs of corners, as
+/// Barequet and Sharir 1995, with the weights of Liepa 2003). Of more corners, the best ear by the
+/// same measure is cut off until so many are left; and of those near a plane, the triangulation of
+/// the polygon is tried too, and the flatter of the two taken.
+///
+/// No diagonal joins two vertices that are joined already, or twice.
+class HolePlan {
+ public:
+  static constexpr std::size_t kExact = 200;
+  static constexpr std::size_t kPlanar = 5000;
+
+  enum class Outcome : std::uint8_t { kDone, kBlocked, kOutOfMemory };
+
+  /// Plans the loop of `first`.
+  /// pre: finite positions. cost: O(n^3) of n <= kExact corners, else O(n log n + kExact^3) and,
+  /// up to kPlanar, that of PolygonTriangulator
+  [[nodiscard]] Outcome run(const Surface& surface, Halfedge first);
+
+  /// The corners in the order in which they are cut off, of which corner 0 is where `first` leads.
+  [[nodiscard]] std::span<const Index> ears() const { return ears_.span(); }
+  /// The cosine of the largest angle between neighbouring normals.
+  [[nodiscard]] double worst() const { return worst_; }
+
+ private:
+  struct Cost {
+    int fold = 0;     // the largest angle, in steps
+    double rest = 0;  // lengths, with a surcharge for angles
+  };
+  struct Choice {
+    Cost cost;
+    Index corner = kNone;
+    Vector normal = {};  // of the triangle at the diagonal
+  };
+  struct Ear {
+    Cost cost;
+    Index corner = kNone;
+    Index stamp = 0;
+  };
+  struct Corner {
+    Vertex vertex;
+    Index index;
+  };
+
+  [[nodiscard]] static bool is_less(const Cost& a, const Cost& b);
+  [[nodiscard]] static double cosine(const Vector& a, const Vector& b);
+  void add_edge(Cost& cost, const Vector& a, const Vector& b, double edge_length) const;
+
+  [[nodiscard]] bool read_loop(const Surface& surface, Halfedge first);
+  [[nodiscard]] bool list_forbidden(const Surface& surface);
+  [[nodiscard]] bool is_forbidden(Index a, Index b) const;
+  [[nodiscard]] Vector normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
+                                 const Vector& beyond_bc, Cost& cost) const;
+  [[nodiscard]] double distance(Index a, Index b) const { return length(points_[a] - points_[b]); }
+
+  [[nodiscard]] Outcome plan();
+  [[nodiscard]] Outcome cut_ears();
+  [[nodiscard]] bool look_at(Index corner);
+  [[nodiscard]] Outcome choose();
+  void choose_between(std::size_t i, std::size_t j);
+  [[nodiscard]] Choice& choice(std::size_t i, std::size_t j) {
+    return choices_[i * rest_.size() + j];
+  }
+  void list_ears(std::size_t i, std::size_t j);
+  [[nodiscard]] bool try_planar();
+  void begin();
+  void cut_off(Index corner, const Vector& normal);
+  [[nodiscard]] double worst_of(std::span<const Index> ears);
+  [[nodiscard]] Outcome forbid_repeated(bool& is_repeated);
+
+  PolygonTriangulator triangulator_;
+  Array<Vertex> vertices_;
+  Array<Vector> points_;
+  Array<Vector> beyond_;  // by corner: the normal beyond the side from it to the next
+  Array<Diagonal> forbidden_;
+  Array<Corner> order_;
+  Array<Index> ears_;
+  double worst_ = 1;
+
+  // What is left while corners are cut off.
+  Array<Index> next_;
+  Array<Index> prev_;
+  Array<Index> stamp_;
+  Array<Vector> side_;  // as beyond_
+  Array<Ear> heap_;
+
+  Array<Index> rest_;  // the corners that are chosen among, kExact at most
+  Array<Choice> choices_;
+};
+
+}  // namespace halfedge::mend
