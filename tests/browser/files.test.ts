@@ -56,7 +56,9 @@ describe('A file', () => {
   test('that is broken is refused in a sentence, and the mesh on show stays', async () => {
     await explorer.drop('broken.off', TETRAHEDRON.replace('3 0 3 2', '3 0 3 99'));
     await notice();
-    expect(await message()).toMatch(/^Line 9: .*"99".*expected a vertex from 0 to 3\.$/);
+    expect(await message()).toMatch(
+      /^Line 9: .*"99".*expected a vertex from 0 to 3 \(read as OFF\)\.$/,
+    );
     expect(await explorer.page.textContent('[role=alert]')).toContain(
       '“broken.off” was not opened',
     );

@@ -53,11 +53,12 @@ TEST(Parse, TrustsTheContentMoreThanTheClaim) {
 TEST(Parse, FallsBackOnTheClaim) {
   EXPECT_EQ(error_of("# nothing\n", Format::kObj), "");
   EXPECT_EQ(error_of("0 0 0\n", Format::kOff), "");
-  EXPECT_EQ(error_of("v one two three\n", Format::kObj),
-            "parse-error: line 1: expected a number for x of the vertex, found \"one\"");
+  EXPECT_EQ(
+      error_of("v one two three\n", Format::kObj),
+      "parse-error: line 1: expected a number for x of the vertex, found \"one\" (read as OBJ)");
   EXPECT_EQ(error_of("OOF\n", Format::kOff),
             "parse-error: line 1: expected the number of vertices (after the header word OFF, if "
-            "any), found \"OOF\"");
+            "any), found \"OOF\" (read as OFF)");
 }
 
 TEST(Parse, SaysWhatAnUnreadableFileIs) {

@@ -102,7 +102,14 @@ Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Form
   const Result<Format> format = detect(bytes, claimed);
   if (!format) return format.error();
   Result<ParsedFile> file = read(bytes, format.value(), {options});
-  if (file && claimed && *claimed != format.value()) {
+  if (!file) {
+    Error error = file.error();
+    if (error.code != "out-of-memory") {
+      error.message += std::string(" (read as ") + name_of(format.value()) + ")";
+    }
+    return error;
+  }
+  if (claimed && *claimed != format.value()) {
     file.value().notes.push_back(std::string("read as ") + name_of(format.value()) +
                                  ", which its content is, and not as " + name_of(*claimed));
   }

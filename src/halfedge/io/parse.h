@@ -51,8 +51,8 @@ struct ParseOptions {
 /// Positions spelt `nan` or `inf`, faces with fewer than three corners and repeated vertices are
 /// read as they stand: they are well-formed text, and the builder refuses them with a reason.
 /// Every error but those about the whole file starts with "line N: ", or "byte N: " in a binary
-/// file (from 0), and says what was expected. Lines end with LF, CR LF or CR; a UTF-8 byte-order
-/// mark is skipped.
+/// file (from 0), and says what was expected; once the format is known, it ends with that. Lines
+/// end with LF, CR LF or CR; a UTF-8 byte-order mark is skipped.
 ///
 /// cost: one pass; memory in proportion to the size of the file, whatever its header promises.
 ///
