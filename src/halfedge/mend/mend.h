@@ -101,6 +101,35 @@ template <Storage kStored>
   return drop_small_components(static_cast<Surface&>(surface), options);
 }
 
+struct DegenerateOptions {
+  /// Edges no longer than this are collapsed, and faces no wider removed. In any case those without
+  /// length, and faces so narrow (10^-6 of their length) that rounding may turn them over.
+  double tolerance = 0;
+};
+
+/// Removes faces without area, and edges without length, so that the surface stays where it is:
+/// - a short edge is collapsed, where the link condition allows it and no face turns over;
+/// - of a triangle whose corner lies on the opposite side, that side is flipped; beside a larger
+///   face it is removed, so that the corner becomes one of that face; on the boundary the triangle
+///   is deleted, unless that pinches a vertex;
+/// - a larger face whose corners lie on a line is cut into triangles, and then so on.
+/// (CGAL: remove_degenerate_faces, remove_almost_degenerate_faces)
+///
+/// What none of this can remove is left (zero-length-edge, degenerate-face).
+///
+/// attributes: as operations::collapse, flip_edge, remove_edge, triangulate
+/// report: vertices: those that edges were collapsed into; edges: those that were flipped; faces:
+///         those that gained a corner
+/// cost: O(slots), and what the operations cost
+[[nodiscard]] Result<Report> remove_degenerate_faces(Surface& surface,
+                                                     const DegenerateOptions& options);
+template <Storage kStored>
+[[nodiscard]] Result<Report> remove_degenerate_faces(BasicMesh<kStored>& mesh,
+                                                     const DegenerateOptions& options = {}) {
+  SurfaceOf<kStored> surface(mesh);
+  return remove_degenerate_faces(static_cast<Surface&>(surface), options);
+}
+
 struct FillOptions {
   /// Boundary loops with more edges are left.
   std::size_t max_edges = std::numeric_limits<std::size_t>::max();
