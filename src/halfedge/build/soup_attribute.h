@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace halfedge {
 
@@ -30,6 +31,12 @@ struct SoupAttribute {
 
   /// Of a row, in bytes.
   [[nodiscard]] std::size_t stride() const { return components * size_of(type); }
+};
+
+/// Words for the numbers of an attribute of faces: number i stands for names[i], 0 for none.
+struct SoupNames {
+  std::string attribute;
+  std::vector<std::string> names;
 };
 
 }  // namespace halfedge

@@ -18,6 +18,8 @@ namespace halfedge::io {
 class ByteWriter {
  public:
   [[nodiscard]] bool out_of_memory() const { return out_of_memory_; }
+  /// For an allocation of the writer's own.
+  void set_out_of_memory() { out_of_memory_ = true; }
   [[nodiscard]] Array<std::uint8_t>& bytes() { return bytes_; }
 
   void reserve(std::size_t count) { out_of_memory_ |= !bytes_.reserve(count); }

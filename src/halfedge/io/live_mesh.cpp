@@ -5,6 +5,14 @@
 
 namespace halfedge::io {
 
+namespace {
+
+std::string name_of_attribute(const Attribute& attribute) {
+  return std::string("the ") + name_of(attribute.kind()) + " attribute " + quoted(attribute.name());
+}
+
+}  // namespace
+
 std::optional<Error> LiveMesh::prepare() {
   const std::size_t slots = source_.positions.size() / 3;
   vertex_count_ = static_cast<Index>(slots);
@@ -38,12 +46,23 @@ std::vector<const Attribute*> LiveMesh::attributes(ItemKind kind) const {
 }
 
 void LiveMesh::leave_out(const Attribute& attribute, const std::string& why) const {
-  notes_.push_back(std::string("left out the ") + name_of(attribute.kind()) + " attribute " +
-                   quoted(attribute.name()) + ": " + why);
+  taken_.push_back(&attribute);
+  notes_.push_back("left out " + name_of_attribute(attribute) + ": " + why);
 }
 
-void LiveMesh::leave_out_all(ItemKind kind, const std::string& why) const {
-  for (const Attribute* attribute : attributes(kind)) leave_out(*attribute, why);
+void LiveMesh::leave_out_rest(const std::string& why) const {
+  for (const ItemKind kind :
+       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    for (const Attribute* attribute : attributes(kind)) {
+      if (std::find(taken_.begin(), taken_.end(), attribute) == taken_.end()) {
+        leave_out(*attribute, why);
+      }
+    }
+  }
+}
+
+void LiveMesh::note_change(const Attribute& attribute, const std::string& form) const {
+  notes_.push_back("wrote " + name_of_attribute(attribute) + " " + form);
 }
 
 }  // namespace halfedge::io

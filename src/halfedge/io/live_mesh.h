@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace halfedge::io {
@@ -54,13 +55,22 @@ class LiveMesh {
 
   /// The attributes by this kind of item that are the user's.
   [[nodiscard]] std::vector<const Attribute*> attributes(ItemKind kind) const;
-  /// The one of this name, or null.
-  [[nodiscard]] const Attribute* attribute(ItemKind kind, std::string_view name) const {
-    return source_.attributes == nullptr ? nullptr : source_.attributes->find(kind, name);
+  /// The one of this name, for the writer to write it, or null if there is none or it doesn't fit.
+  template <class Fits>
+  [[nodiscard]] const Attribute* take(ItemKind kind, std::string_view name,
+                                      const Fits& fits) const {
+    const Attribute* const column =
+        source_.attributes == nullptr ? nullptr : source_.attributes->find(kind, name);
+    if (column == nullptr || column->is_generation() || !fits(*column)) return nullptr;
+    taken_.push_back(column);
+    return column;
   }
-  /// Notes that it isn't in the file, and why.
+  /// Notes that an attribute isn't in the file, and why.
   void leave_out(const Attribute& attribute, const std::string& why) const;
-  void leave_out_all(ItemKind kind, const std::string& why) const;
+  /// The same of all that weren't taken or left out.
+  void leave_out_rest(const std::string& why) const;
+  /// Notes that it is in the file, but in another form.
+  void note_change(const Attribute& attribute, const std::string& form) const;
 
  private:
   [[nodiscard]] static std::span<const Index> row_of(const Adjacency& rows, std::size_t i) {
@@ -73,7 +83,8 @@ class LiveMesh {
 
   const WriteSource& source_;
   std::vector<std::string>& notes_;
-  Array<Index> numbers_;  // of vertices; empty if there are no gaps
+  mutable std::vector<const Attribute*> taken_;  // or left out
+  Array<Index> numbers_;                         // of vertices; empty if there are no gaps
   Index vertex_count_ = 0;
   Index face_count_ = 0;
   Index largest_degree_ = 0;

@@ -1,3 +1,4 @@
+#include <halfedge/io/obj_attributes.h>
 #include <halfedge/io/readers.h>
 
 #include <algorithm>
@@ -11,19 +12,38 @@ namespace halfedge {
 namespace io {
 namespace {
 
-enum class Statement : std::uint8_t { kVertex, kFace, kPoint, kLine, kFreeForm, kOther, kUnknown };
+enum class Statement : std::uint8_t {
+  kVertex,
+  kTexture,
+  kNormal,
+  kFace,
+  kGroup,
+  kObject,
+  kMaterial,
+  kLibrary,
+  kPoint,
+  kLine,
+  kFreeForm,
+  kOther,
+  kUnknown
+};
 
 /// Statements that carry nothing for a mesh, and need no note.
 constexpr std::array kOtherWords = std::to_array<std::string_view>(
-    {"vt",    "vn",     "vp",     "vc",     "g",      "o",          "s",         "mg",
-     "lod",   "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "bevel",
-     "call",  "csh",    "deg",    "bmat",   "step",   "cstype",     "parm",      "trim",
-     "hole",  "scrv",   "sp",     "end",    "con",    "c_interp",   "d_interp",  "ctech",
-     "stech", "bsp",    "bzp",    "cdc",    "cdp",    "res"});
+    {"vp",        "vc",    "s",     "mg",   "lod", "usemap", "maplib", "shadow_obj",
+     "trace_obj", "bevel", "call",  "csh",  "deg", "bmat",   "step",   "cstype",
+     "parm",      "trim",  "hole",  "scrv", "sp",  "end",    "con",    "c_interp",
+     "d_interp",  "ctech", "stech", "bsp",  "bzp", "cdc",    "cdp",    "res"});
 
 Statement statement_of(std::string_view word) {
   if (word == "v") return Statement::kVertex;
+  if (word == "vt") return Statement::kTexture;
+  if (word == "vn") return Statement::kNormal;
   if (word == "f" || word == "fo") return Statement::kFace;  // fo: before version 3.0
+  if (word == "g") return Statement::kGroup;
+  if (word == "o") return Statement::kObject;
+  if (word == "usemtl") return Statement::kMaterial;
+  if (word == "mtllib") return Statement::kLibrary;
   if (word == "l") return Statement::kLine;
   if (word == "p") return Statement::kPoint;
   if (word == "curv" || word == "curv2" || word == "surf") return Statement::kFreeForm;
@@ -52,6 +72,7 @@ class ObjReader {
   }
 
   [[nodiscard]] SoupWriter& out() { return out_; }
+  [[nodiscard]] ObjAttributes& attributes() { return attributes_; }
   [[nodiscard]] std::vector<std::string> notes();
 
  private:
@@ -59,6 +80,7 @@ class ObjReader {
   [[nodiscard]] bool read_vertex();
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner();
+  void read_attribute(Statement statement);
 
   [[nodiscard]] bool fail(Error error) {
     error_ = std::move(error);
@@ -68,6 +90,7 @@ class ObjReader {
   TextScanner text_;
   ParseOptions options_;
   SoupWriter out_;
+  ObjAttributes attributes_;
   Error error_;
   std::size_t points_ = 0;
   std::size_t lines_ = 0;
@@ -89,6 +112,14 @@ bool ObjReader::read_statement() {
     case Statement::kFace:
       out_.begin_face(start);
       return read_face();
+    case Statement::kTexture:
+    case Statement::kNormal:
+    case Statement::kGroup:
+    case Statement::kObject:
+    case Statement::kMaterial:
+    case Statement::kLibrary:
+      if (options_.attributes) read_attribute(statement);
+      return true;
     case Statement::kPoint:
       ++points_;
       return true;
@@ -107,6 +138,24 @@ bool ObjReader::read_statement() {
   return true;
 }
 
+void ObjReader::read_attribute(Statement statement) {
+  using Name = ObjAttributes::Name;
+  bool fits = true;
+  if (statement == Statement::kTexture) {
+    fits = attributes_.read_texture(text_);
+  } else if (statement == Statement::kNormal) {
+    fits = attributes_.read_normal(text_);
+  } else if (statement == Statement::kLibrary) {
+    attributes_.read_library(text_);
+  } else {
+    const Name kind = statement == Statement::kGroup    ? Name::kGroup
+                      : statement == Statement::kObject ? Name::kObject
+                                                        : Name::kMaterial;
+    fits = attributes_.read_name(text_, kind, out_.face_count());
+  }
+  if (!fits) out_.set_out_of_memory();
+}
+
 bool ObjReader::read_vertex() {
   std::array<float, 3> xyz;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -114,8 +163,14 @@ bool ObjReader::read_vertex() {
     if (text_.read_float(xyz[i])) continue;
     return fail(unexpected(text_, std::string("a number for ") + "xyz"[i] + " of the vertex"));
   }
+  text_.skip_blanks();
+  if (!text_.at_line_end()) {  // a weight, a colour
+    if (options_.attributes && !attributes_.read_color(text_, out_.vertex_count())) {
+      out_.set_out_of_memory();
+    }
+    text_.skip_tokens();
+  }
   out_.add_vertex(xyz[0], xyz[1], xyz[2]);
-  text_.skip_tokens();  // a weight, a colour
   return true;
 }
 
@@ -132,9 +187,13 @@ bool ObjReader::read_corner() {
   const char* const start = text_.position();
   std::int64_t index = 0;
   bool well_formed = text_.read_integer(index);
-  for (int i = 0; i < 2 && well_formed && text_.skip('/'); ++i) {
-    std::int64_t unused = 0;
-    (void)text_.read_integer(unused);  // may be empty
+  ObjAttributes::Corner references;
+  if (well_formed && text_.skip('/')) {
+    (void)text_.read_integer(references.texture);  // may be empty
+    if (text_.skip('/')) (void)text_.read_integer(references.normal);
+    if (options_.attributes && !attributes_.add_corner(out_.corner_count(), references)) {
+      out_.set_out_of_memory();
+    }
   }
   if (!well_formed || !text_.at_token_end()) {
     text_.move_to(start);
@@ -219,7 +278,13 @@ Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, const Request& 
   SoupWriter& out = reader.out();
   const bool complete = out.corner_count() == 0 || out.largest_index() < out.vertex_count();
   if (!complete && !request.options.for_repair) return unknown_vertex(bytes, std::move(out.soup()));
-  return ParsedFile{Format::kObj, std::move(out.soup()), reader.notes()};
+  const std::size_t vertices = out.vertex_count();
+  const std::size_t faces = out.face_count();
+  ParsedFile file{Format::kObj, std::move(out.soup()), reader.notes()};
+  if (!reader.attributes().finish(vertices, faces, file)) {
+    return Error{"out-of-memory", "memory was exhausted after the file had been read"};
+  }
+  return file;
 }
 
 bool looks_like_obj(TextScanner text) {

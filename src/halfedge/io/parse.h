@@ -33,6 +33,9 @@ struct ParsedFile {
   /// are usual: `normal`, `color`, `uv`; see docs/files.md. No two of one kind of item have the
   /// same name. `add_attributes` carries them to a mesh.
   std::vector<SoupAttribute> attributes = {};
+  /// The words for the numbers of `group`, `object` and `material` of an OBJ file, where they are
+  /// not numbers themselves; and as `library` the files of its materials.
+  std::vector<SoupNames> names = {};
 };
 
 /// How a file is read.
@@ -65,8 +68,9 @@ struct ParseOptions {
 
 /// Reads a Wavefront OBJ file: `v` and `f` with corners as 3, 3/1, 3/1/2 or 3//2, indices from 1 or
 /// negative and then counted back from the last vertex so far, `\` at the end of a line. A face may
-/// come before its vertices. Further values of a vertex, texture coordinates, normals, groups,
-/// materials, points, lines, curves and unknown statements are ignored.
+/// come before its vertices. Texture coordinates and normals become attributes of corners, `v` with
+/// six or seven numbers colours of vertices, `g`, `o` and `usemtl` numbers of faces. Points, lines,
+/// curves and unknown statements are ignored.
 [[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

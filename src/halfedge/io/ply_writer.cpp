@@ -87,7 +87,9 @@ class PlyWriter {
         mesh_.leave_out(*column, "of halfedges PLY has only uv, two floats or doubles");
       }
     }
-    mesh_.leave_out_all(ItemKind::kEdge, "PLY has none by edge");
+    for (const Attribute* column : mesh_.attributes(ItemKind::kEdge)) {
+      mesh_.leave_out(*column, "PLY has none by edge");
+    }
     out_.text("\nend_header");
     if (!is_text_) out_.text("\n");
   }

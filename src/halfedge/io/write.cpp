@@ -1,5 +1,6 @@
 #include <halfedge/io/byte_writer.h>
 #include <halfedge/io/live_mesh.h>
+#include <halfedge/io/obj_writer.h>
 #include <halfedge/io/ply_writer.h>
 
 #include <algorithm>
@@ -12,20 +13,7 @@ namespace halfedge {
 namespace io {
 namespace {
 
-// ---- OBJ and OFF -----------------------------------------------------------------------------
-
-void write_obj(const LiveMesh& mesh, ByteWriter& out) {
-  mesh.for_each_vertex([&](Index v) {
-    out.text("v");
-    for (std::size_t i = 0; i < 3; ++i) out.number(' ', mesh.position(v)[i]);
-    out.text("\n");
-  });
-  mesh.for_each_face([&](Index, std::span<const Index> corners) {
-    out.text("f");
-    for (const Index v : corners) out.number(' ', mesh.number(v) + 1);
-    out.text("\n");
-  });
-}
+// ---- OFF -------------------------------------------------------------------------------------
 
 void write_text_off(const LiveMesh& mesh, ByteWriter& out) {
   out.text("OFF");
@@ -140,11 +128,12 @@ std::optional<Error> check_stl(const LiveMesh& mesh, std::span<const Index> used
 }
 
 /// False if the format has no such encoding.
-bool write_as(const LiveMesh& mesh, Format format, Encoding encoding, ByteWriter& out) {
+bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
+              std::span<const SoupNames> names, ByteWriter& out) {
   const bool text = encoding == Encoding::kText;
   switch (format) {
     case Format::kObj:
-      if (text) write_obj(mesh, out);
+      if (text) write_obj(mesh, names, out);
       return text;
     case Format::kOff:
       text ? write_text_off(mesh, out) : write_binary_off(mesh, out);
@@ -173,20 +162,17 @@ Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format
   if (format == Format::kStl) {
     if (auto error = io::check_stl(mesh, source.faces.items.span())) return *std::move(error);
   }
-  if (format != Format::kPly) {
-    for (const ItemKind kind :
-         {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-      mesh.leave_out_all(kind, std::string(name_of(format)) + " has no place for it");
-    }
-  }
   io::ByteWriter out;
-  if (!io::write_as(mesh, format, encoding, out)) {
+  if (!io::write_as(mesh, format, encoding, options.names, out)) {
     return Error{"unsupported-format",
                  std::string(name_of(format)) + (format == Format::kObj
                                                      ? " has no binary form, expected text"
                                                      : " has no big-endian form")};
   }
   if (out.out_of_memory()) return io::no_memory_for_a_file();
+  if (format != Format::kPly) {
+    mesh.leave_out_rest(std::string(name_of(format)) + " has no place for it");
+  }
   out.bytes().shrink_to_fit();
   return std::move(out.bytes());
 }

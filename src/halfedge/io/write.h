@@ -2,6 +2,7 @@
 
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/attributes/attributes.h>
+#include <halfedge/build/soup_attribute.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
@@ -24,6 +25,9 @@ struct WriteOptions {
   std::optional<Encoding> encoding = std::nullopt;
   /// Whether attributes are written, as far as the format has a place for them: see docs/files.md.
   bool attributes = true;
+  /// Words for the numbers of `group`, `object` and `material`, as a reader of OBJ gives them; and
+  /// as `library` the files of materials. Without them numbers are written.
+  std::span<const SoupNames> names = {};
   /// Gets a sentence for each attribute that isn't in the file, or not as it was.
   std::vector<std::string>* notes = nullptr;
 };

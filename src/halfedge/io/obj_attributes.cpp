@@ -1,0 +1,204 @@
+#include <halfedge/io/obj_attributes.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <utility>
+
+namespace halfedge::io {
+namespace {
+
+/// Tables of names take more memory than the text of short ones.
+constexpr std::size_t kMostNames = 1 << 16;
+
+/// The rest of the line without the blanks around it.
+std::string_view read_rest(TextScanner& text) {
+  text.skip_blanks();
+  const char* const start = text.position();
+  const char* end = start;
+  for (; !text.at_line_end(); text.skip_blanks()) {
+    text.skip_token();
+    end = text.position();
+  }
+  return {start, static_cast<std::size_t>(end - start)};
+}
+
+std::size_t read_floats(TextScanner& text, std::span<float> values) {
+  std::size_t count = 0;
+  for (text.skip_blanks(); count < values.size() && !text.at_line_end(); text.skip_blanks()) {
+    if (!text.read_float(values[count])) break;
+    ++count;
+  }
+  return count;
+}
+
+SoupAttribute column_of(const char* name, SoupItem item, Scalar type, Index components) {
+  SoupAttribute column;
+  column.name = name;
+  column.item = item;
+  column.type = type;
+  column.components = components;
+  column.on_split = type == Scalar::kInt32 ? OnSplit::kCopy : OnSplit::kInterpolate;
+  if (column.name == "normal") column.on_split = OnSplit::kNormalize;
+  return column;
+}
+
+template <class T>
+bool set_values(SoupAttribute& column, std::span<const T> values) {
+  return column.values.assign(std::as_bytes(values));
+}
+
+/// Whether the name is a number as the writer spells it.
+bool read_number(std::string_view name, std::int32_t& number) {
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return error == std::errc() && end == name.data() + name.size() && std::to_string(number) == name;
+}
+
+}  // namespace
+
+bool ObjAttributes::read_row(TextScanner& text, std::size_t width, Table& table) {
+  float row[3] = {};
+  (void)read_floats(text, {row, width});
+  for (std::size_t i = 0; i < width; ++i) {
+    if (!table.values.push_back(row[i])) return false;
+  }
+  return true;
+}
+
+bool ObjAttributes::read_color(TextScanner& text, std::size_t vertex) {
+  float color[4] = {0, 0, 0, 1};
+  const std::size_t count = read_floats(text, color);
+  if (count < 3) return true;
+  if (color_width_ == 0) color_width_ = count;
+  while (colors_.size() < color_width_ * vertex) {
+    if (!colors_.push_back(0)) return false;
+  }
+  for (std::size_t i = 0; i < color_width_; ++i) {
+    if (!colors_.push_back(color[i])) return false;
+  }
+  return true;
+}
+
+bool ObjAttributes::add_corner(std::size_t corner, const Corner& references) {
+  return refer(textures_, 2, corner, references.texture) &&
+         refer(normals_, 3, corner, references.normal);
+}
+
+/// What is referred to may be declared further down: compared with their number at the end.
+bool ObjAttributes::refer(Table& table, std::size_t width, std::size_t corner,
+                          std::int64_t reference) {
+  if (reference == 0) return true;
+  const auto count = static_cast<std::int64_t>(table.values.size() / width);
+  const std::int64_t row = reference > 0 ? reference - 1 : count + reference;
+  while (table.rows.size() < corner) {
+    if (!table.rows.push_back(kNone)) return false;
+  }
+  return table.rows.push_back(row < 0 || row > kMaxSlots ? kMaxSlots : static_cast<Index>(row));
+}
+
+bool ObjAttributes::read_name(TextScanner& text, Name kind, std::size_t face) {
+  Names& names = names_[static_cast<std::size_t>(kind)];
+  const std::string_view name = read_rest(text);
+  Index id = 0;  // of no name
+  if (!name.empty()) {
+    const auto known = names.ids.find(name);
+    if (known != names.ids.end()) {
+      id = known->second;
+    } else if (names.in_order.size() < kMostNames) {
+      names.in_order.push_back(name);
+      id = static_cast<Index>(names.in_order.size());
+      names.ids.emplace(name, id);
+    } else {
+      names.is_cut = true;
+    }
+  }
+  return names.runs.push_back({face, id});
+}
+
+void ObjAttributes::read_library(TextScanner& text) {
+  if (libraries_.size() < kMostNames) libraries_.emplace_back(read_rest(text));
+}
+
+bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& file) {
+  if (!finish_table(textures_, "uv", 2, file) || !finish_table(normals_, "normal", 3, file) ||
+      !finish_colors(vertices, file)) {
+    return false;
+  }
+  constexpr const char* kNames[] = {"group", "object", "material"};
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (!finish_names(names_[i], kNames[i], faces, file)) return false;
+  }
+  if (!libraries_.empty()) file.names.push_back({"library", std::move(libraries_)});
+  if (unknown_ > 0) {
+    file.notes.push_back(std::to_string(unknown_) +
+                         (unknown_ == 1 ? " corner has a texture coordinate or normal"
+                                        : " corners have texture coordinates or normals") +
+                         " that the file doesn't have: what is missing is 0");
+  }
+  return true;
+}
+
+bool ObjAttributes::finish_table(Table& table, const char* name, Index width, ParsedFile& file) {
+  if (table.rows.empty()) return true;
+  const std::size_t count = table.values.size() / width;
+  for (Index& row : table.rows) {
+    if (row == kNone || row < count) continue;
+    row = kNone;
+    ++unknown_;
+  }
+  SoupAttribute& column =
+      file.attributes.emplace_back(column_of(name, SoupItem::kCorner, Scalar::kFloat32, width));
+  column.rows = std::move(table.rows);
+  const bool fits = set_values(column, std::as_const(table.values).span());
+  table.values.reset();
+  return fits;
+}
+
+bool ObjAttributes::finish_colors(std::size_t vertices, ParsedFile& file) {
+  if (color_width_ == 0) return true;
+  if (!colors_.resize(color_width_ * vertices, 0)) return false;
+  SoupAttribute& column = file.attributes.emplace_back(
+      column_of("color", SoupItem::kVertex, Scalar::kFloat32, static_cast<Index>(color_width_)));
+  const bool fits = set_values(column, std::as_const(colors_).span());
+  colors_.reset();
+  return fits;
+}
+
+/// Names that are all numbers, as the writer makes them up for a mesh without names, are the ids
+/// themselves.
+bool ObjAttributes::finish_names(Names& names, const char* name, std::size_t faces,
+                                 ParsedFile& file) {
+  if (names.in_order.empty()) return true;
+  std::vector<std::int32_t> numbers = {0};
+  for (const std::string_view spelt : names.in_order) {
+    std::int32_t number = 0;
+    if (!read_number(spelt, number)) break;
+    numbers.push_back(number);
+  }
+  const bool are_numbers = numbers.size() == names.in_order.size() + 1;
+
+  SoupAttribute& column =
+      file.attributes.emplace_back(column_of(name, SoupItem::kFace, Scalar::kInt32, 1));
+  if (!column.values.resize(sizeof(std::int32_t) * faces, std::byte{})) return false;
+  for (std::size_t i = 0; i < names.runs.size(); ++i) {
+    const std::size_t end = i + 1 < names.runs.size() ? names.runs[i + 1].first_face : faces;
+    const Index id = names.runs[i].id;
+    const std::int32_t value = are_numbers ? numbers[id] : static_cast<std::int32_t>(id);
+    for (std::size_t f = names.runs[i].first_face; f < end; ++f) {
+      std::memcpy(&column.values[sizeof(value) * f], &value, sizeof(value));
+    }
+  }
+  if (!are_numbers) {
+    SoupNames& table = file.names.emplace_back();
+    table.attribute = name;
+    table.names.emplace_back();
+    table.names.insert(table.names.end(), names.in_order.begin(), names.in_order.end());
+  }
+  if (names.is_cut) {
+    file.notes.push_back("the file has more than " + std::to_string(kMostNames) +
+                         " different names of a " + name + ": faces of further ones have none");
+  }
+  return true;
+}
+
+}  // namespace halfedge::io
