@@ -223,7 +223,8 @@ TEST(PlyAttributes, SayWhereAValueIsNone) {
   std::string text = kPlyTriangle;
   text.replace(text.find("255.0"), 5, "green");
   EXPECT_EQ(read_mesh(text).error,
-            "line 22: expected a number for \"green\" of \"vertex\" 1 of 3, found \"green\"");
+            "line 22: expected a number for \"green\" of \"vertex\" 1 of 3, found \"green\" "
+            "(read as PLY)");
 }
 
 // ---- OBJ -------------------------------------------------------------------------------------

@@ -11,16 +11,19 @@ namespace {
 /// Tables of names take more memory than the text of short ones.
 constexpr std::size_t kMostNames = 1 << 16;
 
-/// The rest of the line without the blanks around it.
+/// The rest of the line without the blanks around it. A backslash at its end belongs to it, as to
+/// the path of a folder.
 std::string_view read_rest(TextScanner& text) {
-  text.skip_blanks();
-  const char* const start = text.position();
-  const char* end = start;
-  for (; !text.at_line_end(); text.skip_blanks()) {
-    text.skip_token();
-    end = text.position();
+  const std::string_view rest = text.rest();
+  std::size_t begin = 0;
+  while (begin < rest.size() && class_of(rest[begin]) == CharClass::kBlank) ++begin;
+  std::size_t end = begin;
+  for (std::size_t i = begin; i < rest.size(); ++i) {
+    const CharClass c = class_of(rest[i]);
+    if (c == CharClass::kNewline || c == CharClass::kComment) break;
+    if (c != CharClass::kBlank) end = i + 1;
   }
-  return {start, static_cast<std::size_t>(end - start)};
+  return rest.substr(begin, end - begin);
 }
 
 std::size_t read_floats(TextScanner& text, std::span<float> values) {

@@ -14,7 +14,7 @@ bool is_real(const Attribute& column) { return column.type() <= Scalar::kFloat64
 std::string spelt(std::string_view name) {
   std::string text(name);
   for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '#' || c == '\\') c = '_';
+    if (static_cast<unsigned char>(c) < ' ' || c == '#') c = '_';
   }
   return text;
 }
