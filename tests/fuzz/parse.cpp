@@ -13,6 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::optional<Format> kClaims[] = {std::nullopt, Format::kObj, Format::kOff,
                                                Format::kPly, Format::kStl};
   const std::optional<Format> claimed = kClaims[data[0] % 5];
-  return halfedge::fuzz::expect_read(
-      {data + 1, size - 1}, [claimed](auto bytes) { return halfedge::parse(bytes, claimed); });
+  return halfedge::fuzz::expect_read({data + 1, size - 1},
+                                     [claimed](auto bytes, const auto& options) {
+                                       return halfedge::parse(bytes, claimed, options);
+                                     });
 }

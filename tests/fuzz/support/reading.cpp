@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
+#include <halfedge/repair/transfer.h>
 
 #include <cstdlib>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/memory.h"
@@ -14,8 +16,8 @@
 namespace halfedge::fuzz {
 namespace {
 
-// The soup, its arrays while they grow, and a few sentences.
-constexpr std::size_t kMemoryPerByte = 24;
+// The soup and its attributes, arrays while they grow, and a few sentences.
+constexpr std::size_t kMemoryPerByte = 48;
 constexpr std::size_t kMemoryAtLeast = 1U << 16U;
 
 void expect_place(const Error& error, std::size_t size) {
@@ -27,7 +29,8 @@ void expect_place(const Error& error, std::size_t size) {
   EXPECT_GE(place, line ? 1U : 0U) << message;
 }
 
-void expect_whole(const PolygonSoup& soup) {
+void expect_whole(const ParsedFile& file, const ParseOptions& options) {
+  const PolygonSoup& soup = file.soup;
   ASSERT_EQ(soup.positions.size() % 3, 0U);
   std::size_t corners = 0;
   for (const Index size : soup.sizes) corners += size;
@@ -36,7 +39,20 @@ void expect_whole(const PolygonSoup& soup) {
   } else {
     ASSERT_EQ(corners, soup.corners.size());
   }
-  for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
+  if (!options.for_repair) {
+    for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
+  }
+  if (!options.attributes) EXPECT_TRUE(file.attributes.empty());
+  for (const SoupAttribute& column : file.attributes) {
+    EXPECT_FALSE(column.name.empty());
+    const std::size_t items[] = {soup.positions.size() / 3, soup.corners.size(),
+                                 soup.view().face_count()};
+    const std::size_t count = items[std::size_t(column.item)];
+    const std::size_t rows = column.values.size() / column.stride();
+    ASSERT_EQ(column.values.size() % column.stride(), 0U) << column.name;
+    ASSERT_EQ(column.rows.empty() ? rows : column.rows.size(), count) << column.name;
+    for (const Index row : column.rows) ASSERT_TRUE(row < rows || row == kNone) << column.name;
+  }
 }
 
 void expect_lines(std::span<const std::uint8_t> bytes, const ParsedFile& file) {
@@ -89,24 +105,38 @@ void stop_at_failures() {
   }();
 }
 
+namespace {
+
+void expect_file(std::span<const std::uint8_t> bytes, const Reader& read,
+                 const ParseOptions& options) {
+  const MemoryMeter meter;
+  Result<ParsedFile> result = read(bytes, options);
+  EXPECT_LE(meter.peak(), kMemoryPerByte * bytes.size() + kMemoryAtLeast);
+  if (!result) {
+    expect_sentence(result.error());
+    expect_place(result.error(), bytes.size());
+    return;
+  }
+  ParsedFile file = std::move(result).value();
+  for (const std::string& note : file.notes) expect_sentence({"note", note});
+  expect_whole(file, options);
+  expect_lines(bytes, file);
+  const Polygons polygons = file.soup.view();
+  expect_strict_verdict(polygons);
+  test::Repaired repaired(polygons);
+  test::expect_sound(polygons, repaired);
+  const Result<void> added =
+      add_attributes(repaired.mesh, polygons, &repaired.report, file.attributes);
+  EXPECT_TRUE(added) << added.error().message;
+  expect_round_trips(repaired.mesh);
+}
+
+}  // namespace
+
 int expect_read(std::span<const std::uint8_t> bytes, const Reader& read) {
   stop_at_failures();
-  const MemoryMeter meter;
-  const Result<ParsedFile> file = read(bytes);
-  EXPECT_LE(meter.peak(), kMemoryPerByte * bytes.size() + kMemoryAtLeast);
-  if (!file) {
-    expect_sentence(file.error());
-    expect_place(file.error(), bytes.size());
-    return 0;
-  }
-  for (const std::string& note : file.value().notes) expect_sentence({"note", note});
-  expect_whole(file.value().soup);
-  expect_lines(bytes, file.value());
-  const Polygons polygons = file.value().soup.view();
-  expect_strict_verdict(polygons);
-  const test::Repaired repaired(polygons);
-  test::expect_sound(polygons, repaired);
-  expect_round_trips(repaired.mesh);
+  expect_file(bytes, read, {});
+  expect_file(bytes, read, {.for_repair = true});
   return 0;
 }
 

@@ -10,11 +10,13 @@
 
 namespace halfedge::fuzz {
 
-using Reader = std::function<Result<ParsedFile>(std::span<const std::uint8_t>)>;
+using Reader =
+    std::function<Result<ParsedFile>(std::span<const std::uint8_t>, const ParseOptions&)>;
 
-/// What every reader promises of any bytes. Either an error: one sentence that says what was
-/// expected where. Or polygons that fit together, of which a repair makes a mesh that is valid at
-/// level 4 and comes back from each format that it is written in. In memory in proportion.
+/// What every reader promises of any bytes, in both ways of reading. Either an error: one sentence
+/// that says what was expected where. Or polygons that fit together, of which a repair makes a mesh
+/// that is valid at level 4 and comes back, attributes and all, from each format that it is written
+/// in. In memory in proportion.
 ///
 /// The first expectation that fails ends the program, as libFuzzer wants it. Always 0.
 int expect_read(std::span<const std::uint8_t> bytes, const Reader& read);

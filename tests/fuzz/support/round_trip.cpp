@@ -1,10 +1,13 @@
 #include "support/round_trip.h"
 
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>
+#include <halfedge/repair/transfer.h>
 
 #include <cstring>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,13 +27,19 @@ bool same_bits(const A& a, const B& b) {
          (a.size() == 0 || std::memcmp(a.data(), b.data(), a.size() * sizeof(*a.data())) == 0);
 }
 
-ParsedFile written_and_read(const Mesh& mesh, Format format, Encoding encoding) {
-  Result<Array<std::uint8_t>> bytes = write(mesh, format, {encoding});
-  EXPECT_TRUE(bytes) << bytes.error().message;
-  Result<ParsedFile> file = parse(bytes.value().span());
+ParsedFile read_back(const Array<std::uint8_t>& bytes, Format format) {
+  Result<ParsedFile> file = parse(bytes.span());
   EXPECT_TRUE(file) << file.error().message;
   EXPECT_EQ(file.value().format, format);
   return std::move(file).value();
+}
+
+Array<std::uint8_t> written(const Mesh& mesh, Format format, Encoding encoding) {
+  std::vector<std::string> notes;
+  Result<Array<std::uint8_t>> bytes = write(mesh, format, {.encoding = encoding, .notes = &notes});
+  EXPECT_TRUE(bytes) << bytes.error().message;
+  for (const std::string& note : notes) EXPECT_FALSE(note.empty());
+  return std::move(bytes).value();
 }
 
 void expect_same_polygons(const Mesh& mesh, const PolygonSoup& soup) {
@@ -67,15 +76,28 @@ void expect_same_triangles(const Mesh& mesh, const PolygonSoup& soup) {
   }
 }
 
+// The attributes that the file has are those of the mesh: the mesh of the file gives the same file.
+void expect_same_file(ParsedFile file, const Array<std::uint8_t>& bytes, Encoding encoding) {
+  Mesh mesh;
+  BuildReport report;
+  EXPECT_TRUE(build_from_polygons(mesh, file.soup.view(), report));
+  const Result<void> added = add_attributes(mesh, file.soup.view(), nullptr, file.attributes);
+  EXPECT_TRUE(added) << added.error().message;
+  EXPECT_TRUE(same_bits(written(mesh, file.format, encoding), bytes));
+}
+
 }  // namespace
 
 void expect_round_trips(const Mesh& mesh) {
   for (const auto& [format, encoding] : kPolygonForms) {
     if (format == Format::kObj && mesh.vertex_slots() == 0) continue;  // an empty file
-    expect_same_polygons(mesh, written_and_read(mesh, format, encoding).soup);
+    const Array<std::uint8_t> bytes = written(mesh, format, encoding);
+    ParsedFile file = read_back(bytes, format);
+    expect_same_polygons(mesh, file.soup);
+    expect_same_file(std::move(file), bytes, encoding);
   }
   for (const auto& [format, encoding] : kTriangleForms) {
-    expect_same_triangles(mesh, written_and_read(mesh, format, encoding).soup);
+    expect_same_triangles(mesh, read_back(written(mesh, format, encoding), format).soup);
   }
 }
 
