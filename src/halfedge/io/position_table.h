@@ -14,7 +14,8 @@ namespace halfedge::io {
 /// Welds: the index of each distinct position, in the order in which they came. Positions are equal
 /// if all bits are, but for the sign of zero.
 ///
-/// An open-addressing table of indices, at most half full. Expected O(1) a look-up.
+/// An open-addressing table of indices, at most half full. Expected O(1) a look-up, also for
+/// positions that were chosen to collide: when too many do, others are the ones that do.
 class PositionTable {
  public:
   /// Room for so many, so that the table need not grow. False when memory is exhausted.
@@ -26,8 +27,14 @@ class PositionTable {
                                    Index& found) {
     const std::size_t count = positions.size() / 3;
     if (2 * (count + 1) > slots_.size() && !grow(positions, 2 * count)) return false;
+    // That many steps have paid for a new table.
+    if (steps_ > 8 * slots_.size()) {
+      seed_ = seed_ * 0x9E37'79B9'7F4A'7C15U + Key(xyz).hash(seed_);
+      seed_ += reinterpret_cast<std::uintptr_t>(slots_.data());  // which no file knows
+      if (!grow(positions, slots_.size() / 2 - 1)) return false;
+    }
     const Key key(xyz);
-    for (std::size_t i = key.hash() & mask();; i = (i + 1) & mask()) {
+    for (std::size_t i = key.hash(seed_) & mask();; i = (i + 1) & mask(), ++steps_) {
       const Index v = slots_[i];
       if (v == kNone) {
         slots_[i] = static_cast<Index>(count);
@@ -48,8 +55,8 @@ class PositionTable {
       constexpr std::uint32_t kMinusZero = 0x8000'0000;
       for (std::uint32_t& word : bits) word = word == kMinusZero ? 0 : word;
     }
-    [[nodiscard]] std::size_t hash() const {
-      std::uint64_t h = (std::uint64_t{bits[1]} << 32U | bits[0]) * 0x9E37'79B9'7F4A'7C15U;
+    [[nodiscard]] std::size_t hash(std::uint64_t seed) const {
+      std::uint64_t h = ((std::uint64_t{bits[1]} << 32U | bits[0]) ^ seed) * 0x9E37'79B9'7F4A'7C15U;
       h = (h ^ (h >> 29U) ^ bits[2]) * 0xBF58'476D'1CE4'E5B9U;
       h = (h ^ (h >> 32U)) * 0x94D0'49BB'1331'11EBU;
       return static_cast<std::size_t>(h >> 32U);
@@ -65,9 +72,10 @@ class PositionTable {
     std::size_t slots = 1024;
     while (slots < 2 * (count + 1)) slots *= 2;
     if (!slots_.recreate(slots)) return false;
+    steps_ = 0;
     std::fill(slots_.begin(), slots_.end(), kNone);
     for (std::size_t v = 0; v < positions.size() / 3; ++v) {
-      std::size_t i = Key(&positions[3 * v]).hash() & mask();
+      std::size_t i = Key(&positions[3 * v]).hash(seed_) & mask();
       while (slots_[i] != kNone) i = (i + 1) & mask();
       slots_[i] = static_cast<Index>(v);
     }
@@ -75,6 +83,8 @@ class PositionTable {
   }
 
   Array<Index> slots_;  // a power of two
+  std::uint64_t seed_ = 0;
+  std::size_t steps_ = 0;  // beyond the first slots looked at, since the table was made
 };
 
 }  // namespace halfedge::io

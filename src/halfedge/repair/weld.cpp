@@ -21,16 +21,17 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   return h ^ (h >> 32U);
 }
 
-std::uint64_t hash_of(const float* p) {
+std::uint64_t hash_of(const float* p, std::uint64_t seed) {
   std::array<std::uint32_t, 3> bits{};
   for (std::size_t i = 0; i < 3; ++i) {
     const float normal = p[i] + 0.0F;  // -0 becomes 0
     std::memcpy(&bits[i], &normal, sizeof normal);
   }
-  return mix(bits[0] | std::uint64_t{bits[1]} << 32U, bits[2]);
+  return mix((bits[0] | std::uint64_t{bits[1]} << 32U) ^ seed, bits[2]);
 }
 
-// Gives each different position a number, that of its first vertex in order.
+// Gives each different position a number, that of its first vertex in order. In linear time also
+// for positions that were chosen to collide: when too many do, others are the ones that do.
 class ExactWelder {
  public:
   ExactWelder(std::span<const float> positions, Vertices& vertices)
@@ -46,9 +47,15 @@ class ExactWelder {
         slot = {{p[0], p[1], p[2]}, Index(vertices_.origin.size())};
         vertices_.of_input[v] = slot.vertex;
         if (!vertices_.origin.push_back(Index(v))) return false;
-        if (2 * vertices_.origin.size() > slots_.size() && !grow()) return false;
       } else {
         vertices_.of_input[v] = slot.vertex;
+      }
+      const bool is_full = 2 * vertices_.origin.size() > slots_.size();
+      // That many steps have paid for a new table.
+      const bool is_slow = steps_ > 8 * slots_.size();
+      if (is_slow) seed_ = mix(seed_ + reinterpret_cast<std::uintptr_t>(slots_.data()), v);
+      if ((is_full || is_slow) && !rebuild(is_full ? 2 * slots_.size() : slots_.size())) {
+        return false;
       }
     }
     return true;
@@ -63,29 +70,32 @@ class ExactWelder {
 
   [[nodiscard]] Slot& find(const float* p) {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t i = std::size_t(hash_of(p)) & mask;
+    std::size_t i = std::size_t(hash_of(p, seed_)) & mask;
     while (slots_[i].vertex != kNone) {
       const std::array<float, 3>& q = slots_[i].position;
       if (p[0] == q[0] && p[1] == q[1] && p[2] == q[2]) break;
       i = (i + 1) & mask;
+      ++steps_;
     }
     return slots_[i];
   }
 
-  [[nodiscard]] bool grow() {
-    const std::size_t size = 2 * slots_.size();
+  [[nodiscard]] bool rebuild(std::size_t size) {
     slots_.reset();
     if (!slots_.resize(size, Slot{})) return false;
     for (Index i = 0; i < vertices_.origin.size(); ++i) {
       const float* p = &positions_[3 * std::size_t{vertices_.origin[i]}];
       find(p) = {{p[0], p[1], p[2]}, i};
     }
+    steps_ = 0;
     return true;
   }
 
   std::span<const float> positions_;
   Vertices& vertices_;
   Array<Slot> slots_;
+  std::uint64_t seed_ = 0;
+  std::size_t steps_ = 0;  // beyond the first slots looked at, since the table was made
 };
 
 // Joins different positions that are closer than a tolerance, in groups around leaders, which are

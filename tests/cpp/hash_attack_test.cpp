@@ -1,0 +1,107 @@
+// Positions chosen by someone who has read how we hash them: all in one place of the table, where
+// it would take as long to find one as there are others: eleven seconds for an STL of 5 MB.
+
+#include <gtest/gtest.h>
+#include <halfedge/io/parse.h>
+#include <halfedge/repair/repair.h>
+
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/repairing.h"
+#include "support/text_file.h"
+
+namespace halfedge::test {
+namespace {
+
+constexpr std::size_t kCount = 99'999;  // positions, three a triangle
+
+/// The number that takes a multiplication by the odd number `n` back.
+constexpr std::uint64_t inverse(std::uint64_t n) {
+  std::uint64_t x = n;
+  for (int i = 0; i < 6; ++i) x *= 2 - n * x;
+  return x;
+}
+
+/// Positions with z = 0 whose other bits are those of `bits_of(0)`, `bits_of(1)`, ...
+template <class BitsOf>
+std::vector<float> positions_of(const BitsOf& bits_of) {
+  std::vector<float> positions;
+  for (std::uint64_t i = 0; positions.size() < 3 * kCount; ++i) {
+    const std::uint64_t bits = bits_of(i);
+    float xy[2];
+    std::memcpy(xy, &bits, sizeof xy);
+    if (!std::isfinite(xy[0]) || !std::isfinite(xy[1]) || xy[0] == 0 || xy[1] == 0) continue;
+    positions.insert(positions.end(), {xy[0], xy[1], 0});
+  }
+  return positions;
+}
+
+/// The same place in io::PositionTable: its hash, taken back step by step.
+std::vector<float> colliding_in_stl() {
+  return positions_of([](std::uint64_t i) {
+    std::uint64_t h = i * inverse(0x94D0'49BB'1331'11EBU);
+    h = (h ^ (h >> 32U)) * inverse(0xBF58'476D'1CE4'E5B9U);
+    h = h ^ (h >> 29U) ^ (h >> 58U);
+    return h * inverse(0x9E37'79B9'7F4A'7C15U);
+  });
+}
+
+/// The same place in the table of the exact welder.
+std::vector<float> colliding_in_weld() {
+  return positions_of([](std::uint64_t i) {
+    constexpr std::uint64_t kFactor = 0xD6E8'FEB8'6659'FD93U;
+    std::uint64_t h = i << 32U;
+    h = (h ^ (h >> 32U)) * inverse(kFactor);
+    h = (h ^ (h >> 32U)) * inverse(kFactor);
+    return h ^ 0x9E37'79B9'7F4A'7C15U;
+  });
+}
+
+std::vector<float> ordinary() {
+  std::mt19937_64 random(1);
+  return positions_of([&random](std::uint64_t) { return random(); });
+}
+
+template <class Use>
+double seconds(const Use& use) {
+  const std::clock_t start = std::clock();
+  use();
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double seconds_to_read_stl(const std::vector<float>& positions) {
+  constexpr std::uint32_t kTriangles = kCount / 3;
+  std::string file(84 + 50 * std::size_t{kTriangles}, '\0');
+  std::memcpy(&file[80], &kTriangles, sizeof kTriangles);
+  for (std::size_t i = 0; i < kTriangles; ++i) {
+    std::memcpy(&file[84 + 50 * i + 12], &positions[9 * i], 36);
+  }
+  return seconds([&file] {
+    const Result<ParsedFile> read = read_stl(bytes_of(file));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read.value().soup.positions.size(), 3 * kCount);
+  });
+}
+
+double seconds_to_weld(const std::vector<float>& positions) {
+  return seconds([&positions] {
+    const Repaired welded({positions, {}, {}}, {.weld = 0});
+    EXPECT_EQ(welded.mesh.vertex_count(), kCount);
+  });
+}
+
+TEST(HashAttack, MakesReadingStlNoSlower) {
+  EXPECT_LT(seconds_to_read_stl(colliding_in_stl()), 0.2 + 20 * seconds_to_read_stl(ordinary()));
+}
+
+TEST(HashAttack, MakesWeldingNoSlower) {
+  EXPECT_LT(seconds_to_weld(colliding_in_weld()), 0.2 + 20 * seconds_to_weld(ordinary()));
+}
+
+}  // namespace
+}  // namespace halfedge::test
