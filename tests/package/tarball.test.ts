@@ -33,10 +33,11 @@ describe('The tarball', () => {
     expect(packed.files).toEqual(meantToShip());
   });
 
-  test('has no dependencies', () => {
+  test('has no dependencies, and one that a single entry needs: three.js', () => {
     const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
     expect(manifest).not.toHaveProperty('dependencies');
-    expect(manifest).not.toHaveProperty('peerDependencies');
+    expect(manifest.peerDependencies).toEqual({ three: expect.stringMatching(/^>=/) });
+    expect(manifest.peerDependenciesMeta).toEqual({ three: { optional: true } });
     const installed = JSON.parse(
       readFileSync(join(packed.folder, 'installed/package-lock.json'), 'utf8'),
     );
@@ -73,6 +74,7 @@ describe('The tarball', () => {
       '.',
       './core.wasm',
       './dialects',
+      './gltf',
       './inline',
       './package.json',
       './worker',

@@ -4,6 +4,7 @@ const consumer = `
 import { type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Refusal, type Vertex } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
+import { type GltfPart, readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
 import { init as initInline } from 'halfedge/inline';
 import { createMeshWorker, parseInWorker } from 'halfedge/worker';
 
@@ -28,6 +29,13 @@ export async function elsewhere(bytes: Uint8Array): Promise<number> {
   const soup = await worker.fromSoup(mesh.positions, [[0, 1, 2]], { weld: true });
   worker.terminate();
   return soup.mesh.faceCount + report.vertexMap[0];
+}
+
+export async function models(address: URL): Promise<GltfPart[]> {
+  const { mesh, report } = await readGltf(address, { weld: 1e-6, repair: false });
+  const glb: Uint8Array = await writeGltf(mesh);
+  const gltf: string = await writeGltf(mesh, { format: 'gltf' });
+  return report.format === 'glb' ? readGltfParts(glb) : readGltfParts(gltf);
 }
 
 export function explain(error: unknown): string {

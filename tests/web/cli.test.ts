@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { HalfedgeMesh, init } from 'halfedge';
+import { readGltf } from 'halfedge/gltf';
 
 const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 
@@ -95,7 +96,7 @@ describe('halfedge', () => {
     [['convert', 'a', '--to', '--json'], '--to has no value; expected --to <format>.'],
     [
       ['convert', 'a', '--to', 'pyl'],
-      '--to is "pyl"; expected obj, off, ply or stl. Did you mean ply?',
+      '--to is "pyl"; expected obj, off, ply, stl, glb or gltf. Did you mean ply?',
     ],
     [
       ['convert', 'a', 'b.xyz'],
@@ -306,6 +307,22 @@ describe('halfedge convert', () => {
     expect(new Uint8Array(bytes)).toEqual(mesh.write('ply'));
     const text = await run(['convert', 'quad.obj', '-', '--to=ply', '--encoding', 'text']);
     expect(text.out).toBe(mesh.write('ply', { encoding: 'text' }));
+  });
+
+  test('goes to glTF and back, texture coordinates the right way up', async () => {
+    const mesh = HalfedgeMesh.tetrahedron();
+    const uv = mesh.attributes.add('vertex', 'uv', { components: 2 });
+    uv.set([0, 0, 1, 0, 1, 1, 0.25, 0.75]);
+    writeFileSync(join(folder, 'uv.ply'), mesh.write('ply'));
+    expect(await run(['convert', 'uv.ply', 'uv.glb'])).toMatchObject({ status: 0, err: '' });
+    const { mesh: read } = await readGltf(readFileSync(join(folder, 'uv.glb')));
+    expect([...read.attributes.get('vertex', 'uv')]).toEqual([0, 1, 1, 1, 1, 0, 0.25, 0.25]);
+    const info = await run(['info', '--json'], readFileSync(join(folder, 'uv.glb')));
+    expect(JSON.parse(info.out)).toMatchObject({ format: 'glb', vertices: 4, closed: true });
+    expect(await run(['convert', 'uv.glb', '--to', 'gltf', '--encoding', 'text'])).toMatchObject({
+      status: 2,
+      err: expect.stringContaining('--encoding is for OBJ, OFF, PLY and STL'),
+    });
   });
 
   test('cuts polygons into triangles if asked to', async () => {

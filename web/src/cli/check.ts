@@ -1,4 +1,4 @@
-import type { ParseReport, Problem } from '../index.js';
+import type { Problem, RepairReport } from '../index.js';
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { Complaint } from './complaint.js';
@@ -72,10 +72,14 @@ function withoutMesh({ kind, index, ...rest }: Problem) {
   return kind === 'mesh' ? rest : { ...rest, kind, index };
 }
 
-/** The report lists at most 100 problems of each kind. */
-function unlistedOf({ counts, problems }: ParseReport): number {
-  const listed = problems.filter(({ code }) => code !== 'note').length;
-  return Object.values(counts).reduce((sum, count) => sum + count, 0) - listed;
+/** What the report lists of each code at most. */
+const LISTED = 100;
+
+function unlistedOf({ counts, problems }: RepairReport): number {
+  return Object.entries(counts).reduce((sum, [code, count]) => {
+    const listed = problems.filter((problem) => problem.code === code).length;
+    return listed < LISTED ? sum : sum + count - listed;
+  }, 0);
 }
 
 function verdict(faults: readonly Problem[], unlisted: number): string {

@@ -17,7 +17,10 @@ export interface Command {
 
 /** Options of all commands. */
 export const COMMON: Options = {
-  from: { value: 'format', help: 'obj, off, ply or stl, where the content leaves that open' },
+  from: {
+    value: 'format',
+    help: 'obj, off, ply, stl, glb or gltf, where the content leaves that open',
+  },
   json: { help: 'prints JSON, a line for each file' },
   progress: { help: 'tells the progress also where standard error is no terminal' },
   quiet: { short: 'q', help: 'prints neither progress nor reports' },
@@ -27,10 +30,13 @@ export const COMMON: Options = {
 /** Options of the commands that write a file. */
 export const WRITING: Options = {
   output: { value: 'file', short: 'o', help: 'where to, instead of naming it second' },
-  to: { value: 'format', help: 'obj, off, ply or stl, if the name of the output tells no other' },
+  to: {
+    value: 'format',
+    help: 'obj, off, ply, stl, glb or gltf, if the name of the output tells no other',
+  },
   encoding: {
     value: 'encoding',
-    help: 'text, binary or binary-big-endian (PLY); default: text for OBJ and OFF, else binary',
+    help: 'text, binary or binary-big-endian (PLY); else text for OBJ and OFF, binary for PLY and STL',
   },
 };
 

@@ -2,7 +2,7 @@ import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { outputFormat } from './formats.js';
 import { load, nameOf } from './input.js';
-import { print, printError, save } from './output.js';
+import { adaptTextures, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 import { inputAndOutput } from './repair.js';
 
@@ -28,6 +28,7 @@ async function run(args: Arguments): Promise<number> {
   const format = outputFormat(args, output);
   const progress = new Progress(progressMode(args));
   const { mesh, report } = await load(input, args, progress);
+  adaptTextures(mesh, report.format, format);
   if (args.has('triangulate')) mesh.triangulate();
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
   await save(mesh, output, format, args);
@@ -40,7 +41,7 @@ async function run(args: Arguments): Promise<number> {
     (output === '-' ? printError : print)(
       JSON.stringify({ ...told, vertices, edges, faces, counts, summary }),
     );
-  } else if (report.problems.length > 0) {
+  } else if (report.problems.some(({ severity, code }) => severity !== 'info' || code === 'note')) {
     printError(`${nameOf(input)}: ${summary}`);
   }
   return 0;

@@ -1,4 +1,4 @@
-import type { HalfedgeMesh, ParseReport, Problem } from '../index.js';
+import type { HalfedgeMesh, Problem, RepairReport } from '../index.js';
 
 /** Worth telling, but no reason to call a file broken. */
 const HARMLESS = ['coincident-position', 'isolated-vertex', 'note'];
@@ -7,7 +7,7 @@ const HARMLESS = ['coincident-position', 'isolated-vertex', 'note'];
  * What is wrong with a file: what had to be repaired are errors, because a strict build would refuse
  * it; what is left are warnings, such as open fans that touch in a vertex; then what is worth telling.
  */
-export function faultsOf(mesh: HalfedgeMesh, report: ParseReport): Problem[] {
+export function faultsOf(mesh: HalfedgeMesh, report: RepairReport): Problem[] {
   const repaired = report.problems.map((problem): Problem => {
     return { ...problem, severity: HARMLESS.includes(problem.code) ? 'info' : 'error' };
   });

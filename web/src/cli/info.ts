@@ -1,4 +1,4 @@
-import type { HalfedgeMesh, ParseReport } from '../index.js';
+import type { HalfedgeMesh, RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { faultsOf } from './faults.js';
@@ -10,7 +10,7 @@ export const info: Command = {
   name: 'info',
   summary: 'Tells what is in a file: counts, topology, validity, bounding box.',
   operands: '<file>...',
-  details: `Reads OBJ, OFF, PLY and STL files, or standard input (-). What can't be part of a mesh as it
+  details: `Reads OBJ, OFF, PLY, STL, glTF and GLB files, or standard input (-). What can't be part of a mesh as it
 stands is repaired first, and the line "valid" says so.
 Exit status: 0, or 2 if a file can't be read.`,
   options: COMMON,
@@ -62,7 +62,7 @@ function factsOf(path: string, { mesh, report, size }: Loaded) {
   };
 }
 
-function validity(mesh: HalfedgeMesh, report: ParseReport) {
+function validity(mesh: HalfedgeMesh, report: RepairReport) {
   const valid = !faultsOf(mesh, report).some(({ severity }) => severity === 'error');
   return { valid, repairs: report.counts };
 }

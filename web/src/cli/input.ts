@@ -1,8 +1,11 @@
 import { open } from 'node:fs/promises';
-import { type FileFormat, HalfedgeError, HalfedgeMesh, type ParseReport } from '../index.js';
+import { pathToFileURL } from 'node:url';
+import { looksLikeGltf } from '../gltf/container.js';
+import { readGltf } from '../gltf/index.js';
+import { HalfedgeError, HalfedgeMesh, type RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { Complaint, isSystemError, reasonOf } from './complaint.js';
-import { FORMATS, formatOfName } from './formats.js';
+import { type AnyFormat, FORMATS, formatOfName, isGltf } from './formats.js';
 import type { Progress } from './progress.js';
 
 /** What a file is read by at a time. */
@@ -11,7 +14,7 @@ const CHUNK = 2 ** 22;
 /** A file that has become a mesh. */
 export interface Loaded {
   readonly mesh: HalfedgeMesh;
-  readonly report: ParseReport;
+  readonly report: RepairReport & { readonly format: AnyFormat };
   /** Bytes of the file. */
   readonly size: number;
 }
@@ -25,7 +28,8 @@ export async function load(path: string, args: Arguments, progress: Progress): P
   progress.begin(nameOf(path));
   const bytes = await readBytes(path, progress);
   try {
-    return { ...parse(bytes, claimed), size: bytes.length };
+    const { mesh, report } = await meshOf(bytes, path, claimed);
+    return { mesh, report, size: bytes.length };
   } catch (error) {
     if (error instanceof HalfedgeError) throw new Complaint(`${nameOf(path)}: ${error.message}`);
     throw error;
@@ -34,7 +38,11 @@ export async function load(path: string, args: Arguments, progress: Progress): P
   }
 }
 
-function parse(bytes: Uint8Array, format: FileFormat | undefined) {
+function meshOf(bytes: Uint8Array, path: string, format: AnyFormat | undefined) {
+  if (isGltf(format) || looksLikeGltf(bytes)) {
+    // Buffers in other files lie beside it.
+    return readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) });
+  }
   return HalfedgeMesh.parse(bytes, format === undefined ? {} : { format });
 }
 

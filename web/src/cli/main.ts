@@ -27,7 +27,8 @@ Commands:
 ${list}
 
 \`halfedge <command> --help\` tells the options of a command, \`halfedge --version\` the version.
-Files are OBJ, OFF, PLY or STL, told by their content; - is standard input or output.`;
+Files are OBJ, OFF, PLY, STL, glTF or GLB, told by their content; - is standard input or output.
+glTF and GLB need three.js: \`npm install three\`.`;
 }
 
 function version(): string {

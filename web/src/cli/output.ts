@@ -1,8 +1,10 @@
 import { writeFile } from 'node:fs/promises';
-import type { FileEncoding, FileFormat, HalfedgeMesh } from '../index.js';
+import { writeGltf } from '../gltf/index.js';
+import type { FileEncoding, HalfedgeMesh } from '../index.js';
 import { HalfedgeError } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { Complaint, isSystemError, reasonOf } from './complaint.js';
+import { type AnyFormat, isGltf } from './formats.js';
 
 const ENCODINGS: readonly FileEncoding[] = ['text', 'binary', 'binary-big-endian'];
 
@@ -31,10 +33,10 @@ export function counted(count: number, one: string, many = `${one}s`): string {
 export async function save(
   mesh: HalfedgeMesh,
   path: string,
-  format: FileFormat,
+  format: AnyFormat,
   args: Arguments,
 ): Promise<void> {
-  const content = contentOf(mesh, format, args.choice('encoding', ENCODINGS));
+  const content = await contentOf(mesh, format, args.choice('encoding', ENCODINGS));
   if (path === '-' && process.stdout.isTTY && typeof content !== 'string') {
     throw new Complaint(
       `Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for --encoding text.`,
@@ -54,15 +56,32 @@ export async function save(
   }
 }
 
-function contentOf(
+async function contentOf(
   mesh: HalfedgeMesh,
-  format: FileFormat,
+  format: AnyFormat,
   encoding: FileEncoding | undefined,
-): string | Uint8Array {
+): Promise<string | Uint8Array> {
+  if (isGltf(format) && encoding !== undefined) {
+    throw new Complaint('--encoding is for OBJ, OFF, PLY and STL; choose --to glb or --to gltf.');
+  }
   try {
+    if (isGltf(format)) return await writeGltf(mesh, { format });
     return mesh.write(format, encoding === undefined ? {} : { encoding });
   } catch (error) {
     if (error instanceof HalfedgeError) throw new Complaint(error.message);
     throw error;
+  }
+}
+
+/**
+ * Turns texture coordinates upside down where a file goes from glTF, which counts from the upper edge of
+ * an image, to a format that counts from the lower one, or the other way.
+ */
+export function adaptTextures(mesh: HalfedgeMesh, from: AnyFormat, to: AnyFormat): void {
+  if (isGltf(from) === isGltf(to)) return;
+  for (const { kind, name, components } of mesh.attributes.list()) {
+    if (name !== 'uv' || components !== 2) continue;
+    const uv = mesh.attributes.get(kind, name);
+    for (let i = 1; i < uv.length; i += 2) uv[i] = 1 - uv[i];
   }
 }

@@ -4,7 +4,7 @@ import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { Complaint } from './complaint.js';
 import { outputFormat } from './formats.js';
 import { inputsOf, load, nameOf } from './input.js';
-import { counted, print, printError, save } from './output.js';
+import { adaptTextures, counted, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {
@@ -33,6 +33,7 @@ async function run(args: Arguments): Promise<number> {
   outputFormat(args, output, 'obj'); // complain before reading
   const { mesh, report } = await load(input, args, progress);
   const format = outputFormat(args, output, report.format);
+  adaptTextures(mesh, report.format, format);
   const extra = [...dropIsolated(mesh, args), ...keepLargest(mesh, keep)];
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
   await save(mesh, output, format, args);

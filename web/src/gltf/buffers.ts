@@ -1,0 +1,140 @@
+import { bytesOf, describe } from '../arguments.js';
+import { messageOf } from '../loader.js';
+import { fileError, type GltfFile } from './container.js';
+import type { GltfDocument, GltfView } from './document.js';
+
+/** Where the other files of a document come from. */
+export interface GltfResources {
+  /** The address of the file, that others are named relative to. */
+  readonly baseUrl?: URL | string;
+  /** Gets the content of another file by its name in the document, instead of fetching it. */
+  readonly resource?: (uri: string) => Promise<ArrayBuffer | Uint8Array> | ArrayBuffer | Uint8Array;
+}
+
+/** More than any stride: three.js reads the last row of interleaved data with what lies behind it. */
+const PADDING = 256;
+
+/** All buffers of a document as one, and the document that refers to it. */
+export async function joinBuffers(
+  document: GltfDocument,
+  { binary }: GltfFile,
+  resources: GltfResources,
+): Promise<{ document: GltfDocument; binary: Uint8Array }> {
+  const parts: Uint8Array[] = [];
+  for (const [i, { uri, byteLength, extensions = {} }] of document.buffers.entries()) {
+    if (uri === undefined && Object.values(extensions).some(({ fallback }) => fallback === true)) {
+      parts.push(new Uint8Array(0)); // its views are decompressed from another
+      continue;
+    }
+    const bytes = uri === undefined ? binaryChunk(i, binary) : await content(i, uri, resources);
+    if (bytes.length < byteLength) {
+      throw fileError(
+        'truncated',
+        `glTF: buffers[${i}] has ${bytes.length} bytes, expected ${byteLength} as the document says.`,
+      );
+    }
+    parts.push(bytes.subarray(0, byteLength));
+  }
+  const starts: number[] = [];
+  let size = 0;
+  for (const { length } of parts) {
+    starts.push(size);
+    size += Math.ceil(length / 8) * 8;
+  }
+  let joined: Uint8Array;
+  try {
+    joined = new Uint8Array(size + PADDING);
+  } catch {
+    throw fileError(
+      'out-of-memory',
+      `The ${size} bytes of the buffers are more than JavaScript has.`,
+    );
+  }
+  for (const [i, part] of parts.entries()) joined.set(part, starts[i]);
+  const bufferViews = document.bufferViews.map((view): GltfView => {
+    const { buffer, byteOffset = 0, byteLength, byteStride = 0, extensions = {} } = view;
+    return {
+      ...view,
+      buffer: 0,
+      byteOffset: starts[buffer] + byteOffset,
+      byteLength: byteLength + byteStride,
+      // Those of compressed views lie in a buffer of their own.
+      extensions: Object.fromEntries(
+        Object.entries(extensions).map(([name, extension]) => [name, moved(extension, starts)]),
+      ),
+    };
+  });
+  return {
+    document: { ...document, bufferViews, buffers: [{ byteLength: joined.length }] },
+    binary: joined,
+  };
+}
+
+function moved(extension: Record<string, unknown>, starts: number[]): Record<string, unknown> {
+  const { buffer, byteOffset = 0 } = extension as Partial<GltfView>;
+  const start = typeof buffer === 'number' ? starts[buffer] : undefined;
+  return start === undefined
+    ? extension
+    : { ...extension, buffer: 0, byteOffset: start + byteOffset };
+}
+
+function binaryChunk(buffer: number, binary: Uint8Array | undefined): Uint8Array {
+  if (binary !== undefined && buffer === 0) return binary;
+  throw fileError(
+    'truncated',
+    `glTF: buffers[${buffer}] has no address, expected ${buffer === 0 ? 'a binary chunk with its bytes' : 'one'}.`,
+  );
+}
+
+async function content(i: number, uri: string, resources: GltfResources): Promise<Uint8Array> {
+  const data = /^data:[^,]*?(;base64)?,(.*)$/s.exec(uri);
+  if (data !== null) return decodeData(i, data[1] !== undefined, data[2]);
+  if (resources.resource !== undefined) {
+    const given: unknown = await resources.resource(uri);
+    const bytes = bytesOf('resource', given);
+    if (bytes !== undefined) return bytes;
+    throw new TypeError(
+      `options.resource gave ${describe(given)} for ${describe(uri)}; expected an ArrayBuffer or a Uint8Array.`,
+    );
+  }
+  let address: URL;
+  try {
+    address = new URL(uri, resources.baseUrl);
+  } catch {
+    throw fileError(
+      'missing-resource',
+      `glTF: buffers[${i}] is in another file, ${describe(uri)}; expected options.baseUrl or options.resource to get it.`,
+    );
+  }
+  return load(address);
+}
+
+function decodeData(i: number, isBase64: boolean, text: string): Uint8Array {
+  try {
+    const characters = isBase64 ? atob(decodeURIComponent(text)) : decodeURIComponent(text);
+    return Uint8Array.from(characters, (character) => character.charCodeAt(0));
+  } catch {
+    throw fileError(
+      'parse-error',
+      `glTF: buffers[${i}].uri is a broken data: address, expected base64.`,
+    );
+  }
+}
+
+/** Another file, which Node's fetch can't get from the disk. */
+export async function load(address: URL): Promise<Uint8Array> {
+  const failed = (why: string) =>
+    fileError('missing-resource', `glTF: ${address.href} can't be loaded: ${why}.`);
+  try {
+    const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
+    const files = process?.getBuiltinModule?.('node:fs/promises') as
+      | { readFile(path: URL): Promise<Uint8Array> }
+      | undefined;
+    if (address.protocol === 'file:' && files !== undefined) return await files.readFile(address);
+    const response = await fetch(address);
+    if (response.ok) return new Uint8Array(await response.arrayBuffer());
+    throw new Error(`the server answered ${response.status} ${response.statusText}`.trimEnd());
+  } catch (error) {
+    throw failed(messageOf(error).replace(/, open '.*/, ''));
+  }
+}

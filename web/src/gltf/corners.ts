@@ -1,0 +1,178 @@
+// Attributes by corner: between buffers, whose vertices are doubled where values differ, and meshes,
+// whose vertices are not.
+
+import { newArray } from '../arguments.js';
+import type { OnSplit } from '../attributes.js';
+import type { ItemKind } from '../items.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import type { RepairReport } from '../repair.js';
+
+export type CornerValues = Float32Array | Uint8Array | Uint16Array;
+
+/** A named column of numbers by vertex of a buffer. */
+export interface CornerAttribute {
+  readonly name: string;
+  readonly components: number;
+  readonly values: CornerValues;
+}
+
+const TYPES = { Float32Array: 'float32', Uint8Array: 'uint8', Uint16Array: 'uint16' } as const;
+
+/**
+ * Gives the attributes of a triangle soup to the mesh that was made of it: to its vertices, or to its
+ * halfedges (corners) where the corners at a vertex differ.
+ */
+export function addAttributes(
+  mesh: HalfedgeMesh,
+  { vertexMap, vertexOrigin, faceMap }: RepairReport,
+  indices: Uint32Array,
+  attributes: readonly CornerAttribute[],
+): void {
+  if (attributes.length === 0) return;
+  const { toVertex, face } = mesh.connectivity;
+  const faceOrigin = new Uint32Array(mesh.faceSlots);
+  faceMap.forEach((f, input) => {
+    if (f >= 0) faceOrigin[f] = input;
+  });
+  // By halfedge, the vertex of the soup in the corner where it ends.
+  const corners = new Int32Array(face.length).fill(-1);
+  for (let h = 0; h < face.length; h++) {
+    if (face[h] < 0) continue;
+    const vertex = vertexMap[vertexOrigin[toVertex[h]]];
+    const first = 3 * faceOrigin[face[h]];
+    for (let k = first; k < first + 3; k++) {
+      if (vertexMap[indices[k]] === vertex) corners[h] = indices[k];
+    }
+  }
+  for (const attribute of attributes) {
+    const rows = rowsByVertex(attribute, corners, toVertex, vertexOrigin);
+    if (rows === undefined) fill(mesh, 'halfedge', attribute, corners);
+    else fill(mesh, 'vertex', attribute, rows);
+  }
+}
+
+/** By vertex of the mesh a row that is that of all its corners, if they are all alike. */
+function rowsByVertex(
+  { components, values }: CornerAttribute,
+  corners: Int32Array,
+  toVertex: Int32Array,
+  vertexOrigin: Uint32Array,
+): Int32Array | undefined {
+  const rows = new Int32Array(vertexOrigin.length).fill(-1);
+  for (let h = 0; h < corners.length; h++) {
+    const row = corners[h];
+    if (row < 0) continue;
+    const other = rows[toVertex[h]];
+    if (other < 0) rows[toVertex[h]] = row;
+    else if (other !== row && !areEqual(values, components, row, other)) return undefined;
+  }
+  return rows.map((row, v) => (row < 0 ? vertexOrigin[v] : row));
+}
+
+function areEqual(values: CornerValues, components: number, a: number, b: number): boolean {
+  for (let i = 0; i < components; i++) {
+    if (values[a * components + i] !== values[b * components + i]) return false;
+  }
+  return true;
+}
+
+function fill(
+  mesh: HalfedgeMesh,
+  kind: ItemKind,
+  { name, components, values }: CornerAttribute,
+  rows: Int32Array,
+): void {
+  const type = TYPES[values.constructor.name as keyof typeof TYPES];
+  const onSplit: OnSplit = name === 'normal' ? 'normalize' : 'interpolate';
+  const view = mesh.attributes.add(kind, name, { type, components, onSplit });
+  rows.forEach((row, item) => {
+    if (row < 0) return;
+    for (let i = 0; i < components; i++) view[item * components + i] = values[row * components + i];
+  });
+}
+
+/** What a buffer can hold of an attribute, and where the mesh has it. */
+interface Column extends CornerAttribute {
+  readonly kind: 'vertex' | 'halfedge';
+}
+
+const SIZES: Record<string, readonly number[]> = { normal: [3], uv: [2], color: [3, 4] };
+
+/** The attributes that glTF has a name for. */
+function columnsOf(mesh: HalfedgeMesh): Column[] {
+  const found = new Map<string, Column>();
+  for (const { kind, name, components, type } of mesh.attributes.list()) {
+    if (kind !== 'vertex' && kind !== 'halfedge') continue;
+    if (!SIZES[name]?.includes(components)) continue;
+    const isColor = name === 'color' && (type === 'uint8' || type === 'uint16');
+    if (!isColor && !type.startsWith('float')) continue;
+    const view = mesh.attributes.get(kind, name);
+    const values = isColor ? (view as Uint8Array) : new Float32Array(view);
+    // Where both have it, corners are the finer.
+    if (kind === 'halfedge' || !found.has(name))
+      found.set(name, { kind, name, components, values });
+  }
+  return [...found.values()];
+}
+
+/** The buffers of a triangle mesh: vertices in order, then copies of those whose corners differ. */
+export function buffersOf(mesh: HalfedgeMesh): {
+  positions: Float32Array;
+  indices: Uint32Array;
+  attributes: CornerAttribute[];
+} {
+  const columns = columnsOf(mesh);
+  const ofCorners = columns.filter(({ kind }) => kind === 'halfedge');
+  const { items: halfedges } = mesh.allFaceHalfedges();
+  const { toVertex } = mesh.connectivity;
+  const vertices = Uint32Array.from(mesh.vertices());
+  const rank = new Int32Array(mesh.vertexSlots).fill(-1);
+  vertices.forEach((v, i) => {
+    rank[v] = i;
+  });
+  // Of each row of the buffers: its vertex, a corner that it stands for, the next copy of that vertex.
+  const vertexOf = Array.from(vertices);
+  const cornerOf: number[] = new Array(vertices.length).fill(-1);
+  const nextCopy: number[] = new Array(vertices.length).fill(-1);
+  const isAlike = (h: number, row: number) =>
+    cornerOf[row] < 0 ||
+    ofCorners.every(({ values, components }) => areEqual(values, components, h, cornerOf[row]));
+  const indices = newArray('the indices', Uint32Array, halfedges.length);
+  for (let i = 0; i < halfedges.length; i++) {
+    const h = halfedges[i];
+    const v = toVertex[h];
+    let row = rank[v];
+    while (!isAlike(h, row) && nextCopy[row] >= 0) row = nextCopy[row];
+    if (!isAlike(h, row)) {
+      nextCopy[row] = vertexOf.length;
+      row = vertexOf.length;
+      vertexOf.push(v);
+      cornerOf.push(-1);
+      nextCopy.push(-1);
+    }
+    cornerOf[row] = h;
+    indices[i] = row;
+  }
+  const positions = gather({ components: 3, values: mesh.positions }, vertexOf) as Float32Array;
+  const attributes = columns.map(({ name, components, values, kind }) => {
+    const rows = kind === 'vertex' ? vertexOf : cornerOf;
+    return { name, components, values: gather({ components, values }, rows) };
+  });
+  return { positions, indices, attributes };
+}
+
+/** Rows in this order; zeros for -1. */
+function gather(
+  { components, values }: Pick<CornerAttribute, 'components' | 'values'>,
+  rows: readonly number[],
+): CornerValues {
+  const Kind = values.constructor as new (length: number) => CornerValues;
+  const gathered = newArray('a buffer', Kind, rows.length * components);
+  rows.forEach((row, i) => {
+    if (row < 0) return;
+    for (let k = 0; k < components; k++) {
+      gathered[i * components + k] = values[row * components + k];
+    }
+  });
+  return gathered;
+}

@@ -1,0 +1,164 @@
+import type { InstancedMesh, Mesh } from 'three';
+import { bytesOf, checkOptions, describe } from '../arguments.js';
+import { HalfedgeError, type Problem } from '../errors.js';
+import { messageOf } from '../loader.js';
+import { HalfedgeMesh } from '../mesh.js';
+import type { RepairReport, SoupOptions } from '../repair.js';
+import { type GltfResources, joinBuffers, load } from './buffers.js';
+import { makeGlb, openGltf } from './container.js';
+import { addAttributes } from './corners.js';
+import { checkDocument } from './document.js';
+import { join, type Triangles, trianglesOf } from './geometry.js';
+import { type GltfDecoders, prepare } from './prepare.js';
+import { loadLoader, loadThree } from './three.js';
+
+/** How to read a glTF file. */
+export interface ReadGltfOptions extends SoupOptions, GltfResources, GltfDecoders {
+  /**
+   * As `HalfedgeMesh.fromSoup`; here exact welding is the default, because buffers double the vertices
+   * along the seams of normals, colours and texture coordinates.
+   */
+  weld?: boolean | number;
+  /**
+   * Whether faces that make no manifold are mended, and reported; otherwise they are an error.
+   * Default: true.
+   */
+  repair?: boolean;
+}
+
+/** What reading a file has found. Vertices and faces of the input are those of its buffers, in a row. */
+export interface GltfReport extends RepairReport {
+  readonly format: 'glb' | 'gltf';
+}
+
+/** One primitive of a file. */
+export interface GltfPart {
+  /** That of its mesh in the file; empty if it has none. */
+  readonly name: string;
+  readonly mesh: HalfedgeMesh;
+  readonly report: GltfReport;
+}
+
+/** All triangles of a file as one mesh. */
+export async function readWhole(
+  data: unknown,
+  options: ReadGltfOptions,
+): Promise<{ mesh: HalfedgeMesh; report: GltfReport }> {
+  const { format, parts, notes } = await loadParts(data, options);
+  return meshOf(join(parts.map(({ triangles }) => triangles)), format, notes, options);
+}
+
+/** A mesh for each primitive of a file. */
+export async function readParts(data: unknown, options: ReadGltfOptions): Promise<GltfPart[]> {
+  const { format, parts, notes } = await loadParts(data, options);
+  const made: GltfPart[] = [];
+  try {
+    for (const { name, triangles } of parts) {
+      made.push({ name, ...meshOf(triangles, format, notes, options) });
+    }
+  } catch (error) {
+    for (const { mesh } of made) mesh.dispose();
+    throw error;
+  }
+  return made;
+}
+
+interface Loaded {
+  readonly format: 'glb' | 'gltf';
+  readonly parts: { readonly name: string; readonly triangles: Triangles }[];
+  readonly notes: string[];
+}
+
+async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loaded> {
+  checkOptions(options);
+  const isUrl = Object.prototype.toString.call(data) === '[object URL]';
+  const bytes = isUrl ? await load(data as URL) : contentOf(data);
+  const file = openGltf(bytes);
+  const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
+  const base = isUrl ? { baseUrl: data as URL } : {};
+  const joined = await joinBuffers(document, file, { ...base, ...options });
+  const { scene, parser } = await loadScene(makeGlb(joined.document, joined.binary), options);
+  const { Matrix4 } = await loadThree();
+  const parts: Loaded['parts'] = [];
+  scene.updateMatrixWorld(true);
+  scene.traverse((object) => {
+    if (!('isMesh' in object)) return;
+    const mesh = object as Mesh;
+    const which = parser.associations.get(object)?.meshes ?? -1;
+    const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path
+    const instances = 'isInstancedMesh' in object ? (object as InstancedMesh) : undefined;
+    for (let i = 0; i < (instances?.count ?? 1); i++) {
+      const matrix = new Matrix4();
+      instances?.getMatrixAt(i, matrix);
+      parts.push({ name, triangles: trianglesOf(mesh, matrix.premultiply(mesh.matrixWorld)) });
+    }
+  });
+  return { format: file.format, parts, notes };
+}
+
+/** The scene, as three.js's own loader makes it. */
+async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: ReadGltfOptions) {
+  const { GLTFLoader } = await loadLoader();
+  const loader = new GLTFLoader();
+  if (dracoLoader !== undefined) loader.setDRACOLoader(dracoLoader as never);
+  if (meshoptDecoder !== undefined) loader.setMeshoptDecoder(meshoptDecoder as never);
+  try {
+    return await loader.parseAsync(glb, '');
+  } catch (cause) {
+    const why = messageOf(cause).replace(/^THREE\.GLTFLoader: /, '');
+    throw new HalfedgeError('parse-error', `glTF: three.js can't read the file: ${why}.`, {
+      cause,
+    });
+  }
+}
+
+function contentOf(data: unknown): Uint8Array {
+  if (typeof data === 'string') return new TextEncoder().encode(data);
+  const bytes = bytesOf('data', data);
+  if (bytes !== undefined) return bytes;
+  throw new TypeError(
+    `data is ${describe(data)}; expected a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array.`,
+  );
+}
+
+function meshOf(
+  { positions, indices, attributes }: Triangles,
+  format: GltfReport['format'],
+  notes: string[],
+  { repair = true, weld = true, dropIsolated = false, storePrev = true }: ReadGltfOptions,
+): { mesh: HalfedgeMesh; report: GltfReport } {
+  const settings = { weld, dropIsolated, storePrev };
+  const { mesh, report } = HalfedgeMesh.fromSoup(positions, indices, settings);
+  try {
+    const mended = report.problems.filter(({ severity }) => severity !== 'info');
+    if (!repair && mended.length > 0) {
+      const [{ code, message, witness }] = mended;
+      throw new HalfedgeError(code, message, { problems: mended, ...(witness && { witness }) });
+    }
+    addAttributes(mesh, report, indices, attributes);
+  } catch (error) {
+    mesh.dispose();
+    throw error;
+  }
+  return { mesh, report: reportOf(mesh, report, format, notes) };
+}
+
+function reportOf(
+  { vertexCount, edgeCount, faceCount }: HalfedgeMesh,
+  report: RepairReport,
+  format: GltfReport['format'],
+  notes: string[],
+): GltfReport {
+  const ignored = notes.map((message): Problem => {
+    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
+  });
+  const name = format === 'glb' ? 'GLB' : 'glTF';
+  const content = `${name}: ${vertexCount} vertices, ${edgeCount} edges, ${faceCount} faces.`;
+  const repairs = report.problems.length > 0 ? [report.summary] : [];
+  return {
+    ...report,
+    format,
+    problems: [...report.problems, ...ignored],
+    summary: [content, ...repairs, ...notes].join(' '),
+  };
+}
