@@ -14,12 +14,13 @@ class SeamCheck {
   SeamCheck(const Links& links, std::span<Merge> merges, Face removed_0, Face removed_1)
       : links_(links), merges_(merges), removed_{removed_0, removed_1} {}
 
-  [[nodiscard]] Result<void> run(std::span<Vertex> scratch) const {
+  [[nodiscard]] Result<void> run(std::span<Vertex> scratch) {
     std::sort(merges_.begin(), merges_.end(),
               [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
     if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
       return repeated_on_seam(repeated);
     }
+    kept_ = scratch.first(merges_.size());  // sorted by now
     for (const bool of_faces : {false, true}) {
       for (const Merge& merge : merges_) {
         const Halfedge first = anchor(merge.gone);
@@ -78,6 +79,9 @@ class SeamCheck {
     for (const int i : {0, 1}) {
       if (merge.gone_edges[i] == edge(h)) partner = merge.kept_edges[i];
     }
+    if (end == to_vertex(h) && !std::binary_search(kept_.begin(), kept_.end(), end)) {
+      return check_ends(merge.kept, end, partner, edge(h));
+    }
     const Halfedge first = anchor(merge.kept);
     Halfedge g = first;
     do {
@@ -86,6 +90,26 @@ class SeamCheck {
       }
       g = rotate_cw(g);
     } while (g != first);
+    return {};
+  }
+
+  /// No edge but `partner` may join these two, of which none is another vertex before. Around both
+  /// in step: the smaller valence ends the search.
+  [[nodiscard]] Result<void> check_ends(Vertex a, Vertex b, Edge partner, Edge other) const {
+    const Halfedge first_of_a = anchor(a);
+    const Halfedge first_of_b = anchor(b);
+    Halfedge at_a = first_of_a;
+    Halfedge at_b = first_of_b;
+    do {
+      if (to_vertex(at_a) == b && edge(at_a) != partner) {
+        return would_be_duplicate(edge(at_a), other, a, b);
+      }
+      if (to_vertex(at_b) == a && edge(at_b) != partner) {
+        return would_be_duplicate(edge(at_b), other, a, b);
+      }
+      at_a = rotate_cw(at_a);
+      at_b = rotate_cw(at_b);
+    } while (at_a != first_of_a && at_b != first_of_b);
     return {};
   }
 
@@ -103,6 +127,7 @@ class SeamCheck {
 
   const Links& links_;
   std::span<Merge> merges_;
+  std::span<const Vertex> kept_;
   Face removed_[2];
 };
 

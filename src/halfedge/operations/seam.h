@@ -25,9 +25,9 @@ struct Merge {
 /// edges between two vertices. Faces `removed` are not looked at.
 ///
 /// pre: level 4; room for as many vertices as there are merges in `scratch`
-/// cost: O(sum over the merges of the product of the two valences, and of the degrees of the faces
-/// at
-///       the vertex that goes), times log n for n merges, which are sorted by `gone`
+/// cost: O(sum over the merges of the valences, or of the product of the two where a neighbour is
+///       in a merge itself, and of the degrees of the faces at the vertex that goes), times log n
+///       for n merges, which are sorted by `gone`
 [[nodiscard]] Result<void> check_merges(const Links& links, std::span<Merge> merges,
                                         std::span<Vertex> scratch, Face removed_0 = {},
                                         Face removed_1 = {});
