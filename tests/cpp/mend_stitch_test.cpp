@@ -4,13 +4,10 @@
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/operations/append.h>
 
-#include <chrono>
-#include <map>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "support/data_files.h"
 #include "support/mending.h"
 
 namespace halfedge::test {

@@ -26,7 +26,7 @@ struct StitchOptions {
 
 /// Glues boundary edges that lie together, end to end, and run opposite ways: closes cracks, and
 /// joins the triangles of a soup. Vertices are joined where their edges are, not where they merely
-/// touch; the vertices of the edge with the lower index stay where they are, with their attributes.
+/// touch; those stay that are reached first, from face to face, with position and attributes.
 /// (CGAL: stitch_borders)
 ///
 /// Of more than two edges that lie together those are glued that close a gap at a vertex, the
@@ -34,7 +34,7 @@ struct StitchOptions {
 /// no valid mesh allows, such as a second edge between two vertices (unstitchable-edge).
 ///
 /// report: edges: those that were glued and stay
-/// cost: O(n log n) of n boundary edges, times the valences where large fans are joined
+/// cost: O(n log n) of n boundary edges, and the valences of the vertices that go
 [[nodiscard]] Result<Report> stitch_boundaries(Surface& surface, const StitchOptions& options);
 template <Storage kStored>
 [[nodiscard]] Result<Report> stitch_boundaries(BasicMesh<kStored>& mesh,

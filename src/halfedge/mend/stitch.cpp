@@ -176,16 +176,48 @@ class Stitcher {
            partner_[g.index()] == partner && place(from(h)) != place(from(g));
   }
 
-  // What is refused may be possible once more is glued.
+  // From face to face, so that what is glued next is near, also in the cache, and so that a single
+  // face is glued to many and not the other way round.
   [[nodiscard]] Result<void> glue_pairs() {
-    for (const Halfedge h : boundary_) {
-      const Index partner = partner_[h.index()];
-      if (partner == kNone || (partner & kGroup) != 0 || partner < h.index()) continue;
-      if (Result<void> done = try_pair({h, Halfedge(partner)}); !done) return done;
+    if (!is_seen_.resize(surface_.face_slots(), false) ||
+        !is_refused_.resize(surface_.edge_slots(), false)) {
+      return no_memory();
+    }
+    for (const Halfedge start : boundary_) {
+      if (!has_partner(start)) continue;
+      queue_.clear();
+      if (!add_sides(surface_.face(Surface::opposite(start)))) return no_memory();
+      for (std::size_t i = 0; i < queue_.size(); ++i) {
+        const Halfedge h = queue_[i];
+        if (!has_partner(h) || is_refused_[Surface::edge(h).index()]) continue;
+        const Pair pair{h, Halfedge(partner_[h.index()])};
+        const Face beyond = surface_.face(Surface::opposite(pair.g));
+        if (Result<void> done = try_pair(pair); !done) return done;
+        if (!add_sides(beyond)) return no_memory();
+      }
     }
     return glue_refused();
   }
 
+  [[nodiscard]] bool has_partner(Halfedge h) const {
+    return partner_[h.index()] != kNone && (partner_[h.index()] & kGroup) == 0;
+  }
+
+  // Puts what is to be glued around a face on the queue, once.
+  [[nodiscard]] bool add_sides(Face f) {
+    if (is_seen_[f.index()]) return true;
+    is_seen_[f.index()] = true;
+    const Halfedge first = surface_.halfedge(f);
+    Halfedge side = first;
+    do {
+      const Halfedge o = Surface::opposite(side);
+      if (has_partner(o) && !queue_.push_back(o)) return false;
+      side = surface_.next(side);
+    } while (side != first);
+    return true;
+  }
+
+  // What is refused may be possible once more is glued.
   [[nodiscard]] Result<void> glue_refused() {
     for (int round = 0; round < kRounds && !refused_.empty(); ++round) {
       Array<Pair> pairs = std::exchange(refused_, {});
@@ -202,8 +234,9 @@ class Stitcher {
     Result<bool> done = glue(pair.h, pair.g, 1);
     if (done && !done.value()) done = glue_with_neighbours(pair);
     if (!done) return done.error();
-    if (!done.value() && !refused_.push_back(pair)) return no_memory();
-    return {};
+    if (done.value()) return {};
+    is_refused_[Surface::edge(pair.h).index()] = is_refused_[Surface::edge(pair.g).index()] = true;
+    return refused_.push_back(pair) ? Result<void>{} : no_memory();
   }
 
   [[nodiscard]] Result<bool> glue_with_neighbours(const Pair& pair) {
@@ -277,6 +310,9 @@ class Stitcher {
   Array<Index> partner_;       // by halfedge: the one to be glued to, or its group
   Array<std::size_t> groups_;  // how many lie together
   Array<Pair> refused_;
+  Array<Halfedge> queue_;
+  Array<bool> is_seen_;     // by face
+  Array<bool> is_refused_;  // by edge
   bool closes_gaps_ = false;
 };
 
