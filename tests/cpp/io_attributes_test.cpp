@@ -374,6 +374,119 @@ TEST(ObjAttributes, LimitWhatNamesTake) {
                                         "faces of further ones have none"});
 }
 
+// ---- OFF -------------------------------------------------------------------------------------
+
+TEST(OffAttributes, AreReadInEveryOrderOfThePrefixes) {
+  const test::MeshFile read = read_mesh(R"(STCNOFF
+4 2 0
+0 0 0  0 0 1  255 0 7 200  .5 .25
+1 0 0  0 1 0  0 0 0 100  1 0
+1 1 0  1 0 0  1 2 3 4  0 1
+0 1 0  0 0 -1  9 9 9 9  1 1
+3 0 1 2
+3 0 2 3  0.5 1 0
+)");
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(describe_all(read.mesh),
+            (Strings{"vertex normal float32 3 normalize", "vertex color uint8 4 interpolate",
+                     "vertex uv float32 2 interpolate", "face color float32 3 interpolate"}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "normal"),
+            (Doubles{0, 0, 1, 0, 1, 0, 1, 0, 0, 0, 0, -1}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color"),
+            (Doubles{255, 0, 7, 200, 0, 0, 0, 100, 1, 2, 3, 4, 9, 9, 9, 9}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "uv"), (Doubles{.5, .25, 1, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "color"), (Doubles{0, 0, 0, .5, 1, 0}));
+  EXPECT_EQ(read.notes, Strings());
+}
+
+TEST(OffAttributes, TellIntegersFromFloats) {
+  const auto types = [](const std::string& a, const std::string& b) {
+    const test::MeshFile read = read_mesh("COFF\n3 1 0\n0 0 0 " + a + "\n1 0 0 " + b +
+                                          "\n0 1 0 0 0 0\n3 0 1 2 " + a + "\n");
+    return read.error.empty() ? describe_all(read.mesh) : Strings{read.error};
+  };
+  const Strings bytes = {"vertex color uint8 3 interpolate", "face color uint8 3 interpolate"};
+  EXPECT_EQ(types("255 0 0", "0 1 2"), bytes);
+  EXPECT_EQ(types("0 0 0", "0 0 0"), bytes);
+  EXPECT_EQ(types("1 1 1", "0 1 0")[0], "vertex color float32 3 interpolate");
+  EXPECT_EQ(types("1 1 1", "0 .5 0")[0], "vertex color float32 3 interpolate");
+  EXPECT_EQ(types("300 1 1", "0 5 0")[0], "vertex color float32 3 interpolate");
+  EXPECT_EQ(types("1 2 3 4", "5 6 7 8"),
+            (Strings{"vertex color uint8 4 interpolate", "face color uint8 4 interpolate"}));
+}
+
+TEST(OffAttributes, SaysWhichLinesAreOthers) {
+  const test::MeshFile read =
+      read_mesh("NOFF\n3 1 0\n0 0 0 0 0 1 9\n1 0 0 0\n0 1 0 0 0 1\n3 0 1 2 7\n");
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(
+      read.notes,
+      (Strings{"of 1 vertex: fewer numbers than the header word promises, those missing are 0",
+               "of 1 vertex: ignored what is more than the header word promises",
+               "of 1 face: ignored a colour that is no red, green and blue"}));
+}
+
+TEST(OffAttributes, ComeBackToTheLastBit) {
+  for (const bool bytes : {false, true}) {
+    for (const Encoding encoding : {Encoding::kText, Encoding::kBinary}) {
+      if (bytes && encoding != Encoding::kText) continue;
+      std::mt19937 random(11);
+      Mesh mesh = sample();
+      using enum Scalar;
+      const Scalar type = bytes ? kUint8 : kFloat32;
+      add(mesh, ItemKind::kVertex, "normal", kFloat32, 3, OnSplit::kNormalize);
+      add(mesh, ItemKind::kVertex, "color", type, 4, OnSplit::kInterpolate);
+      add(mesh, ItemKind::kVertex, "uv", kFloat32, 2, OnSplit::kInterpolate);
+      add(mesh, ItemKind::kFace, "color", type, bytes ? 3 : 4, OnSplit::kInterpolate);
+      for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kFace}) {
+        for (const auto& column : mesh.attributes().of(kind)) test::randomize(*column, random);
+      }
+      expect_round_trip(mesh, Format::kOff, encoding);
+    }
+  }
+}
+
+TEST(OffAttributes, ComeBackAsFloatsThatAreWholeNumbers) {
+  Mesh mesh = sample();
+  Attribute& color =
+      add(mesh, ItemKind::kVertex, "color", Scalar::kFloat32, 3, OnSplit::kInterpolate);
+  for (float& value : color.values<float>())
+    value = float(&value - color.values<float>().data()) * 10;
+  expect_round_trip(mesh, Format::kOff, Encoding::kText);
+}
+
+TEST(OffAttributes, SaysWhatItCannotHold) {
+  Mesh mesh = sample();
+  add(mesh, ItemKind::kVertex, "color", Scalar::kUint8, 3, OnSplit::kInterpolate)
+      .set(0, 0, 1, nullptr);
+  add(mesh, ItemKind::kHalfedge, "uv", Scalar::kFloat32, 2, OnSplit::kInterpolate);
+  Strings notes;
+  (void)write(mesh, Format::kOff, {.notes = &notes});
+  EXPECT_EQ(notes, (Strings{"wrote the vertex attribute \"color\" as 0 and 1, which readers take "
+                            "for floats",
+                            "left out the halfedge attribute \"uv\": OFF has no place for it"}));
+  notes.clear();
+  (void)write(mesh, Format::kOff, {.encoding = Encoding::kBinary, .notes = &notes});
+  EXPECT_EQ(notes, (Strings{"wrote the vertex attribute \"color\" as numbers from 0 to 1",
+                            "wrote the vertex attribute \"color\" with an alpha of 1",
+                            "left out the halfedge attribute \"uv\": OFF has no place for it"}));
+}
+
+TEST(OffAttributes, MayBeOnOneLine) {
+  for (const char* text : {
+           "OFF 3 1 0 0 0 0 1 0 0 0 1 0 3 0 1 2",
+           "OFF\n3 2 0\n0 0 0 1 0 0 0 1 0 3 0 1 2 3 0 2 1\n",
+           "OFF 3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 3 0 2 1\n",
+           "COFF 3 1 0 0 0 0 1 2 3 4 1 0 0 5 6 7 8 0 1 0 9 10 11 12 3 0 1 2",
+       }) {
+    const Result<ParsedFile> file = parse(test::bytes_of(text));
+    ASSERT_TRUE(file) << text << ": " << file.error().message;
+    EXPECT_EQ(test::flatten(file).positions, (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(test::flatten(file).faces[0], (std::vector<Index>{0, 1, 2}));
+    EXPECT_EQ(file.value().notes, Strings());
+  }
+}
+
 // ---- following repairs -----------------------------------------------------------------------
 
 Index below(std::mt19937& random, Index end) { return Index(random() % end); }

@@ -27,13 +27,13 @@ std::string after(const std::string& head) {
   return head + "\n" + kVertices + "4 0 1 2 3\n3 0 1 2\n";
 }
 
-void expect_square_and_triangle(const std::string& text) {
+void expect_square_and_triangle(const std::string& text, const std::string& note = "") {
   SCOPED_TRACE(text);
   const Parsed file = parse_off(text);
   EXPECT_EQ(file.error, "");
   EXPECT_EQ(file.positions, kSquare);
   EXPECT_EQ(file.faces, (Faces{{0, 1, 2, 3}, {0, 1, 2}}));
-  EXPECT_TRUE(file.notes.empty());
+  EXPECT_EQ(file.notes, note.empty() ? std::vector<std::string>() : std::vector{note});
 }
 
 TEST(Off, ReadsEveryFormOfTheHead) {
@@ -63,12 +63,14 @@ TEST(Off, SkipsWhatAVertexHasBesidesItsPosition) {
       {"STCNOFF", " 0 0 1 1 0 0 1 0 0"},
       {"OFF", " 0.1 0.2 0.3 # colours without a C"},
       {"OFF", " 1 2 3 4 5 6"}};
+  const std::string note = "of 4 vertices: ignored what is more than the header word promises";
   for (const auto& [word, extra] : forms) {
     std::string text = std::string(word) + "\n4 2 5\n";
     for (const char* vertex : {"0 0 0", "1 0 0", "1 1 0", "0 1 0"}) {
       text += std::string(vertex) + extra + "\n";
     }
-    expect_square_and_triangle(text + "4 0 1 2 3\n3 0 1 2\n");
+    expect_square_and_triangle(text + "4 0 1 2 3\n3 0 1 2\n",
+                               std::string(word) == "OFF" ? note : "");
   }
 }
 
@@ -82,8 +84,9 @@ TEST(Off, DividesTheCoordinatesOf4OffByTheFourth) {
 TEST(Off, SkipsTheColoursOfFaces) {
   expect_square_and_triangle(std::string("OFF\n4 2 5\n") + kVertices +
                              "4  0 1 2 3  1.000 0.000 0.000 0.75\n3 0 1 2 255 0 0\n");
-  expect_square_and_triangle(std::string("OFF\n4 2 5\n") + kVertices +
-                             "4 0 1 2 3 7\n3 0 1 2 # a comment\n");
+  expect_square_and_triangle(
+      std::string("OFF\n4 2 5\n") + kVertices + "4 0 1 2 3 7\n3 0 1 2 # a comment\n",
+      "of 1 face: ignored a colour that is no red, green and blue");
 }
 
 TEST(Off, SkipsCommentsAnywhere) {
@@ -294,7 +297,7 @@ TEST(OffBinary, ReadsFacesOfFewerCornersThanThree) {
     const Parsed file = parse_off("OFF BINARY\n" + words.bytes());
     EXPECT_EQ(file.error, "");
     EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 2}, {1, 2}, {0, 2}, {1, 2}}));
-    EXPECT_TRUE(file.notes.empty());
+    EXPECT_EQ(file.notes.size(), colours ? 1U : 0U);
   }
 }
 

@@ -282,7 +282,7 @@ Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes, const Request& 
   const std::size_t faces = out.face_count();
   ParsedFile file{Format::kObj, std::move(out.soup()), reader.notes()};
   if (!reader.attributes().finish(vertices, faces, file)) {
-    return Error{"out-of-memory", "memory was exhausted after the file had been read"};
+    return no_memory_for_attributes();
   }
   return file;
 }

@@ -1,3 +1,4 @@
+#include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
 #include <halfedge/io/off_header.h>
 #include <halfedge/io/readers.h>
@@ -6,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace halfedge {
@@ -14,7 +16,8 @@ namespace {
 
 /// A vertex is three numbers and a face a count with so many indices. Files put each on a line of
 /// its own, and may add colours and such behind; but line breaks mean nothing to Geomview. So lines
-/// are records, which gives errors their place, unless there are too many or too few of them.
+/// are records, which gives errors their place, unless there are too many or too few of them: all
+/// may be on one line.
 class OffReader {
  public:
   /// `text` is behind the header.
@@ -28,12 +31,17 @@ class OffReader {
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return out_; }
   [[nodiscard]] std::vector<std::string> notes();
+  [[nodiscard]] OffAttributes& attributes() { return attributes_; }
 
  private:
   void prepare();
   [[nodiscard]] bool read_vertex();
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner(std::int64_t corner, std::int64_t degree);
+  void read_values_of_vertex();
+  void read_color_of_face();
+  /// Whether what is left on the line is no colour, but more faces.
+  [[nodiscard]] bool faces_share_lines();
 
   /// To the next number of a record. False where the record ends too early.
   [[nodiscard]] bool skip_to_value(bool packed);
@@ -50,9 +58,11 @@ class OffReader {
   TextScanner data_;  // stays behind the header
   ParseOptions options_;
   SoupWriter out_;
+  OffAttributes attributes_;
   OffHeader header_;
   Error error_;
-  bool packed_ = false;  // several vertices on a line
+  bool packed_ = false;               // several vertices on a line
+  std::optional<bool> packed_faces_;  // several faces on a line, once it matters
   std::optional<std::uint64_t> data_lines_;
 };
 
@@ -71,7 +81,8 @@ void OffReader::prepare() {
   text_.skip_to_token();
   const std::size_t columns = text_.columns_of_line();
   const auto expected = static_cast<std::size_t>(header_.columns);
-  packed_ = columns > expected && columns % expected == 0 && data_lines() < records();
+  const bool has_all = columns / expected >= header_.vertices;
+  packed_ = columns > expected && (columns % expected == 0 || has_all) && data_lines() < records();
   // Most faces are triangles; an index takes two bytes.
   const std::uint64_t corners = std::min<std::uint64_t>(3 * header_.faces, text_.rest().size() / 2);
   out_.reserve(static_cast<std::size_t>(header_.vertices), static_cast<std::size_t>(corners));
@@ -110,15 +121,39 @@ bool OffReader::read_vertex() {
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
+  text_.skip_blanks();
+  const bool has_more = header_.columns > header_.coordinates;
+  if (packed_ || (options_.attributes && (has_more || !text_.at_line_end()))) {
+    read_values_of_vertex();
+  }
+  if (!packed_) text_.skip_line();
   out_.add_vertex(p[0], p[1], p[2]);
-  if (!packed_) {
-    text_.skip_line();
-    return true;
-  }
-  for (int i = header_.coordinates; i < header_.columns && skip_to_value(packed_); ++i) {
-    text_.skip_token();
-  }
   return true;
+}
+
+/// What the vertex has behind its position: all of the line, or so many numbers as it should have.
+void OffReader::read_values_of_vertex() {
+  constexpr std::size_t kMost = 10;  // one more than there can be
+  std::array<float, kMost> numbers{};
+  std::array<std::string_view, kMost> tokens;
+  const auto promised = static_cast<std::size_t>(header_.columns - header_.coordinates);
+  const std::size_t most = packed_ ? promised : kMost;
+  std::size_t count = 0;
+  for (; count < most; ++count) {
+    text_.skip_blanks();
+    if (text_.at_line_end() && (!packed_ || !skip_to_value(true))) break;
+    tokens[count] = text_.token();
+    if (!text_.read_float(numbers[count])) break;
+  }
+  if (!options_.attributes) return;
+  const std::size_t color = header_.normals ? 3 : 0;
+  const std::size_t behind = color + (header_.texture ? 2 : 0);
+  for (std::size_t i = color; header_.colors && i + behind < count + color && i < color + 4; ++i) {
+    attributes_.vertex_colors().see(tokens[i]);
+  }
+  if (!attributes_.add_vertex(header_, out_.vertex_count(), {numbers.data(), count})) {
+    out_.set_out_of_memory();
+  }
 }
 
 bool OffReader::read_face() {
@@ -134,13 +169,49 @@ bool OffReader::read_face() {
   for (std::int64_t corner = 0; corner < degree; ++corner) {
     if (!read_corner(corner, degree)) return false;
   }
+  text_.skip_blanks();
+  if (!text_.at_line_end()) {
+    if (!faces_share_lines()) {
+      if (options_.attributes) read_color_of_face();
+      text_.skip_line();
+    }
+  } else {
+    text_.skip_line();
+  }
   out_.end_face();
-  text_.skip_line();  // a colour
   return true;
 }
 
+/// Counted only if it matters: where something follows a face on its line.
+bool OffReader::faces_share_lines() {
+  if (packed_faces_) return *packed_faces_;
+  std::uint64_t lines = 0;
+  TextScanner ahead = text_;
+  const std::uint64_t left = header_.faces - out_.face_count();
+  for (; lines < left && !ahead.at_end(); ++lines) {
+    ahead.skip_line();
+    ahead.skip_to_token();
+  }
+  packed_faces_ = lines < left;
+  return *packed_faces_;
+}
+
+/// Three or four numbers, from 0 to 1 or integers from 0 to 255.
+void OffReader::read_color_of_face() {
+  std::array<float, 4> color{};
+  std::array<std::string_view, 4> tokens;
+  std::size_t count = 0;
+  for (; count < color.size() && !text_.at_line_end(); text_.skip_blanks(), ++count) {
+    tokens[count] = text_.token();
+    if (!text_.read_float(color[count])) break;
+  }
+  if (count == 0) return;
+  for (std::size_t i = 0; count >= 3 && i < count; ++i) attributes_.face_colors().see(tokens[i]);
+  if (!attributes_.add_face(out_.face_count(), {color.data(), count})) out_.set_out_of_memory();
+}
+
 bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
-  const bool any = skip_to_value(false);
+  const bool any = skip_to_value(packed_ || packed_faces_.value_or(false));
   const TextScanner start = text_;
   std::int64_t vertex = 0;
   const bool well_formed = any && text_.read_integer(vertex) && text_.at_token_end();
@@ -183,7 +254,11 @@ Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const Request& 
   }
   OffReader reader(text, header.value(), request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
-  return ParsedFile{Format::kOff, std::move(reader.out().soup()), reader.notes()};
+  const std::size_t vertices = reader.out().vertex_count();
+  const std::size_t faces = reader.out().face_count();
+  ParsedFile file{Format::kOff, std::move(reader.out().soup()), reader.notes()};
+  if (!reader.attributes().finish(vertices, faces, file)) return no_memory_for_attributes();
+  return file;
 }
 
 }  // namespace io

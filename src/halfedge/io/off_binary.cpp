@@ -1,4 +1,5 @@
 #include <halfedge/io/byte_scanner.h>
+#include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
 #include <halfedge/io/soup_writer.h>
 
@@ -108,6 +109,7 @@ class BinaryReader {
   bool colours_;
   ParseOptions options_;
   SoupWriter out_;
+  OffAttributes attributes_;
   Error error_;
 };
 
@@ -121,7 +123,10 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
     if (!read_face()) return error_;
   }
   if (std::optional<Error> error = check_size(out_)) return *std::move(error);
+  const std::size_t vertices = out_.vertex_count();
+  const std::size_t faces = out_.face_count();
   ParsedFile file{Format::kOff, std::move(out_.soup()), {}, true};
+  if (!attributes_.finish(vertices, faces, file)) return no_memory_for_attributes();
   if (bytes_.left() > 0) {
     file.notes.push_back("ignored the " + std::to_string(bytes_.left()) +
                          " bytes behind the last face");
@@ -137,8 +142,16 @@ void BinaryReader<kOrder>::read_vertex() {
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
+  std::array<float, 9> more{};
+  const std::size_t count = static_cast<std::size_t>(header_.columns) - coordinates;
+  for (std::size_t i = 0; i < count; ++i) more[i] = bytes_.take<float, kOrder>();
+  if (options_.attributes && count > 0) {
+    attributes_.vertex_colors().see_floats();
+    if (!attributes_.add_vertex(header_, out_.vertex_count(), {more.data(), count})) {
+      out_.set_out_of_memory();
+    }
+  }
   out_.add_vertex(p[0], p[1], p[2]);
-  bytes_.skip(vertex_size(header_) - coordinates * kWord);
 }
 
 template <ByteOrder kOrder>
@@ -164,6 +177,14 @@ bool BinaryReader<kOrder>::read_face() {
   }
   std::uint32_t components = 0;
   if (colours_ && !read_length(components, "the number of colour components")) return false;
+  if (options_.attributes && components > 0) {
+    std::array<float, 4> color{};
+    const std::size_t count = std::min<std::size_t>(components, color.size());
+    ByteScanner ahead = bytes_;
+    for (std::size_t i = 0; i < count; ++i) color[i] = ahead.take<float, kOrder>();
+    attributes_.face_colors().see_floats();
+    if (!attributes_.add_face(out_.face_count(), {color.data(), count})) out_.set_out_of_memory();
+  }
   bytes_.skip(components * kWord);
   out_.end_face();
   return true;

@@ -26,12 +26,16 @@ std::optional<HeaderWord> read_header_word(TextScanner& text) {
   };
   if (!skip("off")) {
     while (!skip("OFF")) {
-      if (skip("ST")) {
-        word.header.columns += 2;
-      } else if (skip("C")) {
-        word.header.columns += 4;
-      } else if (skip("N")) {
-        word.header.columns += 3;
+      OffHeader& header = word.header;
+      if (!header.texture && skip("ST")) {
+        header.texture = true;
+        header.columns += 2;
+      } else if (!header.colors && skip("C")) {
+        header.colors = true;
+        header.columns += 4;
+      } else if (!header.normals && skip("N")) {
+        header.normals = true;
+        header.columns += 3;
       } else if (skip("4") && word.header.coordinates == 3) {
         ++word.header.coordinates;
         ++word.header.columns;

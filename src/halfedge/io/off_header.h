@@ -11,8 +11,12 @@ namespace halfedge::io {
 struct OffHeader {
   /// Numbers that make the position of a vertex: 3, or 4 with a divisor.
   int coordinates = 3;
-  /// Numbers of a vertex in all, with its normal, colour and texture coordinates.
+  /// Numbers of a vertex in all, with its normal, colour and texture coordinates: behind the
+  /// position in this order, if it has them, and 3, 4 and 2 numbers.
   int columns = 3;
+  bool normals = false;
+  bool colors = false;
+  bool texture = false;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
   /// The rest is binary, the counts as well.

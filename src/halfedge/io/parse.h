@@ -76,8 +76,8 @@ struct ParseOptions {
 
 /// Reads a Geomview OFF file, in text or binary form (of either byte order): OFF with the prefixes
 /// ST, C, N, 4, n, or no header word at all; the number of edges may be left out; comments
-/// anywhere. Normals, colours and texture coordinates are ignored; 4OFF positions are divided by
-/// their fourth coordinate.
+/// anywhere. Normals, colours and texture coordinates of vertices become attributes, and so do
+/// colours of faces; 4OFF positions are divided by their fourth coordinate.
 [[nodiscard]] Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

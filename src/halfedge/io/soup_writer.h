@@ -147,6 +147,9 @@ class SoupWriter {
 [[nodiscard]] Error index_error(const TextScanner& text, std::size_t corner, std::size_t face);
 /// "byte N: " before a message about a binary file.
 [[nodiscard]] Error error_at_byte(std::size_t offset, std::string code, const std::string& message);
+[[nodiscard]] inline Error no_memory_for_attributes() {
+  return {"out-of-memory", "memory was exhausted after the file had been read"};
+}
 /// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing. The soup is freed
 /// with an error, which needs memory itself.
 [[nodiscard]] std::optional<Error> check_size(SoupWriter& out);

@@ -1,6 +1,7 @@
 #include <halfedge/io/byte_writer.h>
 #include <halfedge/io/live_mesh.h>
 #include <halfedge/io/obj_writer.h>
+#include <halfedge/io/off_writer.h>
 #include <halfedge/io/ply_writer.h>
 
 #include <algorithm>
@@ -12,39 +13,6 @@
 namespace halfedge {
 namespace io {
 namespace {
-
-// ---- OFF -------------------------------------------------------------------------------------
-
-void write_text_off(const LiveMesh& mesh, ByteWriter& out) {
-  out.text("OFF");
-  out.number('\n', mesh.vertex_count());
-  out.number(' ', mesh.face_count());
-  out.text(" 0");  // edges, which nobody reads
-  mesh.for_each_vertex([&](Index v) {
-    for (std::size_t i = 0; i < 3; ++i) out.number(i == 0 ? '\n' : ' ', mesh.position(v)[i]);
-  });
-  mesh.for_each_face([&](Index, std::span<const Index> corners) {
-    out.number('\n', static_cast<Index>(corners.size()));
-    for (const Index v : corners) out.number(' ', mesh.number(v));
-  });
-  out.text("\n");
-}
-
-void write_binary_off(const LiveMesh& mesh, ByteWriter& out) {
-  constexpr ByteOrder kBig = ByteOrder::kBig;
-  out.text("OFF BINARY\n");
-  for (const Index count : {mesh.vertex_count(), mesh.face_count(), Index{0}}) {
-    out.binary<kBig>(count);
-  }
-  mesh.for_each_vertex([&](Index v) {
-    for (std::size_t i = 0; i < 3; ++i) out.binary<kBig>(mesh.position(v)[i]);
-  });
-  mesh.for_each_face([&](Index, std::span<const Index> corners) {
-    out.binary<kBig>(static_cast<Index>(corners.size()));
-    for (const Index v : corners) out.binary<kBig>(mesh.number(v));
-    out.binary<kBig>(Index{0});  // components of a colour
-  });
-}
 
 // ---- STL -------------------------------------------------------------------------------------
 
@@ -136,7 +104,7 @@ bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
       if (text) write_obj(mesh, names, out);
       return text;
     case Format::kOff:
-      text ? write_text_off(mesh, out) : write_binary_off(mesh, out);
+      write_off(mesh, encoding, out);
       return true;
     case Format::kPly:
       write_ply(mesh, encoding, out);
