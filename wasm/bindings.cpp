@@ -30,6 +30,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -93,9 +94,9 @@ void add_lines(std::vector<Error>& problems, std::span<const std::uint8_t> bytes
   }
 }
 
-val sentences_of(const std::vector<std::string>& sentences) {
+val strings_of(const std::vector<std::string>& strings) {
   val list = val::array();
-  for (const std::string& sentence : sentences) list.call<void>("push", sentence);
+  for (const std::string& text : strings) list.call<void>("push", text);
   return list;
 }
 
@@ -129,24 +130,55 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   const RoomForReport room;
   val result = success("mesh", val(mesh.release()));
   result.set("format", static_cast<int>(format));
-  result.set("notes", sentences_of(file.value().notes));
+  result.set("notes", strings_of(file.value().notes));
+  val names = val::object();
+  for (const SoupNames& table : file.value().names) {
+    names.set(table.attribute, strings_of(table.names));
+  }
+  result.set("names", names);
   if (repair) add_repair(result, repaired);
   return result;
 }
 
+/// Tables of names, each ended by NUL: the name of the attribute and the names, each ended by LF.
+std::vector<SoupNames> names_in(std::string_view text) {
+  std::vector<SoupNames> tables;
+  bool is_new = true;
+  std::size_t begin = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] != '\n' && text[at] != '\0') continue;
+    const std::string_view word = text.substr(begin, at - begin);
+    begin = at + 1;
+    if (text[at] == '\0') {
+      is_new = true;
+    } else if (is_new) {
+      tables.push_back({std::string(word), {}});
+      is_new = false;
+    } else {
+      tables.back().names.emplace_back(word);
+    }
+  }
+  return tables;
+}
+
 /// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
-val write_file(Address mesh, int format, int encoding, bool attributes) {
+/// `names` is text as names_in() reads it.
+val write_file(Address mesh, int format, int encoding, bool attributes, Address names,
+               std::size_t name_count) {
+  const std::vector<SoupNames> tables =
+      names_in({reinterpret_cast<const char*>(names), name_count});
   std::vector<std::string> notes;
   WriteOptions options;
   options.attributes = attributes;
   options.notes = &notes;
+  options.names = tables;
   if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
   Result<Array<std::uint8_t>> bytes = visit_mesh(
       mesh, [&](const auto& m) { return write(m, static_cast<Format>(format), options); });
   if (!bytes) return failure(bytes.error());
   const RoomForReport room;
   val result = success("bytes", hand_over(bytes.value()));
-  result.set("notes", sentences_of(notes));
+  result.set("notes", strings_of(notes));
   return result;
 }
 

@@ -64,6 +64,27 @@ describe('attributes of files', () => {
     },
   );
 
+  test('come back in OBJ, with names and seams', () => {
+    const mesh = sample();
+    mesh.attributes.add('vertex', 'color', { components: 3 });
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    mesh.attributes.add('halfedge', 'normal', { components: 3, onSplit: 'normalize' });
+    mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' });
+    for (const { kind, name } of mesh.attributes.list()) fill(mesh, kind as 'vertex', name);
+    mesh.attributes.get('face', 'material').set([1, 1, 2]);
+    const numbered = roundTrip(mesh, 'obj', {});
+    expect(numbered).toEqual({ attributes: attributesOf(mesh), notes: [] });
+    const names = { material: ['', 'oak', 'elm tree'], library: ['trees.mtl'] };
+    const text = mesh.write('obj', { names });
+    expect(text).toMatch(/^mtllib trees\.mtl\n/);
+    expect(text.match(/usemtl.*/g)).toEqual(['usemtl oak', 'usemtl elm tree']);
+    const { mesh: again, report } = HalfedgeMesh.parse(text);
+    expect(report.names).toEqual(names);
+    expect(attributesOf(again)).toEqual(attributesOf(mesh));
+    again.dispose();
+    mesh.dispose();
+  });
+
   test('are named where a format has no place for them', () => {
     const mesh = sample();
     mesh.attributes.add('edge', 'crease');
@@ -118,6 +139,8 @@ describe('attributes of files', () => {
     const mesh = sample();
     const write = (options: unknown) => () => mesh.write('ply', options as never);
     expect(write({ attributes: 0 })).toThrow('options.attributes is 0; expected true or false.');
+    expect(write({ names: 'oak' })).toThrow('options.names is "oak"; expected an object');
+    expect(write({ names: { material: 'oak' } })).toThrow('options.names.material is "oak"');
     expect(write({ onNote: [] })).toThrow('options.onNote is an array of 0 elements; expected');
     mesh.dispose();
   });

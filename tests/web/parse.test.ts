@@ -38,6 +38,7 @@ describe('parse', () => {
     const { mesh, report } = HalfedgeMesh.parse(triangle);
     expect(report).toEqual({
       format: 'off',
+      names: {},
       problems: [],
       counts: {},
       verdicts: [],
@@ -100,7 +101,7 @@ describe('parse', () => {
     expect(strict).toThrow(/^Face 1 repeats face 0.*2\.$/);
     data.setFloat32(84 + 12, Number.NaN, true);
     expect(strict).toThrow(
-      'Byte 84: x of vertex 0 of triangle 0 is nan, expected a finite number (read as STL).',
+      'Byte 84: x of vertex 0 of triangle 0 is nan, expected a finite number (read as STL)',
     );
   });
 

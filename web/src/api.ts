@@ -45,7 +45,7 @@ export type {
 export { HalfedgeMesh } from './mesh.js';
 export type { ItemSet, Items } from './neighbourhoods.js';
 export type { Orbit } from './orbit.js';
-export type { FileFormat, ParseOptions, ParseReport } from './parse.js';
+export type { AttributeNames, FileFormat, ParseOptions, ParseReport } from './parse.js';
 export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';
 export type { RingKind, Rows } from './rings.js';
 export type {

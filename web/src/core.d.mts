@@ -101,13 +101,15 @@ export interface RawCore {
   ): { mesh: number } | RawFailure;
   /**
    * `format` and `encoding` are values of the enums Format and Encoding in C++; an encoding of -1 is
-   * left open. The bytes are JavaScript's to copy and to free.
+   * left open; `names` is UTF-8 text of tables, each ended by NUL, of lines, each ended by LF. The bytes are JavaScript's to copy and to free.
    */
   write(
     mesh: number,
     format: number,
     encoding: number,
     attributes: boolean,
+    names: number,
+    nameCount: number,
   ): { bytes: { address: number; count: number }; notes: string[] } | RawFailure;
   /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
   parse(
@@ -117,7 +119,14 @@ export interface RawCore {
     repair: boolean,
     attributes: boolean,
     storesPrev: boolean,
-  ): ({ mesh: number; format: number; notes: string[] } & Partial<RawRepair>) | RawFailure;
+  ):
+    | ({
+        mesh: number;
+        format: number;
+        notes: string[];
+        names: Record<string, string[]>;
+      } & Partial<RawRepair>)
+    | RawFailure;
   /** A negative tolerance keeps vertices apart. */
   buildFromSoup(
     positions: number,

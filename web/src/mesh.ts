@@ -144,6 +144,9 @@ export class HalfedgeMesh extends Shapes {
    * file. STL repeats its vertices: there, vertex i is the i-th position that differs from those before
    * it. Text, or its bytes.
    *
+   * What the file says beside that becomes {@link attributes}: `normal`, `color` and `uv`, and what
+   * else it has a name for; texture coordinates and normals of corners are attributes of halfedges.
+   *
    * Faces that make no manifold are mended as {@link fromSoup} does, and the report says so, with the
    * lines of the faces; with `repair: false` they are an error. A file that needs no repair gives the
    * same mesh in both ways.
@@ -163,7 +166,8 @@ export class HalfedgeMesh extends Shapes {
   /**
    * A file of this mesh: its live vertices and faces, each in the order of their indices. Reading it
    * gives the same polygons and the same bits of each position, also from text, whose numbers have
-   * as many digits as that takes. In STL, which has triangles alone, a polygon becomes a fan around its
+   * as many digits as that takes; and the same attributes, where the format has a place for them (`normal`,
+   * `color` and `uv` by their usual names; PLY has one for most). In STL, which has triangles alone, a polygon becomes a fan around its
    * first vertex, and isolated vertices are left out.
    *
    * @returns text where the encoding is `'text'`, as by default that of OBJ and OFF; else the bytes

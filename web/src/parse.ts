@@ -37,7 +37,17 @@ export interface ParseOptions extends StorageOptions {
 export interface ParseReport extends RepairReport {
   /** The format of the content. */
   readonly format: FileFormat;
+  /**
+   * Of an OBJ file, the words for the numbers of the face attributes `group`, `object` and `material`:
+   * `names.material[2]` is the material of faces with a 2, `names.material[0]` stands for none. Left out
+   * where the words are numbers themselves. `names.library` lists the files of materials. To be passed on
+   * to {@link HalfedgeMesh.write}.
+   */
+  readonly names: AttributeNames;
 }
+
+/** Words for the numbers of an attribute, by its name. */
+export type AttributeNames = Readonly<Record<string, readonly string[]>>;
 
 /** The mesh in a file. */
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
@@ -54,7 +64,9 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   const found = repair
     ? repairReport(wasm, done as RawRepair)
     : untouched(links.vertexCount, links.faceCount);
-  return { links, report: reportOf(links, FORMATS[done.format], found, done.notes.map(sentence)) };
+  const notes = done.notes.map(sentence);
+  const report = reportOf(links, FORMATS[done.format], found, notes, done.names);
+  return { links, report };
 }
 
 function checkParseOptions(options: ParseOptions) {
@@ -93,6 +105,7 @@ function reportOf(
   format: FileFormat,
   found: RepairReport,
   notes: string[],
+  names: AttributeNames,
 ): ParseReport {
   const ignored = notes.map((message): Problem => {
     return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
@@ -107,6 +120,7 @@ function reportOf(
   return {
     ...found,
     format,
+    names,
     problems: [...found.problems, ...ignored],
     summary: [content, ...repairs, ...notes].join(' '),
   };

@@ -1,8 +1,8 @@
 import { checkOptions, describe } from './arguments.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
-import { outOfMemory } from './memory.js';
-import { checkFlag, type FileFormat, formatIndex } from './parse.js';
+import { outOfMemory, withInputs } from './memory.js';
+import { type AttributeNames, checkFlag, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
 /** How the numbers of a file are written. */
@@ -21,6 +21,11 @@ export interface WriteOptions {
   encoding?: FileEncoding;
   /** Whether attributes are written, as far as the format has a place for them. Default: true. */
   attributes?: boolean;
+  /**
+   * The words for the numbers of the face attributes `group`, `object` and `material` in OBJ, as the report
+   * of reading it has them. Without them numbers are written.
+   */
+  names?: AttributeNames;
   /** Called with a sentence for each attribute that isn't in the file, or not as it was. */
   onNote?: (sentence: string) => void;
 }
@@ -29,11 +34,14 @@ export interface WriteOptions {
 export function writeFile(links: Links, format: unknown, options: unknown): string | Uint8Array {
   links.checkAlive();
   const index = formatIndex('format', format);
-  const { encoding, attributes, onNote } = checkWriteOptions(options, format as FileFormat);
+  const { encoding, attributes, names, onNote } = checkWriteOptions(options, format as FileFormat);
   const { core } = links;
-  const { bytes: block, notes } = unwrap(
-    core.write(links.address, index, ENCODINGS.indexOf(encoding), attributes),
-  );
+  const raw = withInputs(core, (inputs) => {
+    const { address, count } = inputs.bytes('options.names', names);
+    const code = ENCODINGS.indexOf(encoding);
+    return core.write(links.address, index, code, attributes, address, count);
+  });
+  const { bytes: block, notes } = unwrap(raw);
   const content = takeContent(core, block, encoding);
   for (const note of notes) onNote?.(sentence(note));
   return content;
@@ -56,12 +64,30 @@ function takeContent(
 }
 
 function checkWriteOptions(options: unknown, format: FileFormat) {
-  const { encoding, attributes = true, onNote } = checkOptions(options) as WriteOptions;
+  const { encoding, attributes = true, names = {}, onNote } = checkOptions(options) as WriteOptions;
   checkFlag('attributes', attributes);
   if (onNote !== undefined && typeof onNote !== 'function') {
     throw new TypeError(`options.onNote is ${describe(onNote)}; expected a function.`);
   }
-  return { encoding: encodingOf(encoding, format), attributes, onNote };
+  return { encoding: encodingOf(encoding, format), attributes, names: textOf(names), onNote };
+}
+
+/** Tables as the core reads them: lines, the name of the attribute first, and NUL at the end of each. */
+function textOf(names: unknown): Uint8Array {
+  if (typeof names !== 'object' || names === null) {
+    throw new TypeError(
+      `options.names is ${describe(names)}; expected an object of lists of names.`,
+    );
+  }
+  let text = '';
+  for (const [attribute, list] of Object.entries(names)) {
+    if (!Array.isArray(list) || !list.every((name) => typeof name === 'string')) {
+      throw new TypeError(`options.names.${attribute} is ${describe(list)}; expected strings.`);
+    }
+    const words = [attribute, ...list].map((word) => `${word.replace(/[\0\n]/g, '_')}\n`);
+    text += `${words.join('')}\0`;
+  }
+  return new TextEncoder().encode(text);
 }
 
 function encodingOf(encoding: FileEncoding | undefined, format: FileFormat): FileEncoding {
