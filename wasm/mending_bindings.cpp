@@ -38,9 +38,13 @@ Result<mend::Report> run(mend::Surface& surface, int repair, double a, double b,
       return mend::split_pinched_vertices(surface);
     case 2:
       return mend::orient_outward(surface, {.open = a != 0, .nested = b != 0});
-    default:
+    case 3:
       return mend::drop_small_components(
           surface, {.faces = static_cast<Index>(a), .area = b, .diagonal = c});
+    case 4:
+      return mend::remove_degenerate_faces(surface, {.tolerance = a});
+    default:
+      return mend::fill_holes(surface, {.max_edges = static_cast<std::size_t>(a), .max_angle = b});
   }
 }
 

@@ -1,4 +1,5 @@
-import { HalfedgeMesh, init, type MendReport } from 'halfedge';
+import { readdirSync, readFileSync } from 'node:fs';
+import { HalfedgeError, HalfedgeMesh, init, type MendReport } from 'halfedge';
 import { bytesInUse } from './support/core.js';
 import { addAttributes, expectState, stateOf } from './support/editing.js';
 import { random } from './support/random.js';
@@ -150,6 +151,68 @@ describe('dropSmallComponents', () => {
   });
 });
 
+describe('removeDegenerateFaces', () => {
+  test('flips the long side of a cap, and collapses an edge without length', () => {
+    const positions = [
+      [0, 0, 0, 4, 0, 0, 1, 0, 0],
+      [2, -2, 0, 2, 3, 0],
+    ];
+    using mesh = HalfedgeMesh.fromTriangles(positions.flat(), [0, 1, 2, 1, 0, 3, 2, 1, 4, 0, 2, 4]);
+    const caps = mended(mesh, (m) => m.removeDegenerateFaces());
+    expect(caps.counts).toEqual({ 'flipped-edge': 1 });
+    expect([...caps.edges]).toEqual([mesh.findEdge(2, 3)]);
+
+    mesh.setPosition(2, [0, 0, 0]);
+    const needles = mended(mesh, (m) => m.removeDegenerateFaces());
+    expect(needles.counts).toEqual({ 'collapsed-edge': 1 });
+    expect(needles.vertices).toHaveLength(1);
+    expect(countsOf(mesh)).toEqual([4, 5, 2]);
+  });
+
+  test('says what can not be removed', () => {
+    using mesh = HalfedgeMesh.tetrahedron();
+    mesh.setPosition(1, mesh.positions.slice(0, 3));
+    const { counts, problems } = mended(mesh, (m) => m.removeDegenerateFaces());
+    expect(counts).toEqual({ 'zero-length-edge': 1, 'degenerate-face': 2 });
+    expect(problems[0].message).toMatch(/^Edge \d has a length of 0 but can't be collapsed: /);
+    expect(() => mesh.removeDegenerateFaces({ tolerance: -1 })).toThrow(RangeError);
+  });
+});
+
+describe('fillHoles', () => {
+  test('closes what is open, and says which faces are new', () => {
+    using mesh = HalfedgeMesh.icoSphere(3);
+    for (const v of [0, 200, 400]) mesh.deleteVertex(v);
+    const report = mended(mesh, (m) => m.fillHoles());
+    expect(report.counts).toEqual({ 'filled-hole': 3 });
+    expect(mesh.isClosed()).toBe(true);
+    expect(mesh.eulerCharacteristic()).toBe(2);
+    expect(report.faces.length).toBeGreaterThan(8);
+    for (const f of report.faces) {
+      expect(mesh.degree(f)).toBe(3);
+      expect(mesh.attributes.get('face', 'group')[f]).toBe(-1);
+    }
+  });
+
+  test('leaves large holes and the outline of a sheet', () => {
+    using mesh = HalfedgeMesh.cylinder(8, { caps: 'open' });
+    const small = mended(mesh, (m) => m.fillHoles({ maxEdges: 7 }));
+    expect(small.counts).toEqual({ 'large-hole': 2 });
+    expect(small.problems[0].message).toMatch(/of 8 edges, is larger than asked for, expected 7/);
+    using sheet = HalfedgeMesh.grid(3, 3);
+    const outline = mended(sheet, (m) => m.fillHoles());
+    expect(outline.counts).toEqual({ 'folding-hole': 1 });
+    expect(outline.summary).toBe('1 hole left whose filling would fold over.');
+    expect(mended(sheet, (m) => m.fillHoles({ maxAngle: 180 })).counts).toEqual({
+      'filled-hole': 1,
+    });
+    expect(() => mesh.fillHoles({ maxAngle: 181 })).toThrow(
+      'options.maxAngle is 181; expected a number of degrees from 0 to 180.',
+    );
+    expect(() => mesh.fillHoles({ maxEdges: 'all' as never })).toThrow(TypeError);
+  });
+});
+
 test('a repair in a group is a part of its step', () => {
   using mesh = HalfedgeMesh.cube();
   mesh.reverse();
@@ -171,6 +234,8 @@ test('reports cost no memory once they are made', () => {
     mesh.stitchBoundaries();
     mesh.splitPinchedVertices();
     mesh.orientOutward();
+    mesh.removeDegenerateFaces();
+    mesh.fillHoles();
     mesh.dropSmallComponents({ faces: 1000 });
   }
   expect(bytesInUse()).toBe(before);
@@ -182,3 +247,52 @@ test('a disposed mesh refuses repairs', () => {
   expect(() => mesh.stitchBoundaries()).toThrow('disposed');
   expect(() => mesh.dropSmallComponents({ faces: 2 })).toThrow('disposed');
 });
+
+const nastyFolder = `${
+  process.env.HALFEDGE_DATA ?? new URL('../../../shared/data', import.meta.url).pathname
+}/nasty`;
+
+function nastyFiles(): string[] {
+  try {
+    return readdirSync(nastyFolder).filter((file) => /\.(obj|off|ply|stl)$/i.test(file));
+  } catch {
+    console.log(`Skipped: there are no test meshes in ${nastyFolder}; HALFEDGE_DATA names them.`);
+    return [];
+  }
+}
+
+const nasty = nastyFiles();
+(nasty.length > 0 ? test : test.skip)(
+  'all repairs leave a valid mesh of every nasty file, and can be undone',
+  () => {
+    let meshes = 0;
+    for (const file of nasty) {
+      let mesh: HalfedgeMesh;
+      try {
+        mesh = HalfedgeMesh.parse(readFileSync(`${nastyFolder}/${file}`)).mesh;
+      } catch (error) {
+        expect([file, error]).toEqual([file, expect.any(HalfedgeError)]);
+        continue;
+      }
+      mesh.history.enabled = true;
+      const before = stateOf(mesh);
+      const summaries: string[] = [];
+      mesh.history.group(() => {
+        summaries.push(mesh.splitPinchedVertices().summary);
+        summaries.push(mesh.stitchBoundaries({ tolerance: 1e-6 }).summary);
+        summaries.push(mesh.removeDegenerateFaces().summary);
+        summaries.push(mesh.dropSmallComponents({ diagonal: 0.01 }).summary);
+        summaries.push(mesh.fillHoles({ maxEdges: 60 }).summary);
+        summaries.push(mesh.orientOutward({ open: true }).summary);
+      });
+      expect([file, errorsOf(mesh)]).toEqual([file, []]);
+      for (const summary of summaries) expect(summary).toMatch(/^[A-Z0-9].*\.$/);
+      mesh.history.undo();
+      expectState(mesh, before);
+      mesh.dispose();
+      meshes++;
+    }
+    expect(meshes).toBeGreaterThan(50);
+  },
+  120_000,
+);

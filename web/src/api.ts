@@ -36,7 +36,9 @@ export {
 export type { ConnectivityViews } from './links.js';
 export type { LiveItems } from './live.js';
 export type {
+  DegenerateOptions,
   DropOptions,
+  FillOptions,
   MendCode,
   MendReport,
   OrientOptions,

@@ -12,6 +12,8 @@ const REPAIRS = {
   splitPinched: 1,
   orient: 2,
   dropSmall: 3,
+  removeDegenerate: 4,
+  fill: 5,
 } as const;
 
 /** What a repair of a mesh did, and then what it had to leave. */
@@ -75,6 +77,23 @@ export interface DropOptions {
   diagonal?: number;
 }
 
+/** What counts as degenerate. */
+export interface DegenerateOptions {
+  /** Edges no longer than this are collapsed, and faces no wider removed. Default: 0. */
+  tolerance?: number;
+}
+
+/** Which holes to fill. */
+export interface FillOptions {
+  /** Boundary loops with more edges are left. Default: Infinity. */
+  maxEdges?: number;
+  /**
+   * In degrees, between the normals of neighbours: what can only be filled with a sharper fold is left, such
+   * as the outline of a flat sheet. Default: 160; 180 fills it too.
+   */
+  maxAngle?: number;
+}
+
 /**
  * Repairs of a mesh that is there. Each does all that it can, and reports the rest. A mesh that is valid at
  * level 4 stays so; live items keep their indices; each repair is one step of history.
@@ -133,7 +152,45 @@ export abstract class Mending extends Modelling {
     checkFrom0('options.faces', faces);
     checkShare('options.area', area);
     checkShare('options.diagonal', diagonal);
-    return mend(this, REPAIRS.dropSmall, Math.min(faces, 2 ** 32 - 1), area, diagonal);
+    return mend(this, REPAIRS.dropSmall, upTo32Bits(faces), area, diagonal);
+  }
+
+  /**
+   * Removes faces without area, and edges without length, so that the surface stays where it is. Short edges
+   * are collapsed. Of a triangle whose corner lies on its opposite side, that side is flipped; beside a larger
+   * face it is removed; on the boundary the triangle is deleted. Faces are taken to have no area if they are
+   * so narrow that the rounding of positions may turn them over (10^-6 of their length).
+   *
+   * What would break the mesh, or turn another face over, is left (`zero-length-edge`, `degenerate-face`).
+   *
+   * @returns `vertices`: those that edges were collapsed into; `edges`: those that were flipped; `faces`: those
+   * that gained a corner
+   */
+  removeDegenerateFaces(options: DegenerateOptions = {}): MendReport {
+    const { tolerance = 0 } = checkOptions(options) as DegenerateOptions;
+    checkFrom0('options.tolerance', tolerance);
+    return mend(this, REPAIRS.removeDegenerate, tolerance);
+  }
+
+  /**
+   * Fills boundary loops with triangles, without new vertices, so that they fold as little as can be against
+   * each other and the faces around. New faces have default attributes.
+   *
+   * Left are loops with more edges than asked for (`large-hole`), those whose filling would fold over
+   * (`folding-hole`), and those where each triangulation found joins vertices that are joined already
+   * (`unfillable-hole`). Up to 200 edges the triangulation is the best of all, O(n^3); above, a good one.
+   *
+   * @returns `faces`: the new ones
+   */
+  fillHoles(options: FillOptions = {}): MendReport {
+    const { maxEdges = Number.POSITIVE_INFINITY, maxAngle = 160 } = checkOptions(
+      options,
+    ) as FillOptions;
+    checkFrom0('options.maxEdges', maxEdges);
+    if (!(typeof maxAngle === 'number' && maxAngle >= 0 && maxAngle <= 180)) {
+      refuse('options.maxAngle', maxAngle, 'a number of degrees from 0 to 180');
+    }
+    return mend(this, REPAIRS.fill, upTo32Bits(maxEdges), maxAngle);
   }
 }
 
@@ -153,6 +210,9 @@ function mend(mesh: Mending, repair: number, a = 0, b = 0, c = 0): MendReport {
     summary: done.summary,
   };
 }
+
+/** As the core takes it: no mesh has more. */
+const upTo32Bits = (count: number) => Math.min(count, 2 ** 32 - 1);
 
 /** Throws a sentence unless the option is a number from 0 on, which may be infinite. */
 function checkFrom0(argument: string, value: unknown): void {
