@@ -100,13 +100,16 @@ val strings_of(const std::vector<std::string>& strings) {
   return list;
 }
 
-/// `claimed` is what the user says the format is: a value of Format, or -1.
+/// What the user says the format is: a value of Format, or -1.
+std::optional<Format> claim(int format) {
+  return format < 0 ? std::nullopt : std::optional(static_cast<Format>(format));
+}
+
 val parse_file(Address address, std::size_t count, int claimed, bool repair, bool attributes,
                bool stores_prev) {
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   Result<ParsedFile> file =
-      parse(bytes, claimed < 0 ? std::nullopt : std::optional(static_cast<Format>(claimed)),
-            {.attributes = attributes, .for_repair = repair});
+      parse(bytes, claim(claimed), {.attributes = attributes, .for_repair = repair});
   if (!file) return failure(file.error());
   const Format format = file.value().format;
   NewMesh mesh(stores_prev);
@@ -159,6 +162,22 @@ std::vector<SoupNames> names_in(std::string_view text) {
     }
   }
   return tables;
+}
+
+/// The faces of a file as they stand there, whatever they are. `sizes` has none if all are
+/// triangles.
+val parse_soup(Address address, std::size_t count, int claimed) {
+  Result<ParsedFile> file = parse(array_at<std::uint8_t>(address, count), claim(claimed),
+                                  {.attributes = false, .for_repair = true});
+  if (!file) return failure(file.error());
+  const RoomForReport room;
+  PolygonSoup& soup = file.value().soup;
+  val result = success("positions", hand_over(soup.positions));
+  result.set("sizes", hand_over(soup.sizes));
+  result.set("corners", hand_over(soup.corners));
+  result.set("format", static_cast<int>(file.value().format));
+  result.set("notes", strings_of(file.value().notes));
+  return result;
 }
 
 /// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
@@ -264,6 +283,7 @@ EMSCRIPTEN_BINDINGS(halfedge) {
   function("layout", &layout);
   function("build", &build);
   function("parse", &parse_file);
+  function("parseSoup", &parse_soup);
   function("write", &write_file);
 
   function("validate", &validate_mesh);

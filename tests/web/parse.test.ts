@@ -288,3 +288,45 @@ const nasty = folder('nasty');
     }
   }
 });
+
+describe('parseSoup', () => {
+  const spoilt = `OFF
+5 4 0
+0 0 0
+1 0 0
+0 1 0
+1 1 0
+nan 0 0
+3 0 1 2
+4 1 3 2 4
+2 0 1
+3 2 1 99
+`;
+
+  test('gives the faces of a file as they stand there, and the mesh that parse makes of them', () => {
+    const { positions, faces, format, notes } = HalfedgeMesh.parseSoup(spoilt);
+    expect(Array.from(positions)).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, NaN, 0, 0]);
+    expect(faces.sizes).toEqual(Uint32Array.of(3, 4, 2, 3));
+    expect(faces.corners).toEqual(Uint32Array.of(0, 1, 2, 1, 3, 2, 4, 0, 1, 2, 1, 99));
+    expect({ format, notes }).toEqual({ format: 'off', notes: [] });
+    const soup = HalfedgeMesh.fromSoup(positions, faces);
+    const file = HalfedgeMesh.parse(spoilt);
+    expect(soup.report.counts).toEqual(file.report.counts);
+    expect(soup.report.faceMap).toEqual(file.report.faceMap);
+    expect(soup.mesh.toBytes()).toEqual(file.mesh.toBytes());
+    soup.mesh.dispose();
+    file.mesh.dispose();
+  });
+
+  test('says the size of triangles, too', () => {
+    expect(HalfedgeMesh.parseSoup(triangle).faces.sizes).toEqual(Uint32Array.of(3));
+  });
+
+  test('takes bytes and a format, and throws what parse throws', () => {
+    const bytes = new TextEncoder().encode(cube);
+    expect(HalfedgeMesh.parseSoup(bytes, { format: 'obj' }).faces.sizes).toHaveLength(6);
+    expect(() => HalfedgeMesh.parseSoup('OFF\n3 1 0\n0 0 0\n')).toThrow(HalfedgeError);
+    expect(() => HalfedgeMesh.parseSoup(triangle, { format: 'dae' as 'obj' })).toThrow(RangeError);
+    expect(() => HalfedgeMesh.parseSoup(7 as never)).toThrow(TypeError);
+  });
+});

@@ -47,7 +47,13 @@ export type {
 export { HalfedgeMesh } from './mesh.js';
 export type { ItemSet, Items } from './neighbourhoods.js';
 export type { Orbit } from './orbit.js';
-export type { AttributeNames, FileFormat, ParseOptions, ParseReport } from './parse.js';
+export type {
+  AttributeNames,
+  FileFormat,
+  FileSoup,
+  ParseOptions,
+  ParseReport,
+} from './parse.js';
 export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';
 export type { RingKind, Rows } from './rings.js';
 export type {

@@ -127,6 +127,20 @@ export interface RawCore {
         names: Record<string, string[]>;
       } & Partial<RawRepair>)
     | RawFailure;
+  /** The faces of a file as they stand there; `sizes` is empty if all are triangles. */
+  parseSoup(
+    bytes: number,
+    count: number,
+    claimed: number,
+  ):
+    | {
+        positions: RawWords;
+        sizes: RawWords;
+        corners: RawWords;
+        format: number;
+        notes: string[];
+      }
+    | RawFailure;
   /** A negative tolerance keeps vertices apart. */
   buildFromSoup(
     positions: number,

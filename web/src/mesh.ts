@@ -18,7 +18,14 @@ import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
-import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
+import {
+  type FileFormat,
+  type FileSoup,
+  type ParseOptions,
+  type ParseReport,
+  parseFile,
+  parseSoup,
+} from './parse.js';
 import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
 import { unwrap } from './reports.js';
 import { makeMeshesWith, Shapes } from './shapes.js';
@@ -161,6 +168,25 @@ export class HalfedgeMesh extends Shapes {
   ): { mesh: HalfedgeMesh; report: ParseReport } {
     const { links, report } = parseFile(data, options);
     return { mesh: new HalfedgeMesh(links), report };
+  }
+
+  /**
+   * What a file holds, before a mesh is made of it: positions and faces as they stand there, good or bad.
+   * They are numbered as the problems of {@link parse} name them, and {@link fromSoup} takes them, with
+   * options that `parse` has not:
+   *
+   * ```ts
+   * const { positions, faces } = HalfedgeMesh.parseSoup(bytes);
+   * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: 1e-6 });
+   * ```
+   *
+   * @throws HalfedgeError as {@link parse}, where the file itself can't be read
+   */
+  static parseSoup(
+    data: string | ArrayBuffer | Uint8Array,
+    options: Pick<ParseOptions, 'format'> = {},
+  ): FileSoup {
+    return parseSoup(data, options);
   }
 
   /**

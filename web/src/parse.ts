@@ -1,5 +1,5 @@
-import { bytesOf, describe } from './arguments.js';
-import { type StorageOptions, storesPrev } from './build.js';
+import { bytesOf, checkOptions, describe, newArray } from './arguments.js';
+import { type Polygons, type StorageOptions, storesPrev } from './build.js';
 import type { RawRepair } from './core.mjs';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
@@ -7,6 +7,7 @@ import { core } from './loader.js';
 import { withInputs } from './memory.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
 import { sentence, unwrap } from './reports.js';
+import { take } from './rings.js';
 
 /** The file formats that can be read and written. */
 export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
@@ -69,12 +70,49 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   return { links, report };
 }
 
+/** What a file holds before a mesh is made of it: its faces as they stand there, good or bad. */
+export interface FileSoup {
+  /** xyz of each vertex. */
+  readonly positions: Float32Array;
+  /** Corners may be vertices that do not exist, and faces may have any number of them. */
+  readonly faces: Polygons & { readonly sizes: Uint32Array; readonly corners: Uint32Array };
+  /** The format of the content. */
+  readonly format: FileFormat;
+  /** What was ignored, a sentence each. */
+  readonly notes: readonly string[];
+}
+
+/** The polygons of a file. */
+export function parseSoup(data: unknown, options: unknown): FileSoup {
+  const { format } = checkOptions(options) as Pick<ParseOptions, 'format'>;
+  const claimed = claimOf(format);
+  const bytes = contentOf(data);
+  const wasm = core();
+  const raw = withInputs(wasm, (inputs) => {
+    const { address, count } = inputs.bytes('data', bytes);
+    return wasm.parseSoup(address, count, claimed);
+  });
+  const { notes, ...file } = unwrap(raw);
+  const [positions, sizes, corners] = take(wasm, file.positions, file.sizes, file.corners);
+  const all = sizes.length > 0 ? sizes : newArray('sizes', Uint32Array, corners.length / 3).fill(3);
+  return {
+    positions: new Float32Array(positions.buffer),
+    faces: { sizes: all, corners },
+    format: FORMATS[file.format],
+    notes: notes.map(sentence),
+  };
+}
+
 function checkParseOptions(options: ParseOptions) {
   const { format, repair = true, attributes = true } = options;
   checkFlag('repair', repair);
   checkFlag('attributes', attributes);
-  const claimed = format === undefined ? -1 : formatIndex('options.format', format);
-  return { claimed, repair, attributes };
+  return { claimed: claimOf(format), repair, attributes };
+}
+
+/** What the core is told of the format. */
+function claimOf(format: unknown): number {
+  return format === undefined ? -1 : formatIndex('options.format', format);
 }
 
 /** Throws a sentence unless an option is true or false. */

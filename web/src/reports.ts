@@ -38,5 +38,5 @@ function subjectOf({ faces, vertices }: Witness): Pick<Problem, 'kind' | 'index'
 /** As a whole sentence: some parts of the core leave out the capital and the full stop. */
 export function sentence(text: string): string {
   const capital = text.charAt(0).toUpperCase() + text.slice(1);
-  return /[.!?)]$/.test(capital) ? capital : `${capital}.`;
+  return /[.!?]( \([^()]*\))?$/.test(capital) ? capital : `${capital}.`;
 }
