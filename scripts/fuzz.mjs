@@ -16,8 +16,8 @@ const targets = filesBelow(folder)
   .filter((path) => path.endsWith('.cpp') && resolve(path, '..') === folder)
   .map((path) => basename(path, '.cpp'));
 
-/** Sequences of operations are checked step by step: short ones, or it is slow. */
-const longest = { operations: 400, soup: 1024 };
+/** What is checked step by step gets short inputs, or it is slow. */
+const longest = { mend: 512, operations: 400, soup: 1024 };
 
 const program = (target) => join(root, 'build/asan/tests/fuzz', `fuzz_${target}`);
 

@@ -3,6 +3,8 @@
 // An input is: options, number of vertices, three coordinates for each, then faces: the number of
 // corners, and a vertex for each.
 
+#include "support/soup.h"
+
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
 #include <halfedge/connectivity/storage.h>
@@ -25,37 +27,6 @@ namespace {
 constexpr std::size_t kMemoryPerItem = 400;
 // Sentences, of which there are at most as many as are listed.
 constexpr std::size_t kMemoryAtLeast = std::size_t{2} << 20U;
-
-struct Soup {
-  std::vector<float> positions;
-  std::vector<Index> sizes;
-  std::vector<Index> corners;
-
-  [[nodiscard]] Polygons view() const { return {positions, sizes, corners}; }
-  [[nodiscard]] std::size_t items() const {
-    return positions.size() + sizes.size() + corners.size();
-  }
-};
-
-enum Oddity : std::uint8_t { kTriangles = 1, kLoseACoordinate = 2, kLoseACorner = 4 };
-
-Soup soup_of(Input& input, std::uint8_t oddities) {
-  Soup soup;
-  const std::size_t vertices = input.byte();
-  for (std::size_t i = 0; i < 3 * vertices; ++i) soup.positions.push_back(input.coordinate());
-  while (!input.used_up()) {
-    const Index size = (oddities & kTriangles) != 0 ? 3 : input.byte() % 64;
-    soup.sizes.push_back(size);
-    for (Index i = 0; i < size; ++i) {
-      const Index v = input.byte();
-      soup.corners.push_back(v == 255 ? kNone : v);
-    }
-  }
-  if ((oddities & kTriangles) != 0) soup.sizes.clear();
-  if ((oddities & kLoseACoordinate) != 0 && !soup.positions.empty()) soup.positions.pop_back();
-  if ((oddities & kLoseACorner) != 0 && !soup.corners.empty()) soup.corners.pop_back();
-  return soup;
-}
 
 RepairOptions options_of(Input& input) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();

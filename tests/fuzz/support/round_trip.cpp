@@ -76,14 +76,14 @@ void expect_same_triangles(const Mesh& mesh, const PolygonSoup& soup) {
   }
 }
 
-// The attributes that the file has are those of the mesh: the mesh of the file gives the same file.
-void expect_same_file(ParsedFile file, const Array<std::uint8_t>& bytes, Encoding encoding) {
+// The file of the mesh that a file gives, with its attributes.
+Array<std::uint8_t> rewritten(ParsedFile file, Encoding encoding) {
   Mesh mesh;
   BuildReport report;
   EXPECT_TRUE(build_from_polygons(mesh, file.soup.view(), report));
   const Result<void> added = add_attributes(mesh, file.soup.view(), nullptr, file.attributes);
   EXPECT_TRUE(added) << added.error().message;
-  EXPECT_TRUE(same_bits(written(mesh, file.format, encoding), bytes));
+  return written(mesh, file.format, encoding);
 }
 
 }  // namespace
@@ -91,10 +91,13 @@ void expect_same_file(ParsedFile file, const Array<std::uint8_t>& bytes, Encodin
 void expect_round_trips(const Mesh& mesh) {
   for (const auto& [format, encoding] : kPolygonForms) {
     if (format == Format::kObj && mesh.vertex_slots() == 0) continue;  // an empty file
-    const Array<std::uint8_t> bytes = written(mesh, format, encoding);
-    ParsedFile file = read_back(bytes, format);
-    expect_same_polygons(mesh, file.soup);
-    expect_same_file(std::move(file), bytes, encoding);
+    Array<std::uint8_t> bytes = written(mesh, format, encoding);
+    expect_same_polygons(mesh, read_back(bytes, format).soup);
+    if (format == Format::kObj) {
+      // Normals of vertices become those of corners, and are written once each from then on.
+      bytes = rewritten(read_back(bytes, format), encoding);
+    }
+    EXPECT_TRUE(same_bits(rewritten(read_back(bytes, format), encoding), bytes));
   }
   for (const auto& [format, encoding] : kTriangleForms) {
     expect_same_triangles(mesh, read_back(written(mesh, format, encoding), format).soup);
