@@ -487,6 +487,26 @@ TEST(OffAttributes, MayBeOnOneLine) {
   }
 }
 
+// ---- STL -------------------------------------------------------------------------------------
+
+TEST(StlAttributes, ComeBackInTheBytesBehindATriangle) {
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
+  const std::vector<Index> corners = {0, 1, 2, 2, 1, 3};
+  Mesh mesh;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(mesh, {positions, {}, corners}, report));
+  EXPECT_EQ(describe_all(read_mesh(write(mesh, Format::kStl).value().span()).mesh), Strings());
+  Attribute& column = add(mesh, ItemKind::kFace, "attribute", Scalar::kUint16, 1, OnSplit::kCopy);
+  column.set(1, 0, 0xFFF1, nullptr);
+  expect_round_trip(mesh, Format::kStl, Encoding::kBinary);
+  Strings notes;
+  (void)write(mesh, Format::kStl, {.encoding = Encoding::kText, .notes = &notes});
+  EXPECT_EQ(notes, Strings{"left out the face attribute \"attribute\": STL has no place for it"});
+  const auto bytes = write(mesh, Format::kStl);
+  const Result<ParsedFile> bare = parse(bytes.value().span(), std::nullopt, {.attributes = false});
+  EXPECT_TRUE(bare.value().attributes.empty());
+}
+
 // ---- following repairs -----------------------------------------------------------------------
 
 Index below(std::mt19937& random, Index end) { return Index(random() % end); }

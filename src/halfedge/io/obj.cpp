@@ -35,20 +35,37 @@ constexpr std::array kOtherWords = std::to_array<std::string_view>(
      "parm",      "trim",  "hole",  "scrv", "sp",  "end",    "con",    "c_interp",
      "d_interp",  "ctech", "stech", "bsp",  "bzp", "cdc",    "cdp",    "res"});
 
-Statement statement_of(std::string_view word) {
-  if (word == "v") return Statement::kVertex;
+Statement longer_statement_of(std::string_view word) {
   if (word == "vt") return Statement::kTexture;
   if (word == "vn") return Statement::kNormal;
-  if (word == "f" || word == "fo") return Statement::kFace;  // fo: before version 3.0
-  if (word == "g") return Statement::kGroup;
-  if (word == "o") return Statement::kObject;
+  if (word == "fo") return Statement::kFace;  // before version 3.0
   if (word == "usemtl") return Statement::kMaterial;
   if (word == "mtllib") return Statement::kLibrary;
-  if (word == "l") return Statement::kLine;
-  if (word == "p") return Statement::kPoint;
   if (word == "curv" || word == "curv2" || word == "surf") return Statement::kFreeForm;
   const bool known = std::find(kOtherWords.begin(), kOtherWords.end(), word) != kOtherWords.end();
   return known ? Statement::kOther : Statement::kUnknown;
+}
+
+Statement statement_of(std::string_view word) {
+  if (word.size() != 1) return longer_statement_of(word);
+  switch (word[0]) {
+    case 'v':
+      return Statement::kVertex;
+    case 'f':
+      return Statement::kFace;
+    case 'g':
+      return Statement::kGroup;
+    case 'o':
+      return Statement::kObject;
+    case 'l':
+      return Statement::kLine;
+    case 'p':
+      return Statement::kPoint;
+    case 's':
+      return Statement::kOther;
+    default:
+      return Statement::kUnknown;
+  }
 }
 
 class ObjReader {
@@ -78,8 +95,12 @@ class ObjReader {
  private:
   [[nodiscard]] bool read_statement();
   [[nodiscard]] bool read_vertex();
+  void read_behind_position();
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner();
+  [[nodiscard]] bool read_longer_corner(std::int64_t& vertex);
+  [[nodiscard]] int read_indices(std::array<std::int64_t, 3>& indices);
+  [[nodiscard]] Error wrong_index(std::int64_t vertices);
   void read_attribute(Statement statement);
 
   [[nodiscard]] bool fail(Error error) {
@@ -163,34 +184,62 @@ bool ObjReader::read_vertex() {
     if (text_.read_float(xyz[i])) continue;
     return fail(unexpected(text_, std::string("a number for ") + "xyz"[i] + " of the vertex"));
   }
-  text_.skip_blanks();
-  if (!text_.at_line_end()) {  // a weight, a colour
-    if (options_.attributes && !attributes_.read_color(text_, out_.vertex_count())) {
-      out_.set_out_of_memory();
-    }
-    text_.skip_tokens();
-  }
+  if (!text_.at_line_end()) read_behind_position();
   out_.add_vertex(xyz[0], xyz[1], xyz[2]);
   return true;
 }
 
+/// A weight, a colour, or blanks.
+void ObjReader::read_behind_position() {
+  if (options_.attributes && !attributes_.read_color(text_, out_.vertex_count())) {
+    out_.set_out_of_memory();
+  }
+  text_.skip_tokens();
+}
+
 bool ObjReader::read_face() {
-  for (text_.skip_blanks(); !text_.at_line_end(); text_.skip_blanks()) {
+  for (;;) {
+    text_.skip_blanks();
+    if (text_.at_line_end()) break;
     if (!read_corner()) return false;
   }
   out_.end_face();
   return true;
 }
 
-/// 3, 3/1, 3/1/2, 3//2, and the same with signs. What follows the vertex need only look right.
+/// Most are just a number, and are read without a call.
 bool ObjReader::read_corner() {
   const char* const start = text_.position();
   std::int64_t index = 0;
-  bool well_formed = text_.read_integer(index);
-  ObjAttributes::Corner references;
-  if (well_formed && text_.skip('/')) {
-    (void)text_.read_integer(references.texture);  // may be empty
-    if (text_.skip('/')) (void)text_.read_integer(references.normal);
+  // Its vertex may be declared further down: compared with their number at the end.
+  if (!text_.read_integer(index) || !text_.at_token_end() || index <= 0 || index > kMaxSlots) {
+    text_.move_to(start);
+    if (!read_longer_corner(index)) return false;
+  }
+  out_.add_corner(static_cast<Index>(index - 1));
+  return true;
+}
+
+/// One to three, with slashes between them, of which the second may be empty; 0 if there is none.
+int ObjReader::read_indices(std::array<std::int64_t, 3>& indices) {
+  int count = 0;
+  do {
+    const bool is_there = text_.read_integer(indices[static_cast<std::size_t>(count)]);
+    if (count == 0 && !is_there) return 0;
+    ++count;
+  } while (count < 3 && text_.skip('/'));
+  return count;
+}
+
+/// 3, 3/1, 3/1/2, 3//2, and the same with signs; `vertex` counts from 1.
+bool ObjReader::read_longer_corner(std::int64_t& vertex) {
+  const char* const start = text_.position();
+  std::array<std::int64_t, 3> indices{};
+  const int count = read_indices(indices);
+  const bool well_formed = count > 0;
+  const std::int64_t index = indices[0];
+  if (count > 1) {
+    const ObjAttributes::Corner references{indices[1], indices[2]};
     if (options_.attributes && !attributes_.add_corner(out_.corner_count(), references)) {
       out_.set_out_of_memory();
     }
@@ -201,21 +250,21 @@ bool ObjReader::read_corner() {
   }
 
   const auto vertices = static_cast<std::int64_t>(out_.vertex_count());
-  if (index >= 0) {
-    // Its vertex may be declared further down: compared with their number at the end.
-    out_.add_corner(missing_vertex(index - 1));
-    return true;
-  }
   if (index >= -vertices || options_.for_repair) {
-    out_.add_corner(missing_vertex(vertices + index));
+    vertex = std::int64_t{missing_vertex(index >= 0 ? index - 1 : vertices + index)} + 1;
     return true;
   }
   text_.move_to(start);
+  return fail(wrong_index(vertices));
+}
+
+/// pre: the cursor is at a corner that counts back too far
+Error ObjReader::wrong_index(std::int64_t vertices) {
   Error error = index_error(text_, out_.corners_of_face(), out_.face_count());
   error.message += vertices == 0 ? ", but no vertex comes before it"
                                  : ", expected -1 to -" + std::to_string(vertices) +
                                        ", counted back from the last vertex so far";
-  return fail(std::move(error));
+  return error;
 }
 
 std::vector<std::string> ObjReader::notes() {

@@ -39,6 +39,7 @@ class OffReader {
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner(std::int64_t corner, std::int64_t degree);
   void read_values_of_vertex();
+  [[nodiscard]] bool read_behind_face();
   void read_color_of_face();
   /// Whether what is left on the line is no colour, but more faces.
   [[nodiscard]] bool faces_share_lines();
@@ -121,11 +122,8 @@ bool OffReader::read_vertex() {
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
-  text_.skip_blanks();
-  const bool has_more = header_.columns > header_.coordinates;
-  if (packed_ || (options_.attributes && (has_more || !text_.at_line_end()))) {
-    read_values_of_vertex();
-  }
+  const bool has_more = header_.columns > header_.coordinates || !text_.at_line_end();
+  if (packed_ || (options_.attributes && has_more)) read_values_of_vertex();
   if (!packed_) text_.skip_line();
   out_.add_vertex(p[0], p[1], p[2]);
   return true;
@@ -169,17 +167,18 @@ bool OffReader::read_face() {
   for (std::int64_t corner = 0; corner < degree; ++corner) {
     if (!read_corner(corner, degree)) return false;
   }
-  text_.skip_blanks();
-  if (!text_.at_line_end()) {
-    if (!faces_share_lines()) {
-      if (options_.attributes) read_color_of_face();
-      text_.skip_line();
-    }
-  } else {
-    text_.skip_line();
-  }
+  if (text_.at_line_end() || !read_behind_face()) text_.skip_line();
   out_.end_face();
   return true;
+}
+
+/// A colour, blanks, or more faces. Whether it is more faces.
+bool OffReader::read_behind_face() {
+  text_.skip_blanks();
+  if (text_.at_line_end()) return false;
+  if (faces_share_lines()) return true;
+  if (options_.attributes) read_color_of_face();
+  return false;
 }
 
 /// Counted only if it matters: where something follows a face on its line.

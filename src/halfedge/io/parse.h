@@ -90,7 +90,8 @@ struct ParseOptions {
 
 /// Reads an STL file, in text or binary form. Positions are welded where all bits are equal, but
 /// for the sign of zero; what is no number has no place in that, and is an error that names the
-/// triangle. Normals and attributes are ignored.
+/// triangle. The two bytes behind a triangle of the binary form become the attribute `attribute` of
+/// faces, if any of them isn't 0; normals are ignored, as the corners tell them.
 [[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

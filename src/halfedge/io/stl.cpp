@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -90,6 +91,22 @@ std::uint64_t announced(std::span<const std::uint8_t> bytes) {
   return load<std::uint32_t, ByteOrder::kLittle>(bytes.data() + kHeader);
 }
 
+/// The two bytes behind each triangle, which some programs have colours in.
+SoupAttribute face_attribute() {
+  SoupAttribute column;
+  column.name = "attribute";
+  column.item = SoupItem::kFace;
+  column.type = Scalar::kUint16;
+  column.on_split = OnSplit::kCopy;
+  return column;
+}
+/// Makes room for all at the first value. False when memory is exhausted.
+bool set_value(SoupAttribute& column, std::size_t face, std::size_t faces, std::uint16_t value) {
+  if (!column.values.resize(sizeof(value) * faces, std::byte{})) return false;
+  std::memcpy(&column.values[sizeof(value) * face], &value, sizeof(value));
+  return true;
+}
+
 Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
   if (bytes.size() < kStart) {
     return Error{"truncated", "the file has " + std::to_string(bytes.size()) +
@@ -108,6 +125,7 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
   SoupWriter& out = writer.out();
   writer.reserve(static_cast<std::size_t>(count));
   const std::uint8_t* at = bytes.data() + kStart;
+  SoupAttribute attribute = face_attribute();
   for (std::size_t face = 0; face < count && !out.out_of_memory(); ++face, at += kTriangle) {
     Triangle triangle;
     for (std::size_t i = 0; i < 9; ++i) {
@@ -118,10 +136,16 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
       return not_finite(error_at_byte(offset, "non-finite-position", ""), triangle, face);
     }
     writer.add(triangle);
+    const auto value = load<std::uint16_t, ByteOrder::kLittle>(at + 48);
+    if (value == 0 || !options.attributes) continue;
+    if (!set_value(attribute, face, static_cast<std::size_t>(count), value)) {
+      out.set_out_of_memory();
+    }
   }
   if (std::optional<Error> error = check_size(out)) return *std::move(error);
 
   ParsedFile file{Format::kStl, std::move(out.soup()), {}, true};
+  if (!attribute.values.empty()) file.attributes.push_back(std::move(attribute));
   const std::size_t rest = bytes.size() - kStart - static_cast<std::size_t>(count) * kTriangle;
   if (rest > 0) {
     file.notes.push_back("ignored the " + std::to_string(rest) + " bytes behind the last of the " +

@@ -35,23 +35,23 @@ Vector normal_of(const float* a, const float* b, const float* c) {
   return normal;
 }
 
-/// Calls `visit(normal and corners)` for each triangle of the fans.
+/// Calls `visit(face, normal and corners)` for each triangle of the fans.
 template <class Visit>
 void for_each_triangle(const LiveMesh& mesh, const Visit& visit) {
-  mesh.for_each_face([&](Index, std::span<const Index> corners) {
+  mesh.for_each_face([&](Index f, std::span<const Index> corners) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
       const float* const a = mesh.position(corners[0]);
       const float* const b = mesh.position(corners[i - 1]);
       const float* const c = mesh.position(corners[i]);
       const Vector n = normal_of(a, b, c);
-      visit(std::array<const float*, 4>{n.data(), a, b, c});
+      visit(f, std::array<const float*, 4>{n.data(), a, b, c});
     }
   });
 }
 
 void write_text_stl(const LiveMesh& mesh, ByteWriter& out) {
   out.text("solid\n");
-  for_each_triangle(mesh, [&out](const std::array<const float*, 4>& points) {
+  for_each_triangle(mesh, [&out](Index, const std::array<const float*, 4>& points) {
     constexpr std::string_view kWords[] = {"facet normal", "outer loop\nvertex", "vertex",
                                            "vertex"};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -68,11 +68,16 @@ void write_binary_stl(const LiveMesh& mesh, ByteWriter& out) {
   constexpr ByteOrder kLittle = ByteOrder::kLittle;
   out.text(std::string(80, ' '));
   out.binary<kLittle>(static_cast<std::uint32_t>(mesh.triangle_count()));
-  for_each_triangle(mesh, [&out](const std::array<const float*, 4>& points) {
+  const Attribute* const attribute =
+      mesh.take(ItemKind::kFace, "attribute", [](const Attribute& column) {
+        return column.type() == Scalar::kUint16 && column.components() == 1;
+      });
+  for_each_triangle(mesh, [&](Index f, const std::array<const float*, 4>& points) {
     for (const float* const point : points) {
       for (std::size_t axis = 0; axis < 3; ++axis) out.binary<kLittle>(point[axis]);
     }
-    out.binary<kLittle>(std::uint16_t{0});
+    const double value = attribute == nullptr ? 0 : attribute->get(f, 0);
+    out.binary<kLittle>(static_cast<std::uint16_t>(value));
   });
 }
 
