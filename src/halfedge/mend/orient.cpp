@@ -1,6 +1,6 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/measure.h>
-#include <halfedge/mend/mend.h>
+#include <halfedge/mend/repairs.h>
 
 #include <cmath>
 #include <cstddef>

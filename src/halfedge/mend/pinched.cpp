@@ -1,5 +1,5 @@
 #include <halfedge/decorator/refusal.h>
-#include <halfedge/mend/mend.h>
+#include <halfedge/mend/repairs.h>
 
 namespace halfedge::mend {
 

@@ -1,5 +1,5 @@
 #include <halfedge/decorator/refusal.h>
-#include <halfedge/mend/mend.h>
+#include <halfedge/mend/repairs.h>
 #include <halfedge/repair/soup.h>
 
 #include <algorithm>
@@ -187,8 +187,9 @@ class Stitcher {
       if (!has_partner(start)) continue;
       queue_.clear();
       if (!add_sides(surface_.face(Surface::opposite(start)))) return no_memory();
-      for (std::size_t i = 0; i < queue_.size(); ++i) {
-        const Halfedge h = queue_[i];
+      std::size_t first = 0;
+      while (first < queue_.size()) {
+        const Halfedge h = queue_[first++];
         if (!has_partner(h) || is_refused_[Surface::edge(h).index()]) continue;
         const Pair pair{h, Halfedge(partner_[h.index()])};
         const Face beyond = surface_.face(Surface::opposite(pair.g));
