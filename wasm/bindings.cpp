@@ -105,11 +105,19 @@ std::optional<Format> claim(int format) {
   return format < 0 ? std::nullopt : std::optional(static_cast<Format>(format));
 }
 
+bool tell(void* callback, Stage stage, double fraction) {
+  return (*static_cast<const val*>(callback))(static_cast<int>(stage), fraction).as<bool>();
+}
+
+/// `callback` is null, or a function that gets a stage and a fraction, and must not throw; false
+/// cancels.
 val parse_file(Address address, std::size_t count, int claimed, bool repair, bool attributes,
-               bool stores_prev) {
+               bool stores_prev, val callback) {
+  const Progress progress{callback.isNull() ? nullptr : &tell, &callback};
   const std::span<const std::uint8_t> bytes = array_at<std::uint8_t>(address, count);
   Result<ParsedFile> file =
-      parse(bytes, claim(claimed), {.attributes = attributes, .for_repair = repair});
+      parse(bytes, claim(claimed),
+            {.attributes = attributes, .for_repair = repair, .progress = progress});
   if (!file) return failure(file.error());
   const Format format = file.value().format;
   NewMesh mesh(stores_prev);
@@ -118,8 +126,12 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   RepairReport repaired;
   std::vector<Error>& problems = repair ? repaired.problems : strict.problems;
   const Polygons polygons = file.value().soup.view();
-  const bool is_built = repair ? build_any_from_soup(*mesh, polygons, {}, repaired)
-                               : build_any(*mesh, polygons, strict);
+  if (!repair && !progress(Stage::kBuild, 0)) {
+    return failure(Error{"cancelled", "The build was cancelled."});
+  }
+  const bool is_built = repair
+                            ? build_any_from_soup(*mesh, polygons, {.progress = progress}, repaired)
+                            : build_any(*mesh, polygons, strict);
   Result<void> has_attributes;
   if (is_built) {
     has_attributes = visit(*mesh, [&](auto& m) {
@@ -140,6 +152,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   }
   result.set("names", names);
   if (repair) add_repair(result, repaired);
+  (void)progress(Stage::kBuild, 1);
   return result;
 }
 

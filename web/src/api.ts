@@ -54,6 +54,7 @@ export type {
   ParseOptions,
   ParseReport,
 } from './parse.js';
+export type { ParseStage, ProgressOptions } from './progress.js';
 export type { FaceVerdict, RepairCode, RepairReport, SoupOptions } from './repair.js';
 export type { RingKind, Rows } from './rings.js';
 export type {

@@ -111,7 +111,10 @@ export interface RawCore {
     names: number,
     nameCount: number,
   ): { bytes: { address: number; count: number }; notes: string[] } | RawFailure;
-  /** `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. */
+  /**
+   * `claimed` and `format` are values of the enum Format in C++; -1 claims nothing. `progress` gets a
+   * value of the enum Stage and a fraction, must not throw, and cancels with false.
+   */
   parse(
     bytes: number,
     count: number,
@@ -119,6 +122,7 @@ export interface RawCore {
     repair: boolean,
     attributes: boolean,
     storesPrev: boolean,
+    progress: ((stage: number, fraction: number) => boolean) | null,
   ):
     | ({
         mesh: number;

@@ -160,7 +160,7 @@ export class HalfedgeMesh extends Shapes {
    *
    * @throws HalfedgeError with the line, or the byte of a binary file, and what was expected there
    * (`parse-error`, `truncated`, `unknown-format`, `unsupported-format`, `not-text`, ...), or with
-   * `repair: false` as {@link fromPolygons}, with the lines of the faces
+   * `repair: false` as {@link fromPolygons}, with the lines of the faces; `cancelled` by `onProgress`
    */
   static parse(
     data: string | ArrayBuffer | Uint8Array,

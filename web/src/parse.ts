@@ -5,6 +5,7 @@ import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
+import { follow, type ProgressOptions } from './progress.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
 import { sentence, unwrap } from './reports.js';
 import { take } from './rings.js';
@@ -16,7 +17,7 @@ export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
 const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
 
 /** How to read a file. */
-export interface ParseOptions extends StorageOptions {
+export interface ParseOptions extends StorageOptions, ProgressOptions {
   /** Decides where the content leaves the format open. The content is believed first. */
   format?: FileFormat;
   /**
@@ -54,12 +55,14 @@ export type AttributeNames = Readonly<Record<string, readonly string[]>>;
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
   const withPrev = storesPrev(options);
   const { claimed, repair, attributes } = checkParseOptions(options as ParseOptions);
+  const follower = follow(options as ParseOptions);
   const bytes = contentOf(data);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('data', bytes);
-    return wasm.parse(address, count, claimed, repair, attributes, withPrev);
+    return wasm.parse(address, count, claimed, repair, attributes, withPrev, follower.report);
   });
+  follower.check(raw);
   const done = unwrap(raw);
   const links = new Links(wasm, done.mesh);
   const found = repair

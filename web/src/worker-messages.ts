@@ -1,10 +1,17 @@
 import { HalfedgeError, type Problem, type Witness } from './errors.js';
 import type { ParseOptions, ParseReport } from './parse.js';
+import type { ParseStage } from './progress.js';
 import type { RepairReport, SoupOptions } from './repair.js';
 
 /** What a worker is asked for. */
 export type Job =
-  | { readonly kind: 'parse'; readonly data: unknown; readonly options: ParseOptions }
+  | {
+      readonly kind: 'parse';
+      readonly data: unknown;
+      readonly options: ParseOptions;
+      /** Whether progress is asked for: functions can't be sent. */
+      readonly tells: boolean;
+    }
   | {
       readonly kind: 'soup';
       readonly positions: unknown;
@@ -15,8 +22,9 @@ export type Job =
 /** What is sent to a worker: first the module, then jobs, one at a time. */
 export type Request = { readonly kind: 'start'; readonly module: WebAssembly.Module } | Job;
 
-/** What a worker answers to a job. */
+/** What a worker answers to a job, perhaps after telling how far it is. */
 export type Reply =
+  | { readonly kind: 'progress'; readonly fraction: number; readonly stage: ParseStage }
   | {
       readonly kind: 'done';
       /** Those of `mesh.toBytes()`. */

@@ -3,6 +3,7 @@
 
 import { load } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
+import type { ParseStage } from './progress.js';
 import type { RepairReport } from './repair.js';
 import { isBlob, type Job, type Reply, type Request, toSent } from './worker-messages.js';
 
@@ -70,5 +71,7 @@ async function meshOf(job: Job): Promise<{ mesh: HalfedgeMesh; report: RepairRep
     return HalfedgeMesh.fromSoup(job.positions as number[], job.faces as number[], job.options);
   }
   const data = isBlob(job.data) ? await job.data.arrayBuffer() : (job.data as Uint8Array);
-  return HalfedgeMesh.parse(data, job.options);
+  const onProgress = (fraction: number, stage: ParseStage) =>
+    port.post({ kind: 'progress', fraction, stage }, []);
+  return HalfedgeMesh.parse(data, job.tells ? { ...job.options, onProgress } : job.options);
 }

@@ -4,6 +4,7 @@ import { HalfedgeError } from './errors.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import type { ParseOptions, ParseReport } from './parse.js';
+import { cancelled, checkSignal, type ProgressOptions } from './progress.js';
 import type { RepairReport, SoupOptions } from './repair.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
@@ -13,7 +14,6 @@ export type { WorkerLike } from './thread.js';
 
 declare global {
   // As of the browser. A consumer in Node may do without its types, but not without names.
-  interface AbortSignal {}
   interface Blob {}
 }
 
@@ -37,8 +37,12 @@ export interface MeshWorkerOptions {
   worker?: () => WorkerLike;
 }
 
+/** As ProgressOptions, with undefined as well. */
+type Following = { [Key in keyof ProgressOptions]: ProgressOptions[Key] | undefined };
+
 interface Task {
   readonly job: Job;
+  readonly onProgress: ProgressOptions['onProgress'];
   readonly transfer: readonly object[];
   resolve(reply: Reply & { kind: 'done' }): void;
   reject(error: unknown): void;
@@ -68,11 +72,14 @@ export class MeshWorker {
     source: string | ArrayBuffer | ArrayBufferView | Blob,
     options: ParseOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
-    const { signal, transfer = false, ...rest } = checkJobOptions(options);
+    const { signal, transfer = false, onProgress, ...rest } = checkJobOptions(options);
+    if (onProgress !== undefined && typeof onProgress !== 'function') {
+      throw new TypeError(`options.onProgress is ${describe(onProgress)}; expected a function.`);
+    }
+    const tells = onProgress !== undefined;
     const data = contentOf(source, transfer);
-    const { bytes, report } = await this.#run({ kind: 'parse', data, options: rest }, signal, [
-      data,
-    ]);
+    const job: Job = { kind: 'parse', data, options: rest, tells };
+    const { bytes, report } = await this.#run(job, { signal, onProgress }, [data]);
     return { mesh: meshOf(bytes), report: report as ParseReport };
   }
 
@@ -93,7 +100,7 @@ export class MeshWorker {
       options: rest,
     };
     const lists = job.faces as Partial<Polygons>;
-    const { bytes, report } = await this.#run(job, signal, [
+    const { bytes, report } = await this.#run(job, { signal }, [
       job.positions,
       job.faces,
       lists?.sizes,
@@ -115,7 +122,7 @@ export class MeshWorker {
   /** Runs a job when all before it are done. `data`: what may be worth transferring. */
   #run(
     job: Job,
-    signal: AbortSignal | undefined,
+    { signal, onProgress }: Following,
     data: unknown[],
   ): Promise<Reply & { kind: 'done' }> {
     if (this.#terminated) {
@@ -133,6 +140,7 @@ export class MeshWorker {
       const done = () => signal?.removeEventListener('abort', abort);
       const task: Task = {
         job,
+        onProgress,
         transfer,
         resolve: (reply) => {
           done();
@@ -206,10 +214,25 @@ export class MeshWorker {
 
   #receive(reply: Reply): void {
     const task = this.#running;
+    if (reply.kind === 'progress') {
+      this.#tell(task, reply);
+      return;
+    }
     this.#running = undefined;
     if (reply.kind === 'done') task?.resolve(reply);
     else task?.reject(fromSent(reply.error));
     this.#next();
+  }
+
+  #tell(task: Task | undefined, { fraction, stage }: Reply & { kind: 'progress' }): void {
+    try {
+      if (task?.onProgress?.(fraction, stage) !== false) return;
+      throw cancelled();
+    } catch (error) {
+      // The callback may have cancelled by itself.
+      if (task !== undefined && task === this.#running) this.#cancel(task);
+      task?.reject(error);
+    }
   }
 
   #fail(why: string): void {
@@ -270,9 +293,7 @@ function checkJobOptions<T extends JobOptions>(options: T): T {
   if (transfer !== undefined && typeof transfer !== 'boolean') {
     throw new TypeError(`options.transfer is ${describe(transfer)}; expected true or false.`);
   }
-  if (signal !== undefined && typeof signal.throwIfAborted !== 'function') {
-    throw new TypeError(`options.signal is ${describe(signal)}; expected an AbortSignal.`);
-  }
+  checkSignal(signal);
   return options;
 }
 

@@ -71,10 +71,13 @@ Statement statement_of(std::string_view word) {
 class ObjReader {
  public:
   ObjReader(std::span<const std::uint8_t> bytes, const Request& request)
-      : text_(bytes), options_(request.options), out_(request.wanted) {}
+      : text_(bytes), options_(request.options), out_(request.wanted) {
+    out_.follow(bytes, options_.progress);
+  }
 
   [[nodiscard]] std::optional<Error> read() {
     for (; !text_.at_end(); text_.skip_line()) {
+      out_.reached(text_.position());
       text_.skip_blanks();
       if (text_.at_line_end()) continue;
       if (!read_statement()) return error_;

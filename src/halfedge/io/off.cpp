@@ -22,11 +22,11 @@ class OffReader {
  public:
   /// `text` is behind the header.
   OffReader(const TextScanner& text, const OffHeader& header, const Request& request)
-      : text_(text),
-        data_(text),
-        options_(request.options),
-        out_(request.wanted),
-        header_(header) {}
+      : text_(text), data_(text), options_(request.options), out_(request.wanted), header_(header) {
+    const std::string_view rest = text.rest();
+    out_.follow({reinterpret_cast<const std::uint8_t*>(rest.data()), rest.size()},
+                options_.progress);
+  }
 
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return out_; }
@@ -111,6 +111,7 @@ bool OffReader::skip_to_value(bool packed) {
 
 bool OffReader::read_vertex() {
   text_.skip_to_token();
+  out_.reached(text_.position());
   std::array<float, 4> p{};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) {
@@ -156,6 +157,7 @@ void OffReader::read_values_of_vertex() {
 
 bool OffReader::read_face() {
   text_.skip_to_token();
+  out_.reached(text_.position());
   out_.begin_face(text_.position());
   const TextScanner start = text_;
   std::int64_t degree = 0;

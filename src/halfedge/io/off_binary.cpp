@@ -93,7 +93,9 @@ class BinaryReader {
   /// pre: read_counts() found nothing wrong
   BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours,
                const ParseOptions& options)
-      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_(nullptr) {}
+      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_(nullptr) {
+    out_.follow({bytes.position(), bytes.left()}, options.progress);
+  }
 
   [[nodiscard]] Result<ParsedFile> read();
 
@@ -136,6 +138,7 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
 
 template <ByteOrder kOrder>
 void BinaryReader<kOrder>::read_vertex() {
+  out_.reached(bytes_.position());
   std::array<float, 4> p{0, 0, 0, 1};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) p[i] = bytes_.take<float, kOrder>();
@@ -156,6 +159,7 @@ void BinaryReader<kOrder>::read_vertex() {
 
 template <ByteOrder kOrder>
 bool BinaryReader<kOrder>::read_face() {
+  out_.reached(bytes_.position());
   std::uint32_t degree = 0;
   if (!read_length(degree, "the number of vertices")) return false;
   for (std::uint32_t corner = 0; corner < degree; ++corner) {

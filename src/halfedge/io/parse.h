@@ -2,6 +2,7 @@
 
 #include <halfedge/build/polygons.h>
 #include <halfedge/build/soup_attribute.h>
+#include <halfedge/progress.h>
 #include <halfedge/result.h>
 
 #include <cstddef>
@@ -46,6 +47,8 @@ struct ParseOptions {
   /// are let through, for `build_from_soup` to leave them out and say so. Otherwise they are an
   /// error here, which names the place.
   bool for_repair = false;
+  /// Is told about every MiB how much has been read, and may cancel that (code cancelled).
+  Progress progress = {};
 };
 
 /// Reads a file. Its content decides the format; `claimed` (what the name of the file says, or its
@@ -61,7 +64,7 @@ struct ParseOptions {
 ///
 /// Codes: parse-error, truncated (the file ends too early), index-out-of-range, non-finite-position
 /// (in STL), unknown-format, unsupported-format (known, but not readable), not-text (UTF-16,
-/// binary), too-large, out-of-memory.
+/// binary), too-large, out-of-memory, cancelled (by who follows the progress).
 [[nodiscard]] Result<ParsedFile> parse(std::span<const std::uint8_t> bytes,
                                        std::optional<Format> claimed = std::nullopt,
                                        const ParseOptions& options = {});

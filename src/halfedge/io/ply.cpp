@@ -146,6 +146,7 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
   }
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     source_.begin_row();
+    out_.reached(source_.position());
     std::array<float, 3> p{};
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
@@ -209,6 +210,8 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
       piece.to.first += rows * piece.to.stride;
     }
     bytes.skip(rows * size);
+    out_.reached(bytes.position());
+    if (out_.out_of_memory()) break;
   }
   return true;
 }
@@ -231,6 +234,7 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
   }
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     out_.begin_face(source_.begin_row());
+    out_.reached(source_.position());
     texture_begin_ = out_.corner_count();
     for (std::size_t k = 0; k < element.properties.size(); ++k) {
       const PlyProperty& property = element.properties[k];
@@ -331,6 +335,7 @@ bool PlyReader<Source>::read_strips(const PlyElement& element) {
   note_unread(element, {&list, 1});
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     source_.begin_row();
+    out_.reached(source_.position());
     for (const PlyProperty& property : element.properties) {
       if (!(&property == list ? read_strip(property) : skip(element, property))) return false;
     }
@@ -404,8 +409,9 @@ bool PlyReader<Source>::skip_rows(const PlyElement& element) {
                      quoted(element.name));
   }
   if (element.properties.empty()) return true;
-  for (; row_ < element.count; ++row_) {
+  for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     source_.begin_row();
+    out_.reached(source_.position());
     for (const PlyProperty& property : element.properties) {
       if (!skip(element, property)) return false;
     }
@@ -453,8 +459,10 @@ std::vector<std::string> PlyReader<Source>::notes() {
 }
 
 template <class Source>
-Result<ParsedFile> read_rows(const PlyHeader& header, Source source, const Request& request) {
+Result<ParsedFile> read_rows(std::span<const std::uint8_t> bytes, const PlyHeader& header,
+                             Source source, const Request& request) {
   PlyReader<Source> reader(header, std::move(source), request);
+  reader.out().follow(bytes, request.options.progress);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
   const bool binary = header.encoding != PlyEncoding::kText;
   return ParsedFile{Format::kPly, std::move(reader.out().soup()), reader.notes(), binary,
@@ -469,11 +477,11 @@ Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes, const Request& 
   const std::size_t start = header.value().size;
   switch (header.value().encoding) {
     case PlyEncoding::kText:
-      return read_rows(header.value(), PlyText(bytes, start), request);
+      return read_rows(bytes, header.value(), PlyText(bytes, start), request);
     case PlyEncoding::kLittleEndian:
-      return read_rows(header.value(), PlyBinary<ByteOrder::kLittle>(bytes, start), request);
+      return read_rows(bytes, header.value(), PlyBinary<ByteOrder::kLittle>(bytes, start), request);
     case PlyEncoding::kBigEndian:
-      return read_rows(header.value(), PlyBinary<ByteOrder::kBig>(bytes, start), request);
+      return read_rows(bytes, header.value(), PlyBinary<ByteOrder::kBig>(bytes, start), request);
   }
   return Error{"parse-error", "the encoding of the file does not exist"};
 }

@@ -29,6 +29,7 @@ class PlyText {
     return values - std::min(values, others);
   }
 
+  [[nodiscard]] const void* position() const { return text_.position(); }
   /// Returns where the row starts.
   const char* begin_row() {
     text_.skip_to_token();
@@ -116,6 +117,7 @@ class PlyBinary {
   }
   [[nodiscard]] ByteScanner& bytes() { return bytes_; }
 
+  [[nodiscard]] const void* position() const { return bytes_.position(); }
   /// Nobody looks for the rows of a file without lines.
   const char* begin_row() { return nullptr; }
   [[nodiscard]] bool read(PlyType type, float& value) {

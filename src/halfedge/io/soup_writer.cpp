@@ -5,6 +5,14 @@
 
 namespace halfedge::io {
 
+void SoupWriter::report(const void* position) {
+  next_report_ = address_of(position) + kReportEvery;
+  const auto done = static_cast<double>(address_of(position) - address_of(bytes_.data()));
+  if (progress_(Stage::kRead, done / static_cast<double>(bytes_.size()))) return;
+  cancelled_ = true;
+  out_of_memory_ = true;  // which ends all loops of readers
+}
+
 Error error_at(const TextScanner& text, std::string code, const std::string& message) {
   return {std::move(code), "line " + std::to_string(text.line()) + ": " + message};
 }
@@ -34,6 +42,7 @@ std::optional<Error> check_size(SoupWriter& out) {
   if (!too_large && !out.out_of_memory()) return std::nullopt;
 
   out.soup() = {};
+  if (out.cancelled()) return Error{"cancelled", "reading was cancelled"};
   const std::string counts = std::to_string(vertices) + " vertices, " + std::to_string(faces) +
                              " faces and " + std::to_string(corners) + " corners of faces";
   if (out.out_of_memory()) {

@@ -2,6 +2,7 @@
 
 #include <halfedge/build/polygons.h>
 #include <halfedge/io/text_scanner.h>
+#include <halfedge/progress.h>
 #include <halfedge/result.h>
 
 #include <algorithm>
@@ -55,8 +56,9 @@ class SoupWriter {
   /// Of the face that is being written.
   [[nodiscard]] std::size_t corners_of_face() const { return soup_.corners.size() - face_start_; }
   [[nodiscard]] Index largest_index() const { return largest_; }
-  /// An allocation failed: what was written since is lost.
+  /// An allocation failed, and what was written since is lost; or reading was cancelled.
   [[nodiscard]] bool out_of_memory() const { return out_of_memory_; }
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
   /// For an allocation of the reader's own.
   void set_out_of_memory() { out_of_memory_ = true; }
 
@@ -76,6 +78,16 @@ class SoupWriter {
   /// Room for so many more vertices, three numbers each, for the caller to fill in; or null.
   [[nodiscard]] float* add_vertices(std::size_t count) {
     return append(soup_.positions, 3 * count);
+  }
+  /// `progress` is told from now on how much of these bytes has been read.
+  void follow(std::span<const std::uint8_t> bytes, const Progress& progress) {
+    bytes_ = bytes;
+    progress_ = progress;
+    if (progress.report != nullptr) next_report_ = address_of(bytes.data()) + kReportEvery;
+  }
+  /// The reader has come to `position`, and goes on unless that is cancelled (see out_of_memory).
+  void reached(const void* position) {
+    if (address_of(position) >= next_report_) report(position);
   }
   /// The text of the next face starts at `position`.
   void begin_face(const char* position) {
@@ -108,6 +120,12 @@ class SoupWriter {
   [[nodiscard]] PolygonSoup& soup() { return soup_; }
 
  private:
+  static constexpr std::uintptr_t kReportEvery = std::uintptr_t{1} << 20;
+
+  [[nodiscard]] static std::uintptr_t address_of(const void* position) {
+    return reinterpret_cast<std::uintptr_t>(position);
+  }
+  void report(const void* position);
   void look_for_next() {
     if (wanted_ != nullptr) next_wanted_ = wanted_->next();
   }
@@ -135,8 +153,12 @@ class SoupWriter {
   std::size_t face_start_ = 0;
   Index largest_ = 0;
   bool out_of_memory_ = false;
+  bool cancelled_ = false;
   FacePositions* wanted_;
   std::size_t next_wanted_ = static_cast<std::size_t>(-1);
+  std::span<const std::uint8_t> bytes_;
+  Progress progress_;
+  std::uintptr_t next_report_ = UINTPTR_MAX;
 };
 
 /// "line N: " before a message about what the cursor stands at.
@@ -150,8 +172,8 @@ class SoupWriter {
 [[nodiscard]] inline Error no_memory_for_attributes() {
   return {"out-of-memory", "memory was exhausted after the file had been read"};
 }
-/// Memory is exhausted, or the counts are beyond 32-bit indices; else nothing. The soup is freed
-/// with an error, which needs memory itself.
+/// Memory is exhausted, reading was cancelled, or the counts are beyond 32-bit indices; else
+/// nothing. The soup is freed with an error, which needs memory itself.
 [[nodiscard]] std::optional<Error> check_size(SoupWriter& out);
 
 }  // namespace halfedge::io

@@ -34,7 +34,10 @@ bool is_word(std::string_view text, std::string_view word) {
 /// Triangles over welded vertices.
 class TriangleWriter {
  public:
-  explicit TriangleWriter(FacePositions* wanted) : out_(wanted) {}
+  TriangleWriter(std::span<const std::uint8_t> bytes, const Request& request)
+      : out_(request.wanted) {
+    out_.follow(bytes, request.options.progress);
+  }
 
   [[nodiscard]] SoupWriter& out() { return out_; }
   /// Room for the triangles, and for half as many vertices, as they share in a mesh.
@@ -121,12 +124,13 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
                              " triangles, but what follows has room for " + std::to_string(room));
   }
 
-  TriangleWriter writer(nullptr);
+  TriangleWriter writer(bytes, {options});
   SoupWriter& out = writer.out();
   writer.reserve(static_cast<std::size_t>(count));
   const std::uint8_t* at = bytes.data() + kStart;
   SoupAttribute attribute = face_attribute();
   for (std::size_t face = 0; face < count && !out.out_of_memory(); ++face, at += kTriangle) {
+    out.reached(at);
     Triangle triangle;
     for (std::size_t i = 0; i < 9; ++i) {
       triangle[i] = load<float, ByteOrder::kLittle>(at + 12 + 4 * i);
@@ -159,7 +163,7 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
 class TextReader {
  public:
   TextReader(std::span<const std::uint8_t> bytes, const Request& request)
-      : text_(bytes), options_(request.options), writer_(request.wanted) {}
+      : text_(bytes), options_(request.options), writer_(bytes, request) {}
 
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return writer_.out(); }
@@ -198,6 +202,7 @@ std::optional<Error> TextReader::read() {
   for (text_.skip_to_token(); !text_.at_end() && !out().out_of_memory(); text_.skip_to_token()) {
     const char* const start = text_.position();
     if (skip_word("facet")) {
+      out().reached(start);
       out().begin_face(start);
       if (!read_facet()) return error_;
     } else if (skip_word(in_solid_ ? "endsolid" : "solid")) {

@@ -34,7 +34,10 @@ class Repair {
   Repair(Mesh& mesh, const Polygons& input, const RepairOptions& options, RepairReport& report)
       : mesh_(mesh), input_(input), options_(options), report_(report), log_(report) {}
 
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+
   [[nodiscard]] ConnectResult run() {
+    if (!go_on(Stage::kBuild, 0)) return ConnectResult::kOutOfMemory;
     if (!options_.weld) {
       const ConnectResult result = take_as_it_is();
       if (result != ConnectResult::kNotManifold) return result;
@@ -100,11 +103,17 @@ class Repair {
     Surface surface;
     repair::Crowds crowds;
     Array<Index> vertex_of;
-    return repair::arrange(input_, vertices_, faces_, surface) &&
-           repair::match(surface, faces_, log_, crowds) && repair::orient(surface, faces_, log_) &&
-           repair::match_crowds(surface, crowds) &&
+    return go_on(Stage::kRepair, 0) && repair::arrange(input_, vertices_, faces_, surface) &&
+           go_on(Stage::kRepair, 0.2) && repair::match(surface, faces_, log_, crowds) &&
+           go_on(Stage::kRepair, 0.5) && repair::orient(surface, faces_, log_) &&
+           go_on(Stage::kRepair, 0.7) && repair::match_crowds(surface, crowds) &&
            repair::split_vertices(surface, crowds, faces_, log_, vertex_of, copies_) &&
-           take_back(surface, vertex_of);
+           take_back(surface, vertex_of) && go_on(Stage::kRepair, 1);
+  }
+  // False if whoever follows the progress cancels. The steps end then as for want of memory.
+  [[nodiscard]] bool go_on(Stage stage, double fraction) {
+    cancelled_ = !options_.progress(stage, fraction);
+    return !cancelled_;
   }
 
   // Copies the surface to faces_, in the order of the input and with the corners they start at.
@@ -257,6 +266,7 @@ class Repair {
   Array<Index> sizes_;
   Array<Index> number_;  // by vertex: that of the mesh, or kNone
   std::size_t isolated_ = 0;
+  bool cancelled_ = false;
 };
 
 bool fail(RepairReport& report, const char* code, std::string message) {
@@ -283,12 +293,14 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
                 "The tolerance of welding is " + std::to_string(*options.weld) +
                     "; expected a finite number from 0.");
   }
-  ConnectResult result = Repair(mesh, polygons, options, report).run();
+  Repair repair(mesh, polygons, options, report);
+  ConnectResult result = repair.run();
   if (result == ConnectResult::kDone && !mesh.fit_attributes()) {
     result = ConnectResult::kOutOfMemory;
   }
   if (result == ConnectResult::kDone) return true;
   mesh.clear();
+  if (repair.cancelled()) return fail(report, "cancelled", "The repair was cancelled.");
   switch (result) {
     case ConnectResult::kDone:
     case ConnectResult::kNotManifold:

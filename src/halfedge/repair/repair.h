@@ -4,6 +4,7 @@
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/convert.h>
 #include <halfedge/mesh.h>
+#include <halfedge/progress.h>
 #include <halfedge/result.h>
 
 #include <array>
@@ -46,6 +47,9 @@ struct RepairOptions {
   /// Leaves out the vertices without faces. Otherwise they are kept, but for those without a finite
   /// position.
   bool drop_isolated = false;
+  /// Is told of the steps of a repair, if one is necessary, and of the build, and may cancel them
+  /// (code cancelled).
+  Progress progress = {};
 };
 
 /// What has happened to a face of the input.

@@ -2,7 +2,7 @@ import { open } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 import { looksLikeGltf } from '../gltf/container.js';
 import { readGltf } from '../gltf/index.js';
-import { HalfedgeError, HalfedgeMesh, type RepairReport } from '../index.js';
+import { HalfedgeError, HalfedgeMesh, type ParseStage, type RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { Complaint, isSystemError, reasonOf } from './complaint.js';
 import { type AnyFormat, FORMATS, formatOfName, isGltf } from './formats.js';
@@ -28,7 +28,9 @@ export async function load(path: string, args: Arguments, progress: Progress): P
   progress.begin(nameOf(path));
   const bytes = await readBytes(path, progress);
   try {
-    const { mesh, report } = await meshOf(bytes, path, claimed);
+    const { mesh, report } = await meshOf(bytes, path, claimed, (fraction, stage) => {
+      progress.update(STAGES[stage], fraction);
+    });
     return { mesh, report, size: bytes.length };
   } catch (error) {
     if (error instanceof HalfedgeError) throw new Complaint(`${nameOf(path)}: ${error.message}`);
@@ -38,12 +40,21 @@ export async function load(path: string, args: Arguments, progress: Progress): P
   }
 }
 
-function meshOf(bytes: Uint8Array, path: string, format: AnyFormat | undefined) {
+/** What the work on a file is called, after its bytes are there. */
+const STAGES = { read: 'parsing', repair: 'repairing', build: 'building' } as const;
+
+function meshOf(
+  bytes: Uint8Array,
+  path: string,
+  format: AnyFormat | undefined,
+  onProgress: (fraction: number, stage: ParseStage) => void,
+) {
   if (isGltf(format) || looksLikeGltf(bytes)) {
     // Buffers in other files lie beside it.
     return readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) });
   }
-  return HalfedgeMesh.parse(bytes, format === undefined ? {} : { format });
+  const options = format === undefined ? {} : { format };
+  return HalfedgeMesh.parse(bytes, { ...options, onProgress });
 }
 
 /** The bytes of a file, read into memory once. */
