@@ -330,6 +330,16 @@ describe('halfedge convert', () => {
     expect(written('cut.off').mesh.faceCount).toBe(2);
   });
 
+  test('keeps the names of materials, and tells what the output has no place for', async () => {
+    const named = QUAD.replace('f 1', 'usemtl oak\nf 1');
+    const { out, err } = await run(['convert', '--to', 'obj'], named);
+    expect(out).toContain('usemtl oak\nf 1 2 3 4');
+    expect(err).toBe('');
+    const stl = await run(['convert', '-', 'named.stl'], named);
+    expect(stl).toMatchObject({ status: 0, err: expect.stringMatching(/^named\.stl: .*material/) });
+    expect((await run(['convert', '-', 'named.stl', '-q'], named)).err).toBe('');
+  });
+
   test('tells on standard error what it had to repair', async () => {
     const { status, out, err } = await run(['convert', 'clashing.off', '--to', 'obj']);
     expect(status).toBe(0);

@@ -27,11 +27,12 @@ async function run(args: Arguments): Promise<number> {
   const { input, output } = inputAndOutput(args);
   const format = outputFormat(args, output);
   const progress = new Progress(progressMode(args));
-  const { mesh, report } = await load(input, args, progress);
+  const loaded = await load(input, args, progress);
+  const { mesh, report } = loaded;
   adaptTextures(mesh, report.format, format);
   if (args.has('triangulate')) mesh.triangulate();
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
-  await save(mesh, output, format, args);
+  await save(loaded, output, format, args);
   mesh.dispose();
   const { summary } = report;
   if (args.has('quiet')) return 0;

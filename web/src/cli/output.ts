@@ -1,10 +1,11 @@
 import { writeFile } from 'node:fs/promises';
 import { writeGltf } from '../gltf/index.js';
-import type { FileEncoding, HalfedgeMesh } from '../index.js';
+import type { AttributeNames, FileEncoding, HalfedgeMesh, WriteOptions } from '../index.js';
 import { HalfedgeError } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { Complaint, isSystemError, reasonOf } from './complaint.js';
 import { type AnyFormat, isGltf } from './formats.js';
+import type { Loaded } from './input.js';
 
 const ENCODINGS: readonly FileEncoding[] = ['text', 'binary', 'binary-big-endian'];
 
@@ -29,14 +30,21 @@ export function counted(count: number, one: string, many = `${one}s`): string {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** Writes a mesh to a file, or to standard output (`-`). */
+/** Writes a mesh, and the names that its report has, to a file or to standard output (`-`). */
 export async function save(
-  mesh: HalfedgeMesh,
+  { mesh, report }: Loaded,
   path: string,
   format: AnyFormat,
   args: Arguments,
 ): Promise<void> {
-  const content = await contentOf(mesh, format, args.choice('encoding', ENCODINGS));
+  const encoding = args.choice('encoding', ENCODINGS);
+  const content = await contentOf(mesh, format, {
+    ...(encoding === undefined ? {} : { encoding }),
+    ...('names' in report ? { names: report.names as AttributeNames } : {}),
+    onNote: (note) => {
+      if (!args.has('quiet')) printError(`${path === '-' ? 'standard output' : path}: ${note}`);
+    },
+  });
   if (path === '-' && process.stdout.isTTY && typeof content !== 'string') {
     throw new Complaint(
       `Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for --encoding text.`,
@@ -59,14 +67,14 @@ export async function save(
 async function contentOf(
   mesh: HalfedgeMesh,
   format: AnyFormat,
-  encoding: FileEncoding | undefined,
+  options: WriteOptions,
 ): Promise<string | Uint8Array> {
-  if (isGltf(format) && encoding !== undefined) {
+  if (isGltf(format) && options.encoding !== undefined) {
     throw new Complaint('--encoding is for OBJ, OFF, PLY and STL; choose --to glb or --to gltf.');
   }
   try {
     if (isGltf(format)) return await writeGltf(mesh, { format });
-    return mesh.write(format, encoding === undefined ? {} : { encoding });
+    return mesh.write(format, options);
   } catch (error) {
     if (error instanceof HalfedgeError) throw new Complaint(error.message);
     throw error;

@@ -31,12 +31,13 @@ async function run(args: Arguments): Promise<number> {
   const keep = args.number('keep-largest', 1);
   const progress = new Progress(progressMode(args));
   outputFormat(args, output, 'obj'); // complain before reading
-  const { mesh, report } = await load(input, args, progress);
+  const loaded = await load(input, args, progress);
+  const { mesh, report } = loaded;
   const format = outputFormat(args, output, report.format);
   adaptTextures(mesh, report.format, format);
   const extra = [...dropIsolated(mesh, args), ...keepLargest(mesh, keep)];
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
-  await save(mesh, output, format, args);
+  await save(loaded, output, format, args);
   mesh.dispose();
   if (args.has('quiet')) return 0;
   const tell = output === '-' ? printError : print;
