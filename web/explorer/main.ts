@@ -8,6 +8,7 @@ import './styles/inspector.css';
 import './styles/circulator.css';
 import './styles/edit.css';
 import './styles/mesh.css';
+import './styles/problems.css';
 import './styles/sheet.css';
 import './styles/overlays.css';
 import './styles/narrow.css';
@@ -18,9 +19,10 @@ import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { listenToKeys } from './ui/keyboard.js';
-import { busyNotice, dropTarget, failureNotice, helpDialog, repairNotice } from './ui/notices.js';
+import { busyNotice, dropTarget, failureNotice, helpDialog } from './ui/notices.js';
 import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
+import { pictureSwitch } from './ui/picture-switch.js';
 import { listenToPointer } from './ui/pointer.js';
 import { publishState } from './ui/state-attributes.js';
 import { Theme } from './ui/theme.js';
@@ -43,16 +45,19 @@ async function start(): Promise<void> {
   const view = new View(explorer, canvas, labels);
   theme.current.subscribe(() => view.applyTheme());
   const tab = new Signal<Tab>('circulate');
-  const side = panel(explorer, tab, (item) => {
-    explorer.select(item);
-    view.focus();
+  const side = panel(explorer, tab, {
+    goTo: (item) => {
+      explorer.select(item);
+      view.focus();
+    },
+    toProblem: () => view.focus(),
   });
   app.append(
     topBar(explorer, theme, openHelp),
     pickBar(explorer, () => view.focus()),
+    pictureSwitch(explorer),
     side,
     failureNotice(explorer),
-    repairNotice(explorer),
     refusalNotice(explorer),
     pendingNotice(explorer),
     busyNotice(explorer),
@@ -71,6 +76,7 @@ start().catch((error: unknown) => {
   document.documentElement.dataset.state = 'error';
   explorer.failure.value = {
     title: 'The explorer could not start',
+    lesson: null,
     message: error instanceof Error ? error.message : String(error),
   };
   if (!document.querySelector('.notice')) document.body.append(failureNotice(explorer));

@@ -73,6 +73,13 @@ export class ExplorerPage {
     await this.ready(name);
   }
 
+  /** Opens a broken sample by the menu. */
+  async broken(id: string, name: string): Promise<void> {
+    await this.page.click('.mesh-button');
+    await this.page.click(`[data-broken=${id}]`);
+    await this.ready(name);
+  }
+
   /** An attribute of the stage, without `data-`. */
   async state(name: string): Promise<string | null> {
     return this.page.getAttribute('main.stage', `data-${name}`);

@@ -1,4 +1,4 @@
-import { HalfedgeMesh, NONE } from 'halfedge';
+import { HalfedgeMesh, type MendReport, NONE } from 'halfedge';
 import type { PickMode } from '../scene/picking.js';
 import type { Explorer } from './explorer.js';
 import { type Item, isLive, item, itemName } from './items.js';
@@ -65,6 +65,8 @@ export class Editor {
   readonly edit = new Signal<Edit | null>(null);
   /** What the last key or button did, in words; read out by screen readers. */
   readonly outcome = new Signal('');
+  /** What the last repair did, and what it had to leave; empty after anything else. */
+  readonly report = new Signal('');
 
   readonly #explorer: Explorer;
   #done: Step[] = [];
@@ -87,6 +89,7 @@ export class Editor {
     this.#wait(null);
     this.refused.value = null;
     this.outcome.value = '';
+    this.report.value = '';
     this.#publish();
   }
 
@@ -192,8 +195,10 @@ export class Editor {
       );
       return;
     }
+    const report = operation.reports ? reportWords(result as MendReport) : '';
     if (mesh.version === version) {
-      this.outcome.value = `Nothing to do: ${title}.`;
+      this.outcome.value = `Nothing to do: ${title}. ${report}`;
+      this.report.value = report;
       return;
     }
     const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
@@ -201,16 +206,17 @@ export class Editor {
     this.#done.push({ title, edit, before: first, after });
     this.#undone = [];
     while (this.#done.length > mesh.history.undoCount) this.#done.shift();
-    this.#finish(`Done: ${title}.`, { ...edit }, after);
+    this.#finish(`Done: ${title}. ${report}`, { ...edit }, after, report);
   }
 
-  #finish(outcome: string, edit: Edit, selection: Item | null): void {
+  #finish(outcome: string, edit: Edit, selection: Item | null, report = ''): void {
     const mesh = this.#mesh;
     together(() => {
       this.edit.value = edit;
       this.refused.value = null;
       this.#wait(null);
       this.outcome.value = outcome;
+      this.report.value = report;
       this.#publish();
       this.#explorer.refresh(selection && mesh && isLive(mesh, selection) ? selection : null);
     });
@@ -268,6 +274,14 @@ export class Editor {
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
   }
+}
+
+/** What a repair did, and the first of what it could not do. */
+function reportWords({ summary, problems }: MendReport): string {
+  const [first, ...others] = problems;
+  if (!first) return summary;
+  const more = others.length > 0 ? ` (and ${others.length} more)` : '';
+  return `${summary} ${first.message}${more}`;
 }
 
 /** `flip e12`, `insert edge h3, h9`, `reverse`. */

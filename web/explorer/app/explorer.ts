@@ -1,13 +1,13 @@
-import type { Direction, HalfedgeMesh } from 'halfedge';
-import { type Sample, samples } from '../samples/index.js';
+import type { Direction, HalfedgeMesh, Problem } from 'halfedge';
+import { samples } from '../samples/index.js';
 import type { PickMode } from '../scene/picking.js';
 import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
 import {
   failureOf,
   type MeshDocument,
   type OpenFailure,
-  openFile,
-  openSample,
+  openSource,
+  type Source,
 } from './documents.js';
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts } from './facts.js';
@@ -57,6 +57,10 @@ export class Explorer {
   /** What is being opened, while it is. */
   readonly busy = new Signal<string | null>(null);
   readonly failure = new Signal<OpenFailure | null>(null);
+  /** Whether the picture shows the polygons of the file as they stand there. */
+  readonly showsFile = new Signal(false);
+  /** The problem of the file that is lit. */
+  readonly problem = new Signal<Problem | null>(null);
   /** A remark on the last key or entry that led nowhere; read out by screen readers. */
   readonly remark = new Signal('');
   readonly editor: Editor;
@@ -71,18 +75,18 @@ export class Explorer {
   }
 
   /** Opens a sample or a file. A failure leaves the mesh on show as it is. */
-  async open(source: Sample | File): Promise<void> {
+  async open(source: Source): Promise<void> {
     const opening = ++this.#opening;
     this.pause();
     this.failure.value = null;
     this.busy.value = source.name;
     await painted();
     try {
-      const opened = source instanceof File ? await openFile(source) : await openSample(source);
+      const opened = await openSource(source);
       if (opening === this.#opening) this.#show(opened);
       else opened.mesh.dispose();
     } catch (error) {
-      if (opening === this.#opening) this.failure.value = failureOf(error, source.name);
+      if (opening === this.#opening) this.failure.value = failureOf(error, source);
     } finally {
       if (opening === this.#opening) this.busy.value = null;
     }
@@ -93,7 +97,16 @@ export class Explorer {
     this.#opening += 1;
     this.busy.value = null;
     this.pause();
-    this.#show({ name, mesh, sample: null, start: null, repairs: null, view: [0.35, 0.3, 1] });
+    this.#show({
+      name,
+      stem: name,
+      mesh,
+      sample: null,
+      start: null,
+      diagnosis: null,
+      lesson: null,
+      view: [0.35, 0.3, 1],
+    });
   }
 
   openFirstSample(): Promise<void> {
@@ -108,6 +121,8 @@ export class Explorer {
       return;
     }
     this.remark.value = '';
+    // Items are those of the mesh: they can't be shown in the file.
+    if (item) this.#leaveProblems();
     if (sameItem(item, this.selected.value)) return;
     this.pause();
     this.selected.value = item;
@@ -120,9 +135,29 @@ export class Explorer {
     else this.select(item);
   }
 
+  /** Shows the polygons of the file, or the mesh that was made of them. */
+  showFile(shows: boolean): void {
+    if (shows && !this.document.value?.diagnosis) return;
+    this.pause();
+    if (shows) this.select(null);
+    this.showsFile.value = shows;
+  }
+
+  /** Lights a problem of the file, in either picture. */
+  showProblem(problem: Problem): void {
+    this.select(null);
+    this.problem.value = problem;
+  }
+
+  #leaveProblems(): void {
+    this.problem.value = null;
+    this.showsFile.value = false;
+  }
+
   /** After a change of the mesh: selects `item` afresh, and looks again at all that it changed. */
   refresh(item: Item | null): void {
     this.remark.value = '';
+    this.#leaveProblems();
     this.hovered.value = null;
     this.selected.value = item && { ...item };
     this.#offerQueries();
@@ -199,6 +234,7 @@ export class Explorer {
     this.selected.value = null;
     this.hovered.value = null;
     this.facts.value = null;
+    this.#leaveProblems();
     this.#offerQueries();
     this.editor.open(opened.mesh);
     this.document.value = opened;

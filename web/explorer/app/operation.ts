@@ -21,8 +21,8 @@ export interface Operation {
   readonly label: string;
   /** One line that says what it does. */
   readonly meaning: string;
-  /** Pressed with shift; `Delete` without. */
-  readonly key: string;
+  /** Pressed with shift; `Delete` without. Left out, there is a button alone. */
+  readonly key?: string;
   /** The kind of the second item, and how to ask for it. */
   readonly second?: { readonly kind: ItemKind; readonly ask: string };
   /** The arguments of the method; the indices of the items if left out. */
@@ -35,6 +35,8 @@ export interface Operation {
   slidesInto?(operands: Operands): number;
   /** It leaves the mesh as it is and returns another one, which is opened. */
   readonly opens?: boolean;
+  /** It returns a report, whose summary is shown. */
+  readonly reports?: boolean;
   /** New vertices come out of the nearest corner of the item, instead of appearing where they are. */
   readonly grows?: boolean;
 }

@@ -2,6 +2,7 @@ import type { HalfedgeMesh } from 'halfedge';
 import type { Item } from './items.js';
 import type { Operation } from './operation.js';
 import { onHalfedges } from './operations-on-halfedges.js';
+import { repairs } from './operations-that-repair.js';
 
 type Maps = ReturnType<HalfedgeMesh['compact']>;
 
@@ -232,6 +233,7 @@ export const operations: readonly Operation[] = [
   ...onHalfedges,
   ...onFaces,
   ...onMeshes,
+  ...repairs,
 ];
 
 /** The mean length of the edges of a face, in the units of the mesh. */

@@ -6,7 +6,15 @@ import type { Stage } from './stage.js';
 export interface Label {
   readonly text: string;
   /** A class that says what it marks; see overlays.css. */
-  readonly look: 'self' | 'hover' | 'ordinal' | 'current' | 'link' | 'witness' | 'first';
+  readonly look:
+    | 'self'
+    | 'hover'
+    | 'ordinal'
+    | 'current'
+    | 'link'
+    | 'witness'
+    | 'first'
+    | 'problem';
   /** Which role of the palette a link's label has. */
   readonly role?: string;
   readonly point: Vector3;

@@ -13,6 +13,7 @@ export interface Palette {
   readonly opposite: Color;
   readonly vertex: Color;
   readonly boundary: Color;
+  readonly dropped: Color;
   readonly ink: Color;
   readonly dark: boolean;
 }
@@ -33,6 +34,7 @@ export function readPalette(): Palette {
     opposite: color('--opposite'),
     vertex: color('--vertex'),
     boundary: color('--boundary'),
+    dropped: color('--dropped'),
     ink: color('--text'),
     dark: style.getPropertyValue('color-scheme').includes('dark'),
   };

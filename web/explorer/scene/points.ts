@@ -45,6 +45,8 @@ const fragmentShader = /* glsl */ `
 export class Discs {
   readonly #geometry = new BufferGeometry();
   readonly #materials: ShaderMaterial[];
+  /** What it is made of, for the layers that it is on. */
+  readonly objects: readonly Points[];
   #capacity = 0;
   #count = 0;
 
@@ -65,12 +67,13 @@ export class Discs {
         }),
     );
     this.#materials[1].depthFunc = GreaterDepth;
-    for (const material of this.#materials) {
+    this.objects = this.#materials.map((material) => {
       const object = new Points(this.#geometry, material);
       object.frustumCulled = false;
       object.renderOrder = order;
       scene.add(object);
-    }
+      return object;
+    });
   }
 
   setRim(color: Color): void {

@@ -19,6 +19,10 @@ export interface Insets {
   readonly left: number;
 }
 
+/** What shows the mesh, and what shows the file that it was made of: the camera sees one of them. */
+export const MESH_LAYER = 0;
+export const FILE_LAYER = 1;
+
 const FIELD_OF_VIEW = 32;
 const FLIGHT_MS = 420;
 
@@ -46,6 +50,7 @@ export class Stage {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.#renderer.setClearAlpha(0);
     this.scene.add(this.#hemisphere, this.camera);
+    for (const light of [this.#hemisphere, this.#key]) light.layers.enable(FILE_LAYER);
     this.#key.position.set(-0.5, 0.8, 1.2);
     this.camera.add(this.#key, this.#key.target);
     this.#key.target.position.set(0, 0, -1);
@@ -83,6 +88,12 @@ export class Stage {
     if (this.#frame !== 0) return;
     this.#frame = requestAnimationFrame((now) => this.#draw(now));
     for (const listener of this.#woken) listener();
+  }
+
+  /** Shows the objects of one layer. */
+  showLayer(layer: number): void {
+    this.camera.layers.set(layer);
+    this.invalidate();
   }
 
   setLight(sky: Color, ground: Color, ambient: number, key: number): void {

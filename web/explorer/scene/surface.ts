@@ -150,9 +150,12 @@ function triangulate(
   return { triangles: triangles.slice(0, 3 * count), faceOf: faceOf.slice(0, count) };
 }
 
-/** Ear clipping in the plane of the face; a fan where the face has no area. */
 function triangulateFace(mesh: HalfedgeMesh, points: Float32Array, face: number): number[] {
-  const ring = [...mesh.faceVertices(face)] as number[];
+  return triangulateRing([...mesh.faceVertices(face)], points);
+}
+
+/** The triangles of a polygon: ear clipping in its plane; a fan where it has no area. */
+export function triangulateRing(ring: number[], points: Float32Array): number[] {
   if (ring.length === 3) return ring;
   const corners = ring.flatMap((v) => [points[3 * v], points[3 * v + 1], points[3 * v + 2]]);
   const normal = newellNormal(corners, ring.length, new Float64Array(3));

@@ -5,6 +5,7 @@ import { anchorOf, facesAt, reachOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';
 import type { Picker } from './picking.js';
+import type { Place } from './soup-shape.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
@@ -40,6 +41,12 @@ export class Travel {
     }
     const distance = this.#stage.distanceFor(1.8 * reachOf(item, shown.surface));
     this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
+  }
+
+  /** Flies to a place of the file, as near as shows it with what is around it. */
+  visit({ centre, radius, normal }: Place): void {
+    const distance = this.#stage.distanceFor(Math.min(1.1, 2.6 * radius));
+    this.#stage.fly(centre, this.#facing(normal), distance);
   }
 
   /** Flies back to where the whole mesh is seen. */
@@ -107,12 +114,17 @@ export class Travel {
 
   /** The direction to look from: the present one, turned to the front of the item if it is behind. */
   #towards(item: Item, { surface, frames }: Shown): Vector3 {
-    const direction = this.#offset().normalize();
     const normal = new Vector3();
     for (const f of facesAt(surface, item)) {
       const at = frames.at(f) + 3;
       normal.add(new Vector3().fromArray(frames.data, at));
     }
+    return this.#facing(normal);
+  }
+
+  /** The present direction, turned towards `normal` where that is far off. */
+  #facing(normal: Vector3): Vector3 {
+    const direction = this.#offset().normalize();
     if (normal.lengthSq() < 1e-9) return direction;
     normal.normalize();
     if (direction.dot(normal) > 0.55) return direction;

@@ -1,3 +1,4 @@
+import type { Problem } from 'halfedge';
 import { Color, Matrix4, Vector3 } from 'three';
 import type { MeshDocument } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
@@ -8,16 +9,19 @@ import { ArrowLayer } from './arrow-layer.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
-import { Labels } from './labels.js';
+import { type Label, Labels } from './labels.js';
 import { overlayOf } from './marks.js';
 import { AT_REST, type InMotion, Morph } from './morph.js';
 import { type Palette, readPalette } from './palette.js';
 import { Picker } from './picking.js';
-import { Stage } from './stage.js';
+import type { Place } from './soup-shape.js';
+import { SoupView } from './soup-view.js';
+import { FILE_LAYER, MESH_LAYER, Stage } from './stage.js';
 import { Surface } from './surface.js';
 import { SurfaceLook, SurfaceView } from './surface-view.js';
 import { type Shown, Travel } from './travel.js';
 import { Wire } from './wire.js';
+import { WitnessView } from './witness-view.js';
 
 /** The picture of the explorer's state: follows its signals, draws when something changed. */
 export class View {
@@ -31,9 +35,13 @@ export class View {
   readonly #highlights: Highlights;
   readonly #labels: Labels;
   readonly #morph: Morph;
+  readonly #soup: SoupView;
+  readonly #witness: WitnessView;
   #palette: Palette = readPalette();
   #shown: Shown | null = null;
   #inMotion: InMotion = AT_REST;
+  /** Where the problem is that is lit. */
+  #place: Place | null = null;
   /** How far away the camera was when labels were placed. */
   #markedFrom = 0;
 
@@ -47,6 +55,8 @@ export class View {
     this.#highlights = new Highlights(this.stage);
     this.#labels = new Labels(this.stage, labels);
     this.#morph = new Morph(this.stage, this.#look);
+    this.#soup = new SoupView(this.stage, this.#look);
+    this.#witness = new WitnessView(this.stage);
     this.stage.onFrame(() => this.#beforeFrame());
     this.applyTheme();
     explorer.document.subscribe((opened) => this.#show(opened));
@@ -64,12 +74,21 @@ export class View {
     for (const signal of [explorer.selected, explorer.hovered, explorer.play, refused, pending]) {
       signal.subscribe(() => this.#mark());
     }
+    explorer.showsFile.subscribe((shows) => {
+      this.stage.showLayer(shows ? FILE_LAYER : MESH_LAYER);
+      this.#mark();
+    });
+    explorer.problem.subscribe((problem) => {
+      this.#light(problem);
+      if (this.#place) this.travel.visit(this.#place);
+    });
     refused.subscribe((refusal) => this.travel.bringIntoSight(refusal?.witness ?? []));
   }
 
-  /** Flies to the selected item, or back to the whole mesh if nothing is selected. */
+  /** Flies to the problem that is lit, to the selected item, or else back to the whole mesh. */
   focus(): void {
-    this.travel.focus(this.#explorer.selected.value);
+    if (this.#place) this.travel.visit(this.#place);
+    else this.travel.focus(this.#explorer.selected.value);
   }
 
   /** Takes over the colours of the page after a change of theme. */
@@ -81,15 +100,17 @@ export class View {
     this.#wire.setColors(palette.wire, palette.boundary);
     this.#arrows.setColors(palette.arrowFar, palette.arrow, palette.boundary);
     this.#highlights.setColors(palette.surface, palette.background);
+    this.#soup.setColors(palette);
     // Dark surfaces need more contrast to show their shape.
     const [ambient, key] = palette.dark ? [2, 2.1] : [2.2, 1.15];
     this.stage.setLight(new Color(1, 1, 1), new Color(0.62, 0.66, 0.74), ambient, key);
-    this.#mark();
+    this.#light(this.#explorer.problem.value);
   }
 
   /** The item at (x, y) in CSS pixels of the canvas, in the mode that is chosen. */
   pick(x: number, y: number, reach: number): Item | null {
     const { value: mode } = this.#explorer.pickMode;
+    if (this.#explorer.showsFile.value) return null;
     return this.#shown?.picker.pick(x, y, mode, this.#arrows.boundary, reach) ?? null;
   }
 
@@ -127,8 +148,10 @@ export class View {
   #show(opened: MeshDocument | null): void {
     this.#morph.stop();
     this.#shown = this.travel.shown = null;
+    this.#soup.set(null, null);
     if (!opened) return;
     const { surface, picker } = this.#present(new Surface(opened.mesh));
+    this.#soup.set(opened.diagnosis, surface.placement);
     this.#rest();
     this.stage.lookAtAll(surface.points, new Vector3(...opened.view));
     this.#explorer.select(this.#inFront(picker, opened));
@@ -197,7 +220,27 @@ export class View {
       return kind !== 'halfedge' || !edges.has(index >> 1);
     });
     this.#highlights.setMarks(still);
-    this.#labels.set(labels);
+    this.#labels.set([...this.#problemLabels(), ...(this.#explorer.showsFile.value ? [] : labels)]);
+  }
+
+  /** Lights a problem of the file, or none. */
+  #light(problem: Problem | null): void {
+    const { shape } = this.#soup;
+    this.#place = (problem && shape?.place(problem)) ?? null;
+    this.#witness.show(shape, this.#place, this.#palette);
+    this.#mark();
+  }
+
+  #problemLabels(): Label[] {
+    const { value: problem } = this.#explorer.problem;
+    const place = this.#place;
+    if (!problem || !place) return [];
+    const text = problem.code.replaceAll('-', ' ');
+    // Above what is lit, not on it.
+    const { x, y, z } = place.centre;
+    const pixels = place.radius / this.stage.pixelAt(this.stage.depthOf(x, y, z));
+    const lift = place.vertices.length > 0 ? 24 : Math.min(90, 14 + 0.8 * pixels);
+    return [{ text, look: 'problem', point: place.centre, lift }];
   }
 
   #beforeFrame(): void {
@@ -206,6 +249,7 @@ export class View {
     // Arrows keep their size on the screen, and labels lie beside them.
     if (Math.abs(this.#distance() / this.#markedFrom - 1) > 1e-4) this.#mark();
     this.#wire.update();
+    if (this.#explorer.showsFile.value) this.#soup.update();
     const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
     this.#arrows.update(this.#near(shown), shown.picker.faceAt(x, y));
     this.#highlights.update();

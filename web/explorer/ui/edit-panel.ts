@@ -1,5 +1,6 @@
 import type { Offer } from '../app/editor.js';
 import type { Explorer } from '../app/explorer.js';
+import type { Operation } from '../app/operation.js';
 import { fill, h, icon } from './dom.js';
 import { itemTitle } from './inspector.js';
 
@@ -8,6 +9,8 @@ export function editPanel(explorer: Explorer): HTMLElement {
   const title = h('h2', { id: 'edit-title', class: 'caption', tabindex: -1 });
   const onItem = h('ul', { class: 'operations', 'aria-labelledby': 'edit-title' });
   const onMesh = h('ul', { class: 'operations', 'aria-labelledby': 'edit-mesh-title' });
+  const repairs = h('ul', { class: 'operations', 'aria-labelledby': 'edit-repairs-title' });
+  const report = h('p', { class: 'report' });
   const nothing = h('p', { class: 'empty' });
   const section = h(
     'section',
@@ -17,19 +20,28 @@ export function editPanel(explorer: Explorer): HTMLElement {
     nothing,
     h('h3', { id: 'edit-mesh-title', class: 'caption' }, 'Whole mesh'),
     onMesh,
+    h('h3', { id: 'edit-repairs-title', class: 'caption' }, 'Repairs'),
+    repairs,
+    report,
   );
+  // Screen readers hear it as the outcome of the step.
+  explorer.editor.report.subscribe((text) => {
+    report.textContent = text;
+    if (text) requestAnimationFrame(() => report.scrollIntoView({ block: 'nearest' }));
+  });
   explorer.editor.offers.subscribe((offers) => {
     const selected = explorer.selected.value;
     title.textContent = selected ? itemTitle(selected) : 'Selection';
     nothing.hidden = selected !== null;
     nothing.textContent = 'Pick a vertex, edge, halfedge or face to edit it.';
     keepFocus(section, title, () => {
-      const buttons = (of: boolean) =>
+      const buttons = (belongs: (operation: Operation) => boolean) =>
         offers
-          .filter(({ operation }) => (operation.on === 'mesh') === of)
+          .filter(({ operation }) => belongs(operation))
           .map((offer) => h('li', {}, operationButton(explorer, offer)));
-      fill(onItem, ...buttons(false));
-      fill(onMesh, ...buttons(true));
+      fill(onItem, ...buttons(({ on }) => on !== 'mesh'));
+      fill(onMesh, ...buttons(({ on, reports }) => on === 'mesh' && !reports));
+      fill(repairs, ...buttons(({ reports }) => reports === true));
     });
   });
   return section;
@@ -47,20 +59,20 @@ function keepFocus(section: HTMLElement, title: HTMLElement, rebuild: () => void
 
 function operationButton(explorer: Explorer, { operation, refusal }: Offer): HTMLElement {
   const { stem, label, meaning, key, second } = operation;
-  const cap = key === 'Delete' ? 'Del' : `⇧${key}`;
+  const shortcut = key && key !== 'Delete' ? `Shift+${key}` : key;
   return h(
     'button',
     {
       type: 'button',
       'data-operation': stem,
       'data-refused': refusal?.code,
-      'aria-keyshortcuts': key === 'Delete' ? key : `Shift+${key}`,
+      'aria-keyshortcuts': shortcut,
       title: refusal ? `Refused: ${refusal.message}` : `mesh.${stem}()`,
       onclick: () => explorer.editor.run(operation),
     },
     h('span', { class: 'name' }, second ? `${label} …` : label),
     h('span', { class: 'hint' }, meaning),
     refusal && h('span', { class: 'refused' }, icon('refused'), 'refused'),
-    h('kbd', { class: 'kbd', 'aria-hidden': 'true' }, cap),
+    key && h('kbd', { class: 'kbd', 'aria-hidden': 'true' }, key === 'Delete' ? 'Del' : `⇧${key}`),
   );
 }

@@ -25,6 +25,7 @@ export function listenToKeys(
     c: () => explorer.setDirection(explorer.direction.value === 'ccw' ? 'cw' : 'ccw'),
     z: () => view.focus(),
     '0': () => view.travel.fit(),
+    r: () => explorer.showFile(!explorer.showsFile.value),
     g: () => document.querySelector<HTMLInputElement>('.goto input')?.focus(),
     '?': openHelp,
     ArrowLeft: () => orbit(-1, 0),
@@ -42,12 +43,14 @@ export function listenToKeys(
     Escape: () => {
       if (explorer.failure.value) explorer.failure.value = null;
       else if (editor.pending.value || editor.refused.value) editor.cancel();
+      else if (explorer.problem.value) explorer.problem.value = null;
       else explorer.select(null);
     },
   };
-  ['circulate', 'edit', 'mesh'].forEach((id, i) => {
+  ['circulate', 'edit', 'mesh', 'problems'].forEach((id, i) => {
     actions[i + 1] = () => {
-      tab.value = id as Tab;
+      const button = document.querySelector<HTMLElement>(`[data-tab-button=${id}]`);
+      if (!button?.hidden) tab.value = id as Tab;
     };
   });
   window.addEventListener('keydown', (event) => {

@@ -2,11 +2,12 @@ import type { Explorer } from '../app/explorer.js';
 import { grouped, type MeshFacts, type Numbers } from '../app/facts.js';
 import type { Item } from '../app/items.js';
 import { fill, h, icon } from './dom.js';
+import { downloads } from './downloads.js';
 import { changeBadge } from './history-bar.js';
+import { longList } from './long-list.js';
 
 const LOOPS_SHOWN = 12;
 const PROBLEMS_SHOWN = 5;
-const MORE = 50;
 
 const ENTRIES: readonly [keyof Numbers, string, string?][] = [
   ['vertices', 'Vertices'],
@@ -25,7 +26,7 @@ export function meshPanel(explorer: Explorer, goTo: GoTo): HTMLElement {
   const title = h('h2', { id: 'mesh-title' });
   const counts = h('dl', { class: 'counts' });
   const validity = h('p', { class: 'validity', role: 'status' });
-  const problems = longList('problems', 'Problems');
+  const problems = longList('problems', 'What validation found');
   const loops = longList('loops', 'Boundary loops');
   const show = () => {
     const opened = explorer.document.value;
@@ -56,6 +57,7 @@ export function meshPanel(explorer: Explorer, goTo: GoTo): HTMLElement {
     validity,
     problems.element,
     loops.element,
+    downloads(explorer),
   );
 }
 
@@ -134,30 +136,4 @@ function loopLine(index: number, length: number, goTo: GoTo): HTMLElement {
       h('small', {}, edges),
     ),
   );
-}
-
-/** A list that shows its first lines, and more of them when asked to. */
-function longList(name: string, label: string) {
-  const element = h('ul', { class: name, 'aria-label': label });
-  const show = (lines: readonly (() => HTMLElement)[], most: number): void => {
-    const rest = lines.length - most;
-    const shown = lines.slice(0, most).map((make) => make());
-    if (rest > 0) {
-      const more = h(
-        'button',
-        {
-          type: 'button',
-          class: 'more',
-          onclick: () => {
-            show(lines, most + MORE);
-            element.querySelectorAll('button')[most]?.focus();
-          },
-        },
-        `and ${grouped(rest)} more`,
-      );
-      shown.push(h('li', {}, more));
-    }
-    fill(element, ...shown);
-  };
-  return { element, show };
 }

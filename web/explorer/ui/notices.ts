@@ -3,43 +3,27 @@ import { h, icon } from './dom.js';
 
 /** The sentence about a file that could not be opened. */
 export function failureNotice(explorer: Explorer): HTMLElement {
-  const { notice, tell } = noticeCard('alert', () => {
+  const { notice, tell } = noticeCard(() => {
     explorer.failure.value = null;
   });
   explorer.failure.subscribe((failure) => {
     notice.hidden = failure === null;
     if (!failure) return;
     const shown = explorer.document.value?.name;
-    const calm = shown ? `${shown} is still open.` : 'Choose another mesh above.';
+    const still = shown ? `${shown} is still open.` : 'Choose another mesh above.';
+    const calm = [failure.lesson, still].filter(Boolean).join(' ');
     tell(failure.title, failure.message, calm);
   });
   return notice;
 }
 
-/** What was mended in the file on show. */
-export function repairNotice(explorer: Explorer): HTMLElement {
-  const { notice, tell } = noticeCard('status', () => {
-    notice.hidden = true;
-  });
-  notice.classList.add('mended');
-  explorer.document.subscribe((document) => {
-    notice.hidden = !document?.repairs;
-    if (!document?.repairs) return;
-    tell(`“${document.name}” was repaired`, document.repairs, 'The file itself is unchanged.');
-  });
-  explorer.failure.subscribe((failure) => {
-    if (failure) notice.hidden = true;
-  });
-  return notice;
-}
-
-function noticeCard(role: 'alert' | 'status', dismiss: () => void) {
+function noticeCard(dismiss: () => void) {
   const title = h('h2');
   const message = h('p', { 'data-message': true });
   const calm = h('p', { class: 'calm' });
   const notice = h(
     'div',
-    { class: 'notice card', role, hidden: true },
+    { class: 'notice card', role: 'alert', hidden: true },
     icon('warning'),
     title,
     message,
@@ -121,7 +105,8 @@ const KEYS: readonly [string[], string][] = [
   [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
   [['Del'], 'delete the selected vertex, edge or face'],
   [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
-  [['1', '2', '3'], 'show the circulator, the operations, the mesh'],
+  [['R'], 'show the original file, or the repaired mesh'],
+  [['1', '2', '3', '4'], 'show the circulator, the operations, the mesh, the problems'],
   [['Esc'], 'close, or select nothing'],
 ];
 

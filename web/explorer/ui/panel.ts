@@ -6,23 +6,32 @@ import { editPanel } from './edit-panel.js';
 import { historyBar } from './history-bar.js';
 import { inspector } from './inspector.js';
 import { type GoTo, meshPanel } from './mesh-panel.js';
+import { problemsPanel } from './problems-panel.js';
 
 /** The parts of the panel of which one is shown at a time. */
-export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh';
+export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh' | 'problems';
 
 const TABS: readonly [Tab, string, string?][] = [
   ['inspect', 'Inspect'],
   ['circulate', 'Circulate', '1'],
   ['edit', 'Edit', '2'],
   ['mesh', 'Mesh', '3'],
+  ['problems', 'Problems', '4'],
 ];
 const SHEETS = ['low', 'half', 'tall'] as const;
 
+/** What the panel does to the camera. */
+export interface Flights {
+  readonly goTo: GoTo;
+  /** Back to the problem that is lit. */
+  readonly toProblem: () => void;
+}
+
 /**
- * The inspector, and below it one of circulator, operations and mesh; in narrow windows a sheet at
- * the bottom, with the inspector as one more tab, that can be pulled up or down.
+ * The inspector, and below it one of circulator, operations, mesh and problems of the file; in narrow
+ * windows a sheet at the bottom, with the inspector as one more tab, that can be pulled up or down.
  */
-export function panel(explorer: Explorer, tab: Signal<Tab>, goTo: GoTo): HTMLElement {
+export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): HTMLElement {
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
   const element = h(
     'aside',
@@ -35,7 +44,8 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, goTo: GoTo): HTMLEle
       { class: 'sections' },
       circulatorPanel(explorer),
       editPanel(explorer),
-      meshPanel(explorer, goTo),
+      meshPanel(explorer, flights.goTo),
+      problemsPanel(explorer, flights.toProblem),
     ),
     historyBar(explorer),
   );
@@ -52,6 +62,7 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, goTo: GoTo): HTMLEle
     );
     tab.subscribe((chosen) => button.setAttribute('aria-current', String(chosen === id)));
     tabs.append(button);
+    if (id === 'problems') offerProblems(explorer, tab, button);
   }
   tab.subscribe((chosen) => {
     element.dataset.tab = chosen;
@@ -85,4 +96,19 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, goTo: GoTo): HTMLEle
     });
   }
   return element;
+}
+
+/** There is such a tab where there is something to tell of a file; it comes to the front then. */
+function offerProblems(explorer: Explorer, tab: Signal<Tab>, button: HTMLElement): void {
+  let before: Tab = tab.value;
+  explorer.document.subscribe((opened) => {
+    const tells = opened !== null && (opened.diagnosis !== null || opened.lesson !== null);
+    button.hidden = !tells;
+    if (tells && tab.value !== 'problems') {
+      before = tab.value;
+      tab.value = 'problems';
+    } else if (!tells && tab.value === 'problems') {
+      tab.value = before;
+    }
+  });
 }

@@ -39,6 +39,8 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
     const mesh = explorer.document.value?.mesh;
     publish('digest', facts && mesh ? digestOf(mesh) : null);
   });
+  explorer.showsFile.subscribe((shows) => publish('picture', shows ? 'original' : 'repaired'));
+  explorer.problem.subscribe((problem) => publish('problem', problem?.code ?? null));
   let frames = 0;
   view.stage.onFrame(() => {
     frames += 1;

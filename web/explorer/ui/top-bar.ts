@@ -1,4 +1,5 @@
 import type { Explorer } from '../app/explorer.js';
+import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { fill, h, icon } from './dom.js';
 import type { Theme } from './theme.js';
@@ -82,13 +83,14 @@ export function topBar(explorer: Explorer, theme: Theme, openHelp: () => void): 
 function meshMenu(explorer: Explorer): HTMLElement {
   const menu = h('div', { id: 'mesh-menu', class: 'mesh-menu card', popover: 'auto' });
   const entry = (id: string) => {
-    const sample = samples.find((candidate) => candidate.id === id);
+    const good = samples.find((candidate) => candidate.id === id);
+    const sample = good ?? brokenSamples.find((candidate) => candidate.id === id);
     if (!sample) throw new Error(`There is no sample ${id}.`);
     const button = h(
       'button',
       {
         type: 'button',
-        'data-sample': id,
+        [good ? 'data-sample' : 'data-broken']: id,
         onclick: (event) => {
           menu.hidePopover();
           // The menu hands the focus back to its button: right for the keyboard, odd for a mouse.
@@ -110,6 +112,10 @@ function meshMenu(explorer: Explorer): HTMLElement {
     ...group('Models', ['bunny', 'suzanne']),
     ...group('Closed', ['icosahedron', 'icosphere', 'cube', 'torus', 'football', 'star']),
     ...group('With a boundary', ['grid', 'annulus', 'pinched']),
+    ...group(
+      'Broken files, repaired',
+      brokenSamples.map(({ id }) => id),
+    ),
   );
   menu.addEventListener('beforetoggle', (event) => {
     const anchor = document.querySelector('.mesh-button')?.getBoundingClientRect();

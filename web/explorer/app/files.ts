@@ -1,0 +1,39 @@
+import type { FileFormat } from 'halfedge';
+import type { MeshDocument } from './documents.js';
+
+/** A file of the mesh on show. */
+export interface MeshFile {
+  readonly name: string;
+  readonly content: Blob;
+  /** What of the mesh isn't in it. */
+  readonly notes: readonly string[];
+}
+
+/** The mesh as a file; throws what `HalfedgeMesh.write` throws. */
+export function fileOf(opened: MeshDocument, format: FileFormat): MeshFile {
+  const notes: string[] = [];
+  const content = opened.mesh.write(format, { onNote: (note) => notes.push(note) });
+  const isCut = opened.diagnosis?.findings.some(({ fate }) => fate === 'cut');
+  if (isCut && format === 'stl') {
+    notes.push(
+      'STL has no vertices of its own: doubled vertices become one again where it is read.',
+    );
+  }
+  return { name: fileName(opened, format), content: new Blob([content as BlobPart]), notes };
+}
+
+/** `scan-repaired.stl`: of letters that every system takes in the name of a file. */
+export function fileName({ stem, diagnosis }: MeshDocument, format: FileFormat): string {
+  const plain = stem
+    .replace(/[^\p{L}\p{N}._-]+/gu, '-')
+    .replace(/^[-.]+|[-.]+$/g, '')
+    .slice(0, 100);
+  return `${plain || 'mesh'}${diagnosis?.isRepaired ? '-repaired' : ''}.${format}`;
+}
+
+/** `1.4 MB`. */
+export function sizeWords(bytes: number): string {
+  if (bytes < 1000) return `${bytes} bytes`;
+  const [unit, name] = bytes < 1e6 ? [1e3, 'kB'] : [1e6, 'MB'];
+  return `${(bytes / unit).toPrecision(bytes / unit < 100 ? 2 : 3)} ${name}`;
+}

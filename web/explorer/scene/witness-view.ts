@@ -1,0 +1,87 @@
+import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
+import { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
+import type { Palette } from './palette.js';
+import { Discs } from './points.js';
+import type { Place, SoupShape } from './soup-shape.js';
+import { FILE_LAYER, type Stage } from './stage.js';
+import { triangulateRing } from './surface.js';
+
+/** Lights a problem of the file: outlines of faces, edges, vertices; over the file and over the mesh. */
+export class WitnessView {
+  readonly #stage: Stage;
+  readonly #lines = new LineBatch();
+  readonly #halo = lineMaterial(7, 4);
+  readonly #discs: Discs;
+  readonly #fill: Mesh<BufferGeometry, MeshBasicMaterial>;
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+    const main = lineMaterial(3.5, 5);
+    main.transparent = true;
+    this.#halo.vertexColors = false;
+    this.#halo.transparent = true;
+    this.#halo.depthWrite = false;
+    const fill = new MeshBasicMaterial({
+      transparent: true,
+      opacity: 0.3,
+      side: DoubleSide,
+      depthWrite: false,
+    });
+    fill.polygonOffset = true;
+    fill.polygonOffsetFactor = fill.polygonOffsetUnits = -2;
+    this.#fill = new Mesh(new BufferGeometry(), fill);
+    this.#fill.frustumCulled = false;
+    this.#fill.renderOrder = 10;
+    this.#discs = new Discs(stage.scene, 14);
+    const objects = [
+      this.#fill,
+      lines(this.#lines, ghostOf(main, 0.45), 11),
+      lines(this.#lines, this.#halo, 12),
+      lines(this.#lines, main, 13),
+    ];
+    stage.scene.add(...objects);
+    for (const object of [...objects, ...this.#discs.objects]) object.layers.enable(FILE_LAYER);
+    this.#upload();
+  }
+
+  /** Lights what is at a place, or nothing. */
+  show(shape: SoupShape | null, place: Place | null, palette: Palette): void {
+    this.#lines.clear();
+    this.#discs.clear();
+    this.#halo.color.copy(palette.surface);
+    this.#discs.setRim(palette.background);
+    this.#fill.material.color.copy(palette.self);
+    const pieces: number[] = [];
+    if (shape && place) {
+      const { points } = shape;
+      for (const ring of place.rings) {
+        ring.forEach((v, i) => {
+          this.#lines.add(points, 3 * v, 3 * ring[(i + 1) % ring.length], palette.self);
+        });
+        if (ring.length >= 3) pieces.push(...triangulateRing([...ring], points));
+      }
+      const { vertices } = place;
+      if (vertices.length === 2) {
+        this.#lines.add(points, 3 * vertices[0], 3 * vertices[1], palette.self);
+      }
+      for (const v of vertices) this.#discs.add(points, 3 * v, 15, palette.self);
+    }
+    const positions = shape
+      ? pieces.flatMap((v) => [...shape.points.subarray(3 * v, 3 * v + 3)])
+      : [];
+    this.#fill.geometry.dispose();
+    this.#fill.geometry = new BufferGeometry();
+    this.#fill.geometry.setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array(positions), 3),
+    );
+    this.#fill.visible = positions.length > 0;
+    this.#upload();
+    this.#stage.invalidate();
+  }
+
+  #upload(): void {
+    this.#lines.upload();
+    this.#discs.upload();
+  }
+}
