@@ -284,6 +284,61 @@ describe('halfedge repair', () => {
   });
 });
 
+describe('halfedge repair, asked for more,', () => {
+  /** A cube of six separate quads, one of them missing, the others turned inward. */
+  const crackedCube = () => {
+    const cube = HalfedgeMesh.cube();
+    cube.reverse();
+    const rows = [...cube.faces()].slice(0, 5).map((f) => [...cube.faceVertices(f)]);
+    const positions = rows.flat().map((v) => `v ${cube.position(v).join(' ')}`);
+    const faces = rows.map((_, i) => `f ${[1, 2, 3, 4].map((k) => 4 * i + k).join(' ')}`);
+    return [...positions, ...faces, ''].join('\n');
+  };
+
+  test('stitches, fills holes and orients', async () => {
+    const options = ['--stitch', '0', '--fill-holes', '8', '--orient'];
+    const { status, out } = await run(['repair', '-', 'box.obj', ...options], crackedCube());
+    expect(status).toBe(0);
+    expect(out).toContain('box.obj: OBJ: 8 vertices, 13 edges, 7 faces.');
+    const { mesh } = written('box.obj');
+    expect(mesh.isClosed()).toBe(true);
+    const { indices } = mesh.toTriangles();
+    let volume = 0;
+    for (let i = 0; i < indices.length; i += 3) {
+      const [a, b, c] = [0, 1, 2].map((k) => mesh.position(indices[i + k]));
+      volume +=
+        (a[0] * (b[1] * c[2] - b[2] * c[1]) +
+          a[1] * (b[2] * c[0] - b[0] * c[2]) +
+          a[2] * (b[0] * c[1] - b[1] * c[0])) /
+        6;
+    }
+    expect(volume).toBeCloseTo(1);
+  });
+
+  test('drops small components and faces without area', async () => {
+    const two = `${QUAD}v 5 0 0\nv 6 0 0\nv 7 0 0\nf 5 6 7\n`;
+    const degenerate = await run(['repair', '-', 'flat.off', '--remove-degenerate'], two);
+    expect(degenerate.status).toBe(0);
+    expect(written('flat.off').mesh.faceCount).toBe(1);
+    await run(['repair', '-', 'small.off', '--drop-small', '2', '--drop-isolated'], two);
+    expect(written('small.off').mesh.vertexCount).toBe(0);
+  });
+
+  test('tells what it could not do, and refuses wrong numbers', async () => {
+    const { out } = await run(['repair', '-', 'open.obj', '--orient'], crackedCube());
+    expect(out).toMatch(/open/);
+    for (const [option, value] of [
+      ['stitch', '-1'],
+      ['fill-holes', '2.5'],
+      ['drop-small', '0'],
+    ]) {
+      const { status, err } = await run(['repair', '-', 'x.obj', `--${option}=${value}`], QUAD);
+      expect(status).toBe(2);
+      expect(err).toContain(`--${option} is `);
+    }
+  });
+});
+
 describe('halfedge convert', () => {
   test.each(['obj', 'off', 'ply', 'stl'] as const)(
     'writes %s by the name of the output',
