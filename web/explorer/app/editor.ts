@@ -196,8 +196,9 @@ export class Editor {
       return;
     }
     const report = operation.reports ? reportWords(result as MendReport) : '';
+    const told = (deed: string) => [`${deed}: ${title}.`, report].join(' ').trimEnd();
     if (mesh.version === version) {
-      this.outcome.value = `Nothing to do: ${title}. ${report}`;
+      this.outcome.value = told('Nothing to do');
       this.report.value = report;
       return;
     }
@@ -206,7 +207,7 @@ export class Editor {
     this.#done.push({ title, edit, before: first, after });
     this.#undone = [];
     while (this.#done.length > mesh.history.undoCount) this.#done.shift();
-    this.#finish(`Done: ${title}. ${report}`, { ...edit }, after, report);
+    this.#finish(told('Done'), { ...edit }, after, report);
   }
 
   #finish(outcome: string, edit: Edit, selection: Item | null, report = ''): void {
@@ -239,6 +240,7 @@ export class Editor {
     const items = witnessItems(refusal.witness);
     const witness = mesh ? items.filter((found) => isLive(mesh, found)) : [];
     this.outcome.value = '';
+    this.report.value = '';
     this.refused.value = { title, refusal, witness };
   }
 
