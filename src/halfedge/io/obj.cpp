@@ -76,12 +76,11 @@ class ObjReader {
   }
 
   [[nodiscard]] std::optional<Error> read() {
-    for (; !text_.at_end(); text_.skip_line()) {
+    for (; !text_.at_end() && !out_.out_of_memory(); text_.skip_line()) {
       out_.reached(text_.position());
       text_.skip_blanks();
       if (text_.at_line_end()) continue;
       if (!read_statement()) return error_;
-      if (out_.out_of_memory()) break;
     }
     if (std::optional<Error> error = check_size(out_)) return error;
     if (!any_known_ && unknown_ != 0) {
