@@ -85,6 +85,34 @@ describe('attributes of files', () => {
     mesh.dispose();
   });
 
+  test.each(['text', 'binary'] as const)('come back in OFF, %s', (encoding) => {
+    const mesh = sample();
+    mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });
+    mesh.attributes.add('vertex', 'color', { components: 4 });
+    mesh.attributes.add('vertex', 'uv', { components: 2 });
+    mesh.attributes.add('face', 'color', { components: 3 });
+    for (const { kind, name } of mesh.attributes.list()) fill(mesh, kind as 'vertex', name);
+    expect(roundTrip(mesh, 'off', { encoding })).toEqual({
+      attributes: attributesOf(mesh),
+      notes: [],
+    });
+    mesh.dispose();
+  });
+
+  test('come back in STL', () => {
+    const mesh = HalfedgeMesh.fromTriangles(
+      [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0],
+      [0, 1, 2, 2, 1, 3],
+    );
+    const options = { type: 'uint16', onSplit: 'copy' } as const;
+    mesh.attributes.add('face', 'attribute', options).set([0x7fff, 0]);
+    mesh.attributes.add('vertex', 'color', { components: 3 });
+    const { attributes, notes } = roundTrip(mesh, 'stl', {});
+    expect(attributes).toEqual(attributesOf(mesh).filter(({ kind }) => kind === 'face'));
+    expect(notes).toEqual(['Left out the vertex attribute "color": STL has no place for it.']);
+    mesh.dispose();
+  });
+
   test('are named where a format has no place for them', () => {
     const mesh = sample();
     mesh.attributes.add('edge', 'crease');
