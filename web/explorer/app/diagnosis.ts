@@ -70,7 +70,7 @@ const WORDS: Record<RepairCode, Words> = {
   'duplicate-face': [
     'face repeats another',
     'faces repeat others',
-    'Left out; the first of each is kept.',
+    'Left out; one of each is kept.',
     'dropped',
   ],
   'edge-with-many-faces': [
