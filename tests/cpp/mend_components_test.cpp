@@ -15,11 +15,11 @@ namespace {
 
 using mend::Code;
 
-const auto orient_with(mend::OrientOptions options) {
+auto orient_with(mend::OrientOptions options) {
   return [=](auto& mesh) { return mend::orient_outward(mesh, options); };
 }
 const auto orient = orient_with({});
-const auto drop_with(mend::DropOptions options) {
+auto drop_with(mend::DropOptions options) {
   return [=](auto& mesh) { return mend::drop_small_components(mesh, options); };
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using mend::Code;
 
-const auto remove_with(double tolerance) {
+auto remove_with(double tolerance) {
   return [=](auto& mesh) {
     return mend::remove_degenerate_faces(mesh, mend::DegenerateOptions{.tolerance = tolerance});
   };
