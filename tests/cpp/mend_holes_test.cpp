@@ -20,7 +20,7 @@ namespace {
 
 using mend::Code;
 
-const auto fill_with(mend::FillOptions options) {
+auto fill_with(mend::FillOptions options) {
   return [=](auto& mesh) { return mend::fill_holes(mesh, options); };
 }
 const auto fill = fill_with({});

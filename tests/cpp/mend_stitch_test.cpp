@@ -16,7 +16,7 @@ namespace {
 using mend::Code;
 
 const auto stitch = [](auto& mesh) { return mend::stitch_boundaries(mesh); };
-const auto stitch_within(double tolerance) {
+auto stitch_within(double tolerance) {
   return [=](auto& mesh) {
     return mend::stitch_boundaries(mesh, mend::StitchOptions{.tolerance = tolerance});
   };
