@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/mend/measure.h>
 #include <halfedge/operations/append.h>
 
 #include <random>
@@ -120,6 +121,26 @@ TEST(OrientOutward, TurnsOpenComponentsAwayFromTheirCentreIfAsked) {
     EXPECT_EQ(report.count(Code::kReversedComponent), is_reversed ? 1U : 0U);
     EXPECT_EQ(report.count(Code::kOpenComponent), 0U);
   }
+}
+
+// Half a unit sphere, whose centre of area is half way up: the cone from there to the faces.
+TEST(OrientOutward, MeasuresOpenComponentsFromTheirCentre) {
+  Mesh mesh = moved(shapes::mesh_of(shapes::uv_sphere(96, 96)).value(), 7);
+  for (Index i = 0; i < mesh.face_slots(); ++i) {
+    const Face f(i);
+    double height = 0;
+    for (const Vertex v : mesh.face_vertices_ccw(f)) height += double{mesh.position(v).y};
+    if (height < 0) {
+      ASSERT_TRUE(operations::delete_face(mesh, f));
+    }
+  }
+  Array<mend::Extent> extents;
+  const mend::SurfaceOf<kEverything> surface(mesh);
+  ASSERT_TRUE(mend::measure(surface, connected_components(mesh).value(), extents));
+  ASSERT_EQ(extents.size(), 1U);
+  EXPECT_NEAR(extents[0].volume, 1.5708, 0.005);
+  EXPECT_NEAR(extents[0].area, 6.2832, 0.01);
+  EXPECT_NEAR(extents[0].diagonal(), 3, 1e-5);
 }
 
 TEST(OrientOutward, TakesNestedComponentsForCavitiesIfAsked) {

@@ -250,17 +250,13 @@ class Stitcher {
       Result<bool> done = glue(pair.h, pair.g, 2);
       if (!done || done.value()) return done;
     }
-    if (precedes) {
-      Result<bool> done = glue(before_h, after_g, 2);
-      if (!done || done.value()) return done;
-    }
-    if (extends && precedes) return glue(before_h, after_g, 3);
+    if (precedes) return glue(before_h, after_g, 2);
     return false;
   }
 
   // False if it is refused.
   [[nodiscard]] Result<bool> glue(Halfedge h, Halfedge g, std::size_t n) {
-    Halfedge glued[2][3] = {};
+    Halfedge glued[2][2] = {};
     for (std::size_t i = 0; i < n; ++i) {
       glued[0][i] = i == 0 ? h : surface_.next(glued[0][i - 1]);
       glued[1][i] = i == 0 ? g : surface_.prev(glued[1][i - 1]);
