@@ -123,8 +123,10 @@ export class SoupView {
   #drawFaces({ fates }: Diagnosis, shape: SoupShape): void {
     const { points } = shape;
     const { triangles, faceOf, edges } = shape.drawn();
+    // Whole faces are large: less glaring than marks.
+    const share = this.#palette.dark ? 0.4 : 0.2;
     const tint = (fate: Fate) =>
-      colorOfFate(this.#palette, fate).clone().lerp(this.#palette.surface, 0.2);
+      colorOfFate(this.#palette, fate).clone().lerp(this.#palette.surface, share);
     const tints = {
       dropped: tint('dropped'),
       turned: tint('turned'),
