@@ -221,6 +221,7 @@ describe('An operation on the whole mesh', () => {
     await explorer.sample('cube', 'Cube');
     await explorer.press('Shift+M');
     await explorer.ready('Dual of Cube');
+    await explorer.page.waitForSelector('main.stage[data-digest]'); // it is measured
     expect((await numbers()).slice(0, 4)).toEqual(['V 6', 'E 12', 'F 8', 'χ 2']);
   });
 });
