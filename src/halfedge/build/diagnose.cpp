@@ -1,5 +1,6 @@
 #include <halfedge/build/diagnose.h>
 #include <halfedge/build/sentence.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ std::string range_of_vertices(std::size_t count) {
     });
   }
   if (!sorted.assign(corners)) return false;
-  std::sort(sorted.begin(), sorted.end());
+  introsort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const Index v = sorted[i];
     const std::size_t times =

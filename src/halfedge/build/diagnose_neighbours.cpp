@@ -1,5 +1,6 @@
 #include <halfedge/build/diagnose.h>
 #include <halfedge/build/sentence.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <string>
@@ -74,7 +75,7 @@ class Neighbours {
         (void)sides_.push_back({std::min(a, b), std::max(a, b), c, Index(f)});  // reserved above
       }
     }
-    std::sort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
+    introsort(sides_.begin(), sides_.end(), [](const Side& a, const Side& b) {
       return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face);
     });
     return true;
@@ -123,14 +124,14 @@ class Neighbours {
       for (const Side& side : sides) fits = fits && suspects.push_back(side.face);
     });
     if (!fits) return false;
-    std::sort(suspects.begin(), suspects.end());
+    introsort(suspects.begin(), suspects.end());
     Index* const end = std::unique(suspects.begin(), suspects.end());
 
     Array<Cycle> cycles;
     for (const Index* f = suspects.begin(); f != end; ++f) {
       if (!cycles.push_back(Cycle(table_.corners_of(*f), *f))) return false;
     }
-    std::sort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
+    introsort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
       const int order = compare(a, b);
       return order != 0 ? order < 0 : a.face < b.face;
     });
@@ -153,7 +154,7 @@ class Neighbours {
       const bool turned_over = cycles[original].reversed != cycles[i].reversed;
       if (!repeats.push_back({cycles[i].face, cycles[original].face, turned_over})) return false;
     }
-    std::sort(repeats.begin(), repeats.end(),
+    introsort(repeats.begin(), repeats.end(),
               [](const Repeat& a, const Repeat& b) { return a.face < b.face; });
     for (const Repeat& repeat : repeats) {
       table_.faces[repeat.face].ignored = true;
@@ -222,7 +223,7 @@ class Neighbours {
   [[nodiscard]] bool check_vertices() {
     Array<Fan> fans;
     if (!collect_fans(fans)) return false;
-    std::sort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) {
+    introsort(fans.begin(), fans.end(), [](const Fan& a, const Fan& b) {
       return std::tie(a.vertex, a.face) < std::tie(b.vertex, b.face);
     });
     const std::span<const Fan> all = fans.span();

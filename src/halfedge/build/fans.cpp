@@ -1,4 +1,5 @@
 #include <halfedge/build/fans.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ bool join_open_fans(Links& links) {
   }
 
   Index* const begin = at_pinched_vertices.begin();
-  std::sort(begin, at_pinched_vertices.end(), [&](Index a, Index b) {
+  introsort(begin, at_pinched_vertices.end(), [&](Index a, Index b) {
     return std::pair(from(a), links.to_vertex[a]) < std::pair(from(b), links.to_vertex[b]);
   });
   Index* const end = std::unique(begin, at_pinched_vertices.end());

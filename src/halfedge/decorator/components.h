@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/decorator/edit.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -115,7 +116,7 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
   }
   ComponentWalk<Mesh> walk(mesh);
   if (!walk.prepare()) return no_memory("the components");
-  std::sort(components.begin(), components.end(), [](const Component& a, const Component& b) {
+  introsort(components.begin(), components.end(), [](const Component& a, const Component& b) {
     return a.vertices != b.vertices ? a.vertices > b.vertices : a.edge < b.edge;
   });
   Index erased = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/decorator/edit.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ namespace internal {
 
 /// Sorts; one that occurs twice, or empty.
 [[nodiscard]] inline Vertex find_repeated(Array<Vertex>& vertices) {
-  std::sort(vertices.begin(), vertices.end());
+  introsort(vertices.begin(), vertices.end());
   const Vertex* found = std::adjacent_find(vertices.begin(), vertices.end());
   return found == vertices.end() ? Vertex{} : *found;
 }

@@ -1,5 +1,6 @@
 #include <halfedge/build/groups.h>
 #include <halfedge/directed_edges/connect.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -151,7 +152,7 @@ class TriangleConnector {
         entry = {from[0], from[1]};
         from += 2;
       }
-      std::sort(entries.begin(), entries.end());
+      introsort(entries.begin(), entries.end());
       Index* to = begin;
       for (const Entry& entry : entries) {
         if (to != begin && to[-2] == entry.high) return ConnectResult::kNotManifold;

@@ -1,4 +1,5 @@
 #include <halfedge/directed_edges/connect.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ void join_cycles(std::span<const Index> firsts, DirectedLinks& links) {
 // `firsts` are outgoing boundary halfedges of pinched vertices, all of them, some more than once.
 ConnectResult join_at_pinched_vertices(std::span<Index> firsts, DirectedLinks& links) {
   const auto from = [&](Index h) { return links.to_vertex[links.opposite[h]]; };
-  std::sort(firsts.begin(), firsts.end(), [&](Index a, Index b) {
+  introsort(firsts, [&](Index a, Index b) {
     return std::tuple(from(a), links.to_vertex[a], a) < std::tuple(from(b), links.to_vertex[b], b);
   });
   const auto end = std::unique(firsts.begin(), firsts.end());

@@ -1,5 +1,6 @@
 #include <halfedge/io/parse.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <numeric>
@@ -120,8 +121,7 @@ std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes, For
                                         std::span<const Index> faces) {
   std::vector<std::size_t> order(faces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [faces](std::size_t a, std::size_t b) { return faces[a] < faces[b]; });
+  introsort(order, [faces](std::size_t a, std::size_t b) { return faces[a] < faces[b]; });
   std::vector<Index> sorted;
   sorted.reserve(faces.size());
   for (const std::size_t i : order) sorted.push_back(faces[i]);

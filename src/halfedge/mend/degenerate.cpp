@@ -2,6 +2,7 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -337,7 +338,7 @@ class Remover {
 
   template <class Item>
   void keep_live(Array<Index>& items) {
-    std::sort(items.begin(), items.end());
+    introsort(items);
     std::size_t kept = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
       const bool is_first = i == 0 || items[i] != items[i - 1];

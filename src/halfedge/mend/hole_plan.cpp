@@ -1,4 +1,5 @@
 #include <halfedge/mend/hole_plan.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,7 +99,7 @@ bool HolePlan::list_forbidden(const Surface& surface) {
   forbidden_.clear();
   if (!order_.resize(n)) return false;
   for (Index i = 0; i < n; ++i) order_[i] = {vertices_[i], i};
-  std::sort(order_.begin(), order_.end(), [](const Corner& a, const Corner& b) {
+  introsort(order_.begin(), order_.end(), [](const Corner& a, const Corner& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.index < b.index;
   });
   const auto forbid = [&](Index corner, Vertex other) {
@@ -120,7 +121,7 @@ bool HolePlan::list_forbidden(const Surface& surface) {
       out = surface.rotate_cw(out);
     } while (out != anchor);
   }
-  std::sort(forbidden_.begin(), forbidden_.end());
+  introsort(forbidden_.begin(), forbidden_.end());
   return true;
 }
 
@@ -322,7 +323,7 @@ HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
     if (!joins.push_back({std::min(a, b), std::max(a, b), d})) return Outcome::kOutOfMemory;
     cut_off(corner, {});
   }
-  std::sort(joins.begin(), joins.end(), [](const Join& x, const Join& y) {
+  introsort(joins.begin(), joins.end(), [](const Join& x, const Join& y) {
     if (x.a != y.a) return x.a < y.a;
     return x.b != y.b ? x.b < y.b : x.diagonal < y.diagonal;
   });
@@ -332,7 +333,7 @@ HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
     is_repeated = true;
     if (!forbidden_.push_back(joins[i].diagonal)) return Outcome::kOutOfMemory;
   }
-  std::sort(forbidden_.begin(), forbidden_.end());
+  introsort(forbidden_.begin(), forbidden_.end());
   return Outcome::kDone;
 }
 

@@ -1,6 +1,7 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/repairs.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -135,7 +136,7 @@ class Stitcher {
     for (std::size_t bucket = 0; bucket < places_; ++bucket) {
       Record* first = records.begin() + begin[bucket];
       Record* const end = records.begin() + begin[bucket + 1];
-      std::sort(first, end, [](const Record& a, const Record& b) {
+      introsort(first, end, [](const Record& a, const Record& b) {
         return a.higher != b.higher ? a.higher < b.higher : a.h < b.h;
       });
       while (first != end) {

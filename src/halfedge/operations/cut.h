@@ -2,6 +2,7 @@
 
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/surgery_refusals.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -126,7 +127,7 @@ template <EditableSurface Mesh>
     const Vertex begin = mesh.from_vertex(path[i + 1]);
     if (end != begin) return not_consecutive(path[i], end, path[i + 1], begin);
   }
-  std::sort(edges.begin(), edges.end());
+  introsort(edges.begin(), edges.end());
   const Edge* const repeated = std::adjacent_find(edges.begin(), edges.end());
   if (repeated != edges.end()) return repeated_on_path(*repeated);
   return path.size() == 1 ? check_cut(mesh, path[0]) : Result<void>{};

@@ -1,6 +1,7 @@
 #include <halfedge/connectivity/array.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/distinct.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,7 +20,7 @@ Result<Vertex> find_repeated(std::span<const Vertex> vertices) {
   }
   Array<Vertex> sorted;
   if (!sorted.assign(vertices)) return decorator::internal::no_memory("the corners of the face");
-  std::sort(sorted.begin(), sorted.end());
+  introsort(sorted.begin(), sorted.end());
   const Vertex* const repeated = std::adjacent_find(sorted.begin(), sorted.end());
   return repeated == sorted.end() ? Vertex{} : *repeated;
 }

@@ -1,6 +1,7 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/face_plan.h>
 #include <halfedge/operations/surgery_refusals.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <utility>
@@ -81,7 +82,7 @@ bool FacePlan::forbid_existing(const Links& links) {
     if (!find_edge(links, a, b).valid() && !planned_.contains(a, b)) continue;
     if (!forbidden_.push_back(diagonal)) return false;
   }
-  std::sort(forbidden_.begin(), forbidden_.end());
+  introsort(forbidden_.begin(), forbidden_.end());
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include <halfedge/operations/refusals.h>
 #include <halfedge/operations/seam.h>
 #include <halfedge/operations/surgery_refusals.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,8 +16,7 @@ class SeamCheck {
       : links_(links), merges_(merges), removed_{removed_0, removed_1} {}
 
   [[nodiscard]] Result<void> run(std::span<Vertex> scratch) {
-    std::sort(merges_.begin(), merges_.end(),
-              [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
+    introsort(merges_, [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
     if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
       return repeated_on_seam(repeated);
     }
@@ -52,7 +52,7 @@ class SeamCheck {
       if (i > 0 && merges_[i].gone == merges_[i - 1].gone) return merges_[i].gone;
     }
     const auto kept = scratch.first(merges_.size());
-    std::sort(kept.begin(), kept.end());
+    introsort(kept);
     const auto found = std::adjacent_find(kept.begin(), kept.end());
     return found == kept.end() ? Vertex{} : *found;
   }

@@ -1,4 +1,5 @@
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <tuple>
@@ -72,7 +73,7 @@ class Arranger {
       const float* p = &input_.positions[3 * std::size_t{vertices_.origin[v]}];
       placed[v] = {p[0], p[1], p[2], v};
     }
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+    introsort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
       return std::tie(a.x, a.y, a.z, a.vertex) < std::tie(b.x, b.y, b.z, b.vertex);
     });
     for (Index rank = 0; rank < count; ++rank) {
@@ -105,7 +106,7 @@ class Arranger {
                      cycle.reversed};
     }
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      std::sort(keys_.begin() + begin_[v], keys_.begin() + begin_[v + 1],
+      introsort(keys_.begin() + begin_[v], keys_.begin() + begin_[v + 1],
                 [this](const Key& a, const Key& b) { return less(a, b); });
     }
     return true;

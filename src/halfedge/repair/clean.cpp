@@ -1,5 +1,6 @@
 #include <halfedge/build/sentence.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <string>
@@ -186,7 +187,7 @@ class Cleaner {
     if (!is_doubled) return true;
     Array<Index> sorted;
     if (!out_.doubled.resize(out_.corners.size(), false) || !sorted.assign(face)) return false;
-    std::sort(sorted.begin(), sorted.end());
+    introsort(sorted.begin(), sorted.end());
     const std::size_t begin = out_.corners.size() - face.size();
     for (std::size_t i = 0; i < face.size(); ++i) {
       const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), face[i]);
@@ -205,7 +206,7 @@ class Cleaner {
       return std::pair(vertices_.of_input[a], a) < std::pair(vertices_.of_input[b], b);
     };
     if (!loop_.assign(corners)) return {};
-    std::sort(loop_.begin(), loop_.end(), less);
+    introsort(loop_.begin(), loop_.end(), less);
     for (std::size_t i = 1; i < loop_.size(); ++i) {
       if (vertices_.of_input[loop_[i - 1]] == vertices_.of_input[loop_[i]]) {
         return {loop_[i - 1], loop_[i]};

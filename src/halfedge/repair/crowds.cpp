@@ -1,4 +1,5 @@
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ class CrowdMatcher {
     }
     if (leaves_.size() < 2) return true;
     find_angles(vector(low, high));
-    std::sort(leaves_.begin(), leaves_.end(), [](const Leaf& a, const Leaf& b) {
+    introsort(leaves_.begin(), leaves_.end(), [](const Leaf& a, const Leaf& b) {
       return a.angle != b.angle ? a.angle < b.angle : a.place < b.place;
     });
     Array<Index> open;

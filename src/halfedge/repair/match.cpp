@@ -1,5 +1,6 @@
 #include <halfedge/build/sentence.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <string>
@@ -121,7 +122,7 @@ class Matcher {
       sides_[begin_[std::min(from, to) + 1]++] = {std::max(from, to), side};
     }
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      std::sort(sides_.begin() + begin_[v], sides_.begin() + begin_[v + 1],
+      introsort(sides_.begin() + begin_[v], sides_.begin() + begin_[v + 1],
                 [](const Side& a, const Side& b) {
                   return a.high != b.high ? a.high < b.high : a.side < b.side;
                 });
@@ -191,7 +192,7 @@ class Matcher {
       for (const Side& side : sides) {
         error.witness.faces.push_back(face_in_input(surface_.face_of[side.side]));
       }
-      std::sort(error.witness.faces.begin(), error.witness.faces.end());
+      introsort(error.witness.faces);
       error.message = "Edge " + to_string(std::min(a, b)) + "-" + to_string(std::max(a, b)) +
                       " is used by " + to_string(sides.size()) + " faces (" +
                       list_of(error.witness.faces) + "): it was doubled, so that no copy has " +

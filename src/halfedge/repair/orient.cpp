@@ -1,4 +1,5 @@
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -94,7 +95,7 @@ class Orienter {
         (gain_.empty() && !gain_.resize(surface_.faces.size(), 0))) {
       return false;
     }
-    std::sort(members.begin(), members.end());
+    introsort(members.begin(), members.end());
     std::size_t fewest = SIZE_MAX;
     const auto keep_if_better = [&] {
       const std::size_t found = count_disagreements();

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 
 namespace halfedge {
 
@@ -208,9 +207,7 @@ class Repair {
   }
   [[nodiscard]] std::string where() const {
     if (*options_.weld == 0) return "at the same position";
-    char text[64];
-    std::snprintf(text, sizeof text, "closer than %g", *options_.weld);
-    return text;
+    return "closer than " + sentence::number(*options_.weld);
   }
 
   void report_isolated() {
@@ -290,7 +287,7 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
   }
   if (options.weld && !(*options.weld >= 0 && std::isfinite(*options.weld))) {
     return fail(report, "bad-tolerance",
-                "The tolerance of welding is " + std::to_string(*options.weld) +
+                "The tolerance of welding is " + sentence::number(*options.weld) +
                     "; expected a finite number from 0.");
   }
   Repair repair(mesh, polygons, options, report);

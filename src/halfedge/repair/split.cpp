@@ -1,5 +1,6 @@
 #include <halfedge/build/sentence.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <string>
@@ -87,7 +88,7 @@ class Splitter {
         if (!copies.push_back(copy_of(side))) return false;
       }
       begin = end;
-      std::sort(copies.begin(), copies.end(), [](const Copy& a, const Copy& b) {
+      introsort(copies.begin(), copies.end(), [](const Copy& a, const Copy& b) {
         return std::tie(a.low_fan, a.high_fan, a.single, a.side) <
                std::tie(b.low_fan, b.high_fan, b.single, b.side);
       });

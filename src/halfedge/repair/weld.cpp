@@ -1,4 +1,5 @@
 #include <halfedge/repair/soup.h>
+#include <halfedge/sort.h>
 
 #include <algorithm>
 #include <array>
@@ -119,7 +120,7 @@ class NearWelder {
       return false;
     }
     for (Index i = 0; i < count; ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [this](Index a, Index b) {
+    introsort(order.begin(), order.end(), [this](Index a, Index b) {
       const float* p = at(a);
       const float* q = at(b);
       return std::lexicographical_compare(p, p + 3, q, q + 3);
