@@ -3,10 +3,8 @@
 #include <halfedge/connectivity/handle.h>
 
 #include <cassert>
-#include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace halfedge {
@@ -30,39 +28,71 @@ struct Error {
   Witness witness = {};
 };
 
+/// An error on its way to whom it concerns, or none: one pointer, since what each call returns must
+/// cost next to nothing where all goes well, which is the rule.
+class Failure {
+ public:
+  Failure() = default;
+  Failure(Error&& error);
+  Failure(const Error& error);
+  Failure(Failure&& other) noexcept : error_(std::exchange(other.error_, nullptr)) {}
+  Failure(const Failure& other) : Failure() {
+    if (other.error_ != nullptr) *this = Failure(*other.error_);
+  }
+  Failure& operator=(Failure other) noexcept {
+    std::swap(error_, other.error_);
+    return *this;
+  }
+  ~Failure() {
+    if (error_ != nullptr) forget(error_);
+  }
+
+  [[nodiscard]] bool happened() const { return error_ != nullptr; }
+  /// pre: happened()
+  [[nodiscard]] const Error& error() const {
+    assert(happened());
+    return *error_;
+  }
+
+ private:
+  static void forget(Error* error);
+
+  Error* error_ = nullptr;
+};
+
 /// A value, or the error that explains why there is none. Failure caused by data is a value in the
 /// core, which is built without exceptions; the JavaScript wrapper throws it in one place.
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
-  Result(Error error) : state_(std::in_place_index<1>, std::move(error)) {}
+  Result(T value) : value_(std::move(value)) {}
+  Result(Failure failure) : failure_(std::move(failure)) {}
+  Result(Error&& error) : failure_(std::move(error)) {}
+  Result(const Error& error) : failure_(error) {}
 
-  [[nodiscard]] bool ok() const { return state_.index() == 0; }
+  [[nodiscard]] bool ok() const { return !failure_.happened(); }
   explicit operator bool() const { return ok(); }
 
   /// pre: ok()
   [[nodiscard]] T& value() & {
     assert(ok());
-    return *std::get_if<0>(&state_);
+    return value_;
   }
   [[nodiscard]] const T& value() const& {
     assert(ok());
-    return *std::get_if<0>(&state_);
+    return value_;
   }
   [[nodiscard]] T&& value() && {
     assert(ok());
-    return std::move(*std::get_if<0>(&state_));
+    return std::move(value_);
   }
 
   /// pre: !ok()
-  [[nodiscard]] const Error& error() const {
-    assert(!ok());
-    return *std::get_if<1>(&state_);
-  }
+  [[nodiscard]] const Error& error() const { return failure_.error(); }
 
  private:
-  std::variant<T, Error> state_;
+  T value_ = {};
+  Failure failure_;
 };
 
 /// Success, or the error.
@@ -70,19 +100,18 @@ template <>
 class [[nodiscard]] Result<void> {
  public:
   Result() = default;
-  Result(Error error) : error_(std::move(error)) {}
+  Result(Failure failure) : failure_(std::move(failure)) {}
+  Result(Error&& error) : failure_(std::move(error)) {}
+  Result(const Error& error) : failure_(error) {}
 
-  [[nodiscard]] bool ok() const { return !error_.has_value(); }
+  [[nodiscard]] bool ok() const { return !failure_.happened(); }
   explicit operator bool() const { return ok(); }
 
   /// pre: !ok()
-  [[nodiscard]] const Error& error() const {
-    assert(!ok());
-    return *error_;
-  }
+  [[nodiscard]] const Error& error() const { return failure_.error(); }
 
  private:
-  std::optional<Error> error_;
+  Failure failure_;
 };
 
 }  // namespace halfedge

@@ -5,8 +5,8 @@
 
 namespace halfedge::decorator::internal {
 
-Error refusal(const char* code, std::string text, Witness witness) {
-  return {code, sentence::complete(std::move(text)), std::move(witness)};
+Failure refusal(const char* code, std::string text, Witness witness) {
+  return Error{code, sentence::complete(std::move(text)), std::move(witness)};
 }
 
 Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
@@ -15,7 +15,7 @@ Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
   return witness;
 }
 
-Error not_live(ItemKind kind, Index index, Index slots) {
+Failure not_live(ItemKind kind, Index index, Index slots) {
   const std::string name = name_of(kind);
   const std::string article = kind == ItemKind::kEdge ? "an " : "a ";
   const std::string expected = ", expected " + article + name + " of this mesh";
@@ -35,32 +35,32 @@ Error not_live(ItemKind kind, Index index, Index slots) {
                  witness);
 }
 
-Error on_boundary(Halfedge h) {
+Failure on_boundary(Halfedge h) {
   return refusal("boundary-halfedge", text(h) + " has no face, expected a halfedge of a face",
                  halfedges_of({h}));
 }
 
-Error off_boundary(Halfedge h, Face f) {
+Failure off_boundary(Halfedge h, Face f) {
   return refusal("not-a-boundary-halfedge",
                  text(h) + " lies in " + text(f) + ", expected a halfedge without a face",
                  halfedges_of({h}));
 }
 
-Error in_different_loops(Halfedge h, Halfedge g) {
+Failure in_different_loops(Halfedge h, Halfedge g) {
   return refusal(
       "different-loops",
       text(g) + " is not reached by next from " + text(h) + ", expected two halfedges of one loop",
       halfedges_of({h, g}));
 }
 
-Error in_same_loop(Halfedge h, Halfedge g) {
+Failure in_same_loop(Halfedge h, Halfedge g) {
   return refusal(
       "same-loop",
       text(h) + " and " + text(g) + " lie in the same loop, expected two different loops",
       halfedges_of({h, g}));
 }
 
-Error edge_without_face(Halfedge h, const std::string& how) {
+Failure edge_without_face(Halfedge h, const std::string& how) {
   const Edge edge(h.index() / 2);
   return refusal(
       "edge-without-face",
@@ -68,7 +68,7 @@ Error edge_without_face(Halfedge h, const std::string& how) {
       {.edges = {edge.index()}});
 }
 
-Error last_edge(Halfedge h, const std::string& what_is_left) {
+Failure last_edge(Halfedge h, const std::string& what_is_left) {
   const Edge edge(h.index() / 2);
   return refusal(
       "last-edge",
@@ -76,14 +76,14 @@ Error last_edge(Halfedge h, const std::string& what_is_left) {
       {.edges = {edge.index()}});
 }
 
-Error is_loop_edge(Halfedge h, Vertex v) {
+Failure is_loop_edge(Halfedge h, Vertex v) {
   const Edge edge(h.index() / 2);
   return refusal("loop-edge",
                  text(edge) + " leads from " + text(v) + " to itself, expected two different ends",
                  {.vertices = {v.index()}, .edges = {edge.index()}});
 }
 
-Error no_memory(const char* what) {
+Failure no_memory(const char* what) {
   return refusal("out-of-memory", std::string("there is not enough memory for ") + what);
 }
 

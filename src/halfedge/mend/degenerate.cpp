@@ -59,7 +59,7 @@ class Remover {
   }
 
  private:
-  static Error no_memory() { return decorator::internal::no_memory("the faces to be removed"); }
+  static Failure no_memory() { return decorator::internal::no_memory("the faces to be removed"); }
 
   [[nodiscard]] Vector at(Vertex v) const { return point_of(surface_, v); }
   [[nodiscard]] double length_of(Halfedge h) const {
@@ -152,7 +152,7 @@ class Remover {
     for (const bool other : {false, true}) {
       const Halfedge h = turns != other ? Surface::opposite(side) : side;
       if (folds(h)) {
-        why = refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over");
+        why = refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over").error();
         continue;
       }
       const Result<Vertex> kept = surface_.collapse(h);
@@ -277,7 +277,7 @@ class Remover {
     const bool has_neighbours = !surface_.is_boundary(Surface::opposite(into_apex)) &&
                                 !surface_.is_boundary(Surface::opposite(from_apex));
     if (has_neighbours && surface_.is_boundary(apex)) {
-      why = refusal("", text(apex) + " would be pinched");
+      why = refusal("", text(apex) + " would be pinched").error();
       return false;
     }
     surface_.delete_face(f);
@@ -299,13 +299,13 @@ class Remover {
     const bool is_old_thin = is_thin(shape_of(faces[1]));
     for (const Vector& normal : news) {
       if (!is_old_thin && dot(normal, old) < 0) {
-        why = refusal("", "a triangle beyond " + text(Surface::edge(longest)) + " would fold over");
+        why = refusal("", "a triangle beyond " + text(Surface::edge(longest)) + " would fold over").error();
         return false;
       }
     }
     // Where all lie on a line the edge must become shorter, or it would go on for ever.
     if (is_old_thin && !(length(other - apex) < length_of(longest))) {
-      why = refusal("", text(faces[1]) + " beyond its longest edge has no area either");
+      why = refusal("", text(faces[1]) + " beyond its longest edge has no area either").error();
       return false;
     }
     const Result<Edge> done = surface_.flip_edge(Surface::edge(longest));

@@ -15,9 +15,9 @@ namespace {
 using decorator::internal::number;
 using decorator::internal::refusal;
 
-Error no_memory() { return decorator::internal::no_memory("the triangles of a hole"); }
+Failure no_memory() { return decorator::internal::no_memory("the triangles of a hole"); }
 
-Error left_open(Halfedge h, std::size_t edges, const std::string& why) {
+Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
   return refusal("",
                  "the boundary loop of halfedge " + number(h.index()) + ", of " +
                      std::to_string(edges) + " edges, " + why,

@@ -21,7 +21,7 @@ std::string component_of(const Extent& extent, const Component& component) {
          (component.faces == 1 ? " face," : " faces,");
 }
 
-Error is_open(const Extent& extent, const Component& component) {
+Failure is_open(const Extent& extent, const Component& component) {
   return refusal("",
                  component_of(extent, component) + " has " + number(component.boundary_loops) +
                      (component.boundary_loops == 1 ? " boundary loop" : " boundary loops") +
@@ -29,7 +29,7 @@ Error is_open(const Extent& extent, const Component& component) {
                  {.faces = {extent.first_face}});
 }
 
-Error is_flat(const Extent& extent, const Component& component) {
+Failure is_flat(const Extent& extent, const Component& component) {
   return refusal("",
                  component_of(extent, component) +
                      " has no volume that could be told from 0, expected an inside",

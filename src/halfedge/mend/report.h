@@ -66,7 +66,7 @@ struct Report {
   template <class Describe>
   void leave(Code code, const Describe& describe) {
     if (counts[std::size_t(code)]++ >= kMaxListed) return;
-    Error error = describe();
+    Error error = Result<void>(describe()).error();
     error.code = name_of(code);
     problems.push_back(std::move(error));
   }

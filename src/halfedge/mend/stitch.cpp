@@ -15,23 +15,23 @@ namespace {
 using decorator::internal::refusal;
 using decorator::internal::text;
 
-Error no_memory() { return decorator::internal::no_memory("the boundary edges"); }
+Failure no_memory() { return decorator::internal::no_memory("the boundary edges"); }
 
-Error several_fit(Edge e, std::size_t count) {
+Failure several_fit(Edge e, std::size_t count) {
   return refusal("",
                  text(e) + " lies together with " + std::to_string(count - 1) +
                      " other boundary edges, expected one: which to glue it to can't be told",
                  {.edges = {e.index()}});
 }
 
-Error runs_the_same_way(Edge e, Edge other) {
+Failure runs_the_same_way(Edge e, Edge other) {
   return refusal("",
                  text(e) + " and " + text(other) +
                      " lie together but run the same way, expected faces of one orientation",
                  {.edges = {e.index(), other.index()}});
 }
 
-Error refused(Edge e, Edge other, const Error& why) {
+Failure refused(Edge e, Edge other, const Error& why) {
   const std::string reason = why.message.substr(0, why.message.size() - 1);
   return refusal("",
                  text(e) + " and " + text(other) + " lie together but can't be glued: " + reason,

@@ -32,8 +32,8 @@ template <class Mesh>
 /// Why no face can lie on the left of `h`, which has one: it would lead from corner `at` to the
 /// next.
 template <class Mesh>
-[[nodiscard]] Error side_is_taken(const Mesh& mesh, Halfedge h, std::span<const Vertex> corners,
-                                  std::size_t at) {
+[[nodiscard]] Failure side_is_taken(const Mesh& mesh, Halfedge h, std::span<const Vertex> corners,
+                                    std::size_t at) {
   for (const bool is_reversed : {false, true}) {
     if (!has_corners(mesh, h, corners, at, is_reversed)) continue;
     return duplicate_face(mesh.face(is_reversed ? mesh.opposite(h) : h), is_reversed);

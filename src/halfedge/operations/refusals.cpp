@@ -11,26 +11,26 @@ using decorator::internal::number;
 using decorator::internal::refusal;
 using decorator::internal::text;
 
-Error is_boundary_edge(Edge e, Halfedge side) {
+Failure is_boundary_edge(Edge e, Halfedge side) {
   return refusal("boundary-edge",
                  text(e) + " lies on the boundary: " + text(side) +
                      " has no face, expected a face on either side",
                  {.halfedges = {side.index()}, .edges = {e.index()}});
 }
 
-Error not_a_triangle(Face f, Index degree) {
+Failure not_a_triangle(Face f, Index degree) {
   return refusal("not-a-triangle", text(f) + " has degree " + number(degree) + ", expected 3",
                  {.faces = {f.index()}});
 }
 
-Error same_vertex(Edge e, Vertex v) {
+Failure same_vertex(Edge e, Vertex v) {
   return refusal("same-vertex",
                  "the corners opposite to " + text(e) + " are both " + text(v) +
                      ", expected two different vertices",
                  {.vertices = {v.index()}, .edges = {e.index()}});
 }
 
-Error edge_exists(Vertex a, Vertex b, Edge existing) {
+Failure edge_exists(Vertex a, Vertex b, Edge existing) {
   return refusal("edge-exists",
                  text(a) + " and " + text(b) + " are joined by " + text(existing) +
                      " already, expected two vertices without an edge between them",
@@ -39,7 +39,7 @@ Error edge_exists(Vertex a, Vertex b, Edge existing) {
 
 // ---- faces added, joined, divided -----------------------------------------------------------
 
-Error degree_below_three(Index degree, std::span<const Vertex> corners) {
+Failure degree_below_three(Index degree, std::span<const Vertex> corners) {
   Witness witness;
   for (const Vertex v : corners) witness.vertices.push_back(v.index());
   return refusal("degree-below-three",
@@ -47,34 +47,34 @@ Error degree_below_three(Index degree, std::span<const Vertex> corners) {
                  std::move(witness));
 }
 
-Error repeated_vertex(Vertex v) {
+Failure repeated_vertex(Vertex v) {
   return refusal("repeated-vertex",
                  text(v) + " would be at two corners of one face, expected different vertices",
                  {.vertices = {v.index()}});
 }
 
-Error duplicate_face(Face f, bool is_reversed) {
+Failure duplicate_face(Face f, bool is_reversed) {
   return refusal("duplicate-face",
                  text(f) + " has the same corners" + (is_reversed ? ", in reverse" : "") +
                      ", expected a face that is not there yet",
                  {.faces = {f.index()}});
 }
 
-Error edge_with_many_faces(Edge e, Face f, Face g) {
+Failure edge_with_many_faces(Edge e, Face f, Face g) {
   return refusal(
       "edge-with-many-faces",
       text(e) + " has two faces already, " + text(f) + " and " + text(g) + ", expected one at most",
       {.edges = {e.index()}, .faces = {f.index(), g.index()}});
 }
 
-Error opposite_orientation(Edge e, Face f, Vertex a, Vertex b) {
+Failure opposite_orientation(Edge e, Face f, Vertex a, Vertex b) {
   return refusal("opposite-orientation",
                  text(f) + " runs along " + text(e) + " from " + text(a) + " to " + text(b) +
                      ", as the new face would, expected the opposite direction",
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}, .faces = {f.index()}});
 }
 
-Error closed_beside_another(Vertex v, Face f, Face g) {
+Failure closed_beside_another(Vertex v, Face f, Face g) {
   Witness witness{.vertices = {v.index()}};
   for (const Face face : {f, g}) {
     if (face.valid()) witness.faces.push_back(face.index());
@@ -87,21 +87,21 @@ Error closed_beside_another(Vertex v, Face f, Face g) {
                  std::move(witness));
 }
 
-Error same_corner(Vertex v, Halfedge h, Halfedge g) {
+Failure same_corner(Vertex v, Halfedge h, Halfedge g) {
   return refusal("same-corner",
                  text(h) + " and " + text(g) + " both lead to " + text(v) +
                      ", expected two different vertices",
                  {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
 }
 
-Error adjacent_corners(Halfedge between, Vertex a, Vertex b) {
+Failure adjacent_corners(Halfedge between, Vertex a, Vertex b) {
   return refusal("adjacent-corners",
                  text(a) + " and " + text(b) + " are joined by " + text(between) +
                      " of the same loop, expected two corners that are not neighbours",
                  {.vertices = {a.index(), b.index()}, .halfedges = {between.index()}});
 }
 
-Error faces_share_edges(Face f, Face g, std::span<const Edge> edges) {
+Failure faces_share_edges(Face f, Face g, std::span<const Edge> edges) {
   Witness witness{.faces = {f.index(), g.index()}};
   for (const Edge e : edges) witness.edges.push_back(e.index());
   return refusal("faces-share-edges",
@@ -110,7 +110,7 @@ Error faces_share_edges(Face f, Face g, std::span<const Edge> edges) {
                  std::move(witness));
 }
 
-Error faces_share_vertex(Face f, Face g, Vertex v) {
+Failure faces_share_vertex(Face f, Face g, Vertex v) {
   return refusal("faces-share-vertex",
                  text(f) + " and " + text(g) + " also meet at " + text(v) +
                      ", which would be at two corners of the joined face, expected them to share "
@@ -118,43 +118,43 @@ Error faces_share_vertex(Face f, Face g, Vertex v) {
                  {.vertices = {v.index()}, .faces = {f.index(), g.index()}});
 }
 
-Error is_isolated_vertex(Vertex v) {
+Failure is_isolated_vertex(Vertex v) {
   return refusal("isolated-vertex", text(v) + " has no face, expected a vertex with faces",
                  {.vertices = {v.index()}});
 }
 
-Error is_pinched_vertex(Vertex v, Halfedge h, Halfedge g) {
+Failure is_pinched_vertex(Vertex v, Halfedge h, Halfedge g) {
   return refusal("pinched-vertex",
                  "the faces around " + text(v) + " are in separate fans, beginning at " + text(h) +
                      " and " + text(g) + ", expected one fan",
                  {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
 }
 
-Error degenerate_face(Face f) {
+Failure degenerate_face(Face f) {
   return refusal("degenerate-face", text(f) + " has no area, expected a face with a normal",
                  {.faces = {f.index()}});
 }
 
-Error not_finite(const char* name, double value) {
+Failure not_finite(const char* name, double value) {
   return refusal("not-finite", std::string("the ") + name + " is " + sentence::number(value) +
                                    ", expected a finite number");
 }
 
 // ---- edges divided and contracted -----------------------------------------------------------
 
-Error not_valence_two(Vertex v, Index valence) {
+Failure not_valence_two(Vertex v, Index valence) {
   return refusal("not-valence-two", text(v) + " has valence " + number(valence) + ", expected 2",
                  {.vertices = {v.index()}});
 }
 
-Error would_have_two_corners(Vertex v, Face f) {
+Failure would_have_two_corners(Vertex v, Face f) {
   return refusal("degree-below-three",
                  text(f) + " has degree 3 and would lose its corner " + text(v) +
                      ", expected four corners or more",
                  {.vertices = {v.index()}, .faces = {f.index()}});
 }
 
-Error joins_boundary_vertices(Edge e, Vertex a, Vertex b) {
+Failure joins_boundary_vertices(Edge e, Vertex a, Vertex b) {
   return refusal("boundary-vertices",
                  text(e) + " lies inside, but " + text(a) + " and " + text(b) +
                      " both lie on the boundary, which would meet itself there, expected at most "
@@ -162,7 +162,7 @@ Error joins_boundary_vertices(Edge e, Vertex a, Vertex b) {
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 
-Error would_leave_bare_edge(Face f, Edge g, Edge k) {
+Failure would_leave_bare_edge(Face f, Edge g, Edge k) {
   return refusal("edge-without-face",
                  text(f) + " would vanish, and its edges " + number(g.index()) + " and " +
                      number(k.index()) +
@@ -171,7 +171,7 @@ Error would_leave_bare_edge(Face f, Edge g, Edge k) {
                  {.edges = {g.index(), k.index()}, .faces = {f.index()}});
 }
 
-Error is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b) {
+Failure is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b) {
   return refusal("common-neighbour",
                  text(v) + " is joined to both ends of " + text(e) + ", by " + text(to_a) +
                      " and " + text(to_b) +
@@ -181,7 +181,7 @@ Error is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b) {
                  {.vertices = {v.index()}, .edges = {to_a.index(), to_b.index()}});
 }
 
-Error has_both_ends(Face f, Edge e, Vertex a, Vertex b) {
+Failure has_both_ends(Face f, Edge e, Vertex a, Vertex b) {
   return refusal("repeated-vertex",
                  text(f) + " has both ends of " + text(e) + " as corners, " + text(a) + " and " +
                      text(b) + ", which would become one, expected only faces at " + text(e) +
@@ -189,7 +189,7 @@ Error has_both_ends(Face f, Edge e, Vertex a, Vertex b) {
                  {.vertices = {a.index(), b.index()}, .faces = {f.index()}});
 }
 
-Error would_leave_pillow(Edge e, Face f, Face g) {
+Failure would_leave_pillow(Edge e, Face f, Face g) {
   return refusal("leaves-pillow",
                  "without " + text(e) + ", " + text(f) + " and " + text(g) +
                      " would have the same corners and lie upon each other, expected another face "
@@ -197,14 +197,14 @@ Error would_leave_pillow(Edge e, Face f, Face g) {
                  {.edges = {e.index()}, .faces = {f.index(), g.index()}});
 }
 
-Error leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w) {
+Failure leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w) {
   return refusal("different-vertices",
                  text(h) + " leaves " + text(v) + " and " + text(g) + " leaves " + text(w) +
                      ", expected one vertex",
                  {.vertices = {v.index(), w.index()}, .halfedges = {h.index(), g.index()}});
 }
 
-Error nothing_between(Halfedge h, Halfedge g) {
+Failure nothing_between(Halfedge h, Halfedge g) {
   return refusal("nothing-between",
                  "no halfedge lies counter-clockwise between " + text(h) + " and " + text(g) +
                      ", and without a triangle the new vertex would have one edge, expected a "
@@ -212,7 +212,7 @@ Error nothing_between(Halfedge h, Halfedge g) {
                  {.halfedges = {h.index(), g.index()}});
 }
 
-Error would_be_bare_edge(Vertex v, Halfedge h, Halfedge g) {
+Failure would_be_bare_edge(Vertex v, Halfedge h, Halfedge g) {
   return refusal("edge-without-face",
                  "the new edge at " + text(v) +
                      " would have no face on either side: the boundary lies to the left of " +

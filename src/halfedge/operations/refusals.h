@@ -10,68 +10,68 @@
 namespace halfedge::operations {
 
 /// boundary-edge: `side` is a halfedge of `e` without a face.
-[[nodiscard]] Error is_boundary_edge(Edge e, Halfedge side);
+[[nodiscard]] Failure is_boundary_edge(Edge e, Halfedge side);
 /// not-a-triangle
-[[nodiscard]] Error not_a_triangle(Face f, Index degree);
+[[nodiscard]] Failure not_a_triangle(Face f, Index degree);
 /// same-vertex: both corners opposite to `e` are `v`.
-[[nodiscard]] Error same_vertex(Edge e, Vertex v);
+[[nodiscard]] Failure same_vertex(Edge e, Vertex v);
 /// edge-exists: `a` and `b` would be joined a second time.
-[[nodiscard]] Error edge_exists(Vertex a, Vertex b, Edge existing);
+[[nodiscard]] Failure edge_exists(Vertex a, Vertex b, Edge existing);
 
 // ---- faces added, joined, divided -----------------------------------------------------------
 
 /// degree-below-three: of a face that is to be, with these corners.
-[[nodiscard]] Error degree_below_three(Index degree, std::span<const Vertex> corners);
+[[nodiscard]] Failure degree_below_three(Index degree, std::span<const Vertex> corners);
 /// repeated-vertex: a face would have `v` at two corners.
-[[nodiscard]] Error repeated_vertex(Vertex v);
+[[nodiscard]] Failure repeated_vertex(Vertex v);
 /// duplicate-face: the corners are those of `f`, in its order or in reverse.
-[[nodiscard]] Error duplicate_face(Face f, bool is_reversed);
+[[nodiscard]] Failure duplicate_face(Face f, bool is_reversed);
 /// edge-with-many-faces: `f` and `g` lie on both sides of `e` already.
-[[nodiscard]] Error edge_with_many_faces(Edge e, Face f, Face g);
+[[nodiscard]] Failure edge_with_many_faces(Edge e, Face f, Face g);
 /// opposite-orientation: `f` runs from `a` to `b` as the new face would.
-[[nodiscard]] Error opposite_orientation(Edge e, Face f, Vertex a, Vertex b);
+[[nodiscard]] Failure opposite_orientation(Edge e, Face f, Vertex a, Vertex b);
 /// pinched-vertex: faces would close around `v`, or do already, and leave out others; `f` and `g`
 /// are one of each, of which one is empty if it is the new face.
-[[nodiscard]] Error closed_beside_another(Vertex v, Face f, Face g);
+[[nodiscard]] Failure closed_beside_another(Vertex v, Face f, Face g);
 /// same-corner: an edge would lead from `v`, where `h` and `g` end, to itself.
-[[nodiscard]] Error same_corner(Vertex v, Halfedge h, Halfedge g);
+[[nodiscard]] Failure same_corner(Vertex v, Halfedge h, Halfedge g);
 /// adjacent-corners: `between` leads from one of the corners that should be joined to the other.
-[[nodiscard]] Error adjacent_corners(Halfedge between, Vertex a, Vertex b);
+[[nodiscard]] Failure adjacent_corners(Halfedge between, Vertex a, Vertex b);
 /// faces-share-edges: `f` and `g` have as many edges in common as are listed, the first of which
 /// was to be removed.
-[[nodiscard]] Error faces_share_edges(Face f, Face g, std::span<const Edge> edges);
+[[nodiscard]] Failure faces_share_edges(Face f, Face g, std::span<const Edge> edges);
 /// faces-share-vertex: `f` and `g` meet at `v` too, beside the edge(s) that were to be removed.
-[[nodiscard]] Error faces_share_vertex(Face f, Face g, Vertex v);
+[[nodiscard]] Failure faces_share_vertex(Face f, Face g, Vertex v);
 /// isolated-vertex
-[[nodiscard]] Error is_isolated_vertex(Vertex v);
+[[nodiscard]] Failure is_isolated_vertex(Vertex v);
 /// pinched-vertex: the boundary halfedges `h` and `g` both leave `v`.
-[[nodiscard]] Error is_pinched_vertex(Vertex v, Halfedge h, Halfedge g);
+[[nodiscard]] Failure is_pinched_vertex(Vertex v, Halfedge h, Halfedge g);
 /// degenerate-face: no normal can be told.
-[[nodiscard]] Error degenerate_face(Face f);
+[[nodiscard]] Failure degenerate_face(Face f);
 /// not-finite: the argument `name` is `value`.
-[[nodiscard]] Error not_finite(const char* name, double value);
+[[nodiscard]] Failure not_finite(const char* name, double value);
 
 // ---- edges divided and contracted -----------------------------------------------------------
 
 /// not-valence-two
-[[nodiscard]] Error not_valence_two(Vertex v, Index valence);
+[[nodiscard]] Failure not_valence_two(Vertex v, Index valence);
 /// degree-below-three: the triangle `f` would lose its corner `v`.
-[[nodiscard]] Error would_have_two_corners(Vertex v, Face f);
+[[nodiscard]] Failure would_have_two_corners(Vertex v, Face f);
 /// boundary-vertices: `e`, an interior edge, joins two vertices of the boundary.
-[[nodiscard]] Error joins_boundary_vertices(Edge e, Vertex a, Vertex b);
+[[nodiscard]] Failure joins_boundary_vertices(Edge e, Vertex a, Vertex b);
 /// edge-without-face: the triangle `f` would vanish, and `g` and `k`, on the boundary, become one.
-[[nodiscard]] Error would_leave_bare_edge(Face f, Edge g, Edge k);
+[[nodiscard]] Failure would_leave_bare_edge(Face f, Edge g, Edge k);
 /// common-neighbour: `v` is joined to the ends of `e` by `to_a` and `to_b`.
-[[nodiscard]] Error is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b);
+[[nodiscard]] Failure is_common_neighbour(Vertex v, Edge e, Edge to_a, Edge to_b);
 /// repeated-vertex: both ends of `e` are corners of `f`, in which `e` doesn't lie.
-[[nodiscard]] Error has_both_ends(Face f, Edge e, Vertex a, Vertex b);
+[[nodiscard]] Failure has_both_ends(Face f, Edge e, Vertex a, Vertex b);
 /// leaves-pillow: contracting `e` would leave `f` and `g` on the same corners.
-[[nodiscard]] Error would_leave_pillow(Edge e, Face f, Face g);
+[[nodiscard]] Failure would_leave_pillow(Edge e, Face f, Face g);
 /// different-vertices: `h` and `g` don't leave the same vertex.
-[[nodiscard]] Error leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w);
+[[nodiscard]] Failure leave_different_vertices(Halfedge h, Vertex v, Halfedge g, Vertex w);
 /// nothing-between: a new vertex between `h` and `g` would have one edge.
-[[nodiscard]] Error nothing_between(Halfedge h, Halfedge g);
+[[nodiscard]] Failure nothing_between(Halfedge h, Halfedge g);
 /// edge-without-face: the new edge would lie on the boundary with both sides.
-[[nodiscard]] Error would_be_bare_edge(Vertex v, Halfedge h, Halfedge g);
+[[nodiscard]] Failure would_be_bare_edge(Vertex v, Halfedge h, Halfedge g);
 
 }  // namespace halfedge::operations

@@ -11,7 +11,7 @@ using decorator::internal::number;
 using decorator::internal::refusal;
 using decorator::internal::text;
 
-Error repeated_on_seam(Vertex v) {
+Failure repeated_on_seam(Vertex v) {
   return refusal("repeated-vertex",
                  text(v) +
                      " occurs more than once among the vertices to be glued, expected "
@@ -19,28 +19,28 @@ Error repeated_on_seam(Vertex v) {
                  {.vertices = {v.index()}});
 }
 
-Error would_repeat_vertex(Face f, Vertex kept, Vertex gone) {
+Failure would_repeat_vertex(Face f, Vertex kept, Vertex gone) {
   return refusal("repeated-vertex",
                  text(f) + " has both " + text(kept) + " and " + text(gone) +
                      ", which would become one vertex, expected faces with one of them",
                  {.vertices = {kept.index(), gone.index()}, .faces = {f.index()}});
 }
 
-Error would_be_duplicate(Edge first, Edge second, Vertex a, Vertex b) {
+Failure would_be_duplicate(Edge first, Edge second, Vertex a, Vertex b) {
   return refusal("duplicate-edge",
                  text(first) + " and " + text(second) + " would both join " + text(a) + " and " +
                      text(b) + ", expected one edge between two vertices",
                  {.vertices = {a.index(), b.index()}, .edges = {first.index(), second.index()}});
 }
 
-Error would_close_fan(Vertex v, Halfedge h, Halfedge g) {
+Failure would_close_fan(Vertex v, Halfedge h, Halfedge g) {
   return refusal("pinched-vertex",
                  "the faces between " + text(g) + " and " + text(h) + " would close around " +
                      text(v) + ", which has other faces too, expected no others",
                  {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
 }
 
-Error no_boundary_end(Edge e, Vertex a, Vertex b) {
+Failure no_boundary_end(Edge e, Vertex a, Vertex b) {
   return refusal("no-boundary-end",
                  text(e) + " would become two edges between " + text(a) + " and " + text(b) +
                      ", which are both inside, expected an end on the boundary, or a path of "
@@ -48,42 +48,42 @@ Error no_boundary_end(Edge e, Vertex a, Vertex b) {
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 
-Error empty_path() {
+Failure empty_path() {
   return refusal("not-a-path", "the path is empty, expected one halfedge or more");
 }
 
-Error not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin) {
+Failure not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin) {
   return refusal("not-a-path",
                  text(h) + " leads to " + text(end) + ", but the next in the path, " +
                      text(following) + ", leaves " + text(begin),
                  {.halfedges = {h.index(), following.index()}});
 }
 
-Error repeated_on_path(Edge e) {
+Failure repeated_on_path(Edge e) {
   return refusal("not-a-path", text(e) + " occurs twice in the path, expected different edges",
                  {.edges = {e.index()}});
 }
 
-Error not_a_quad(Face f, Index degree) {
+Failure not_a_quad(Face f, Index degree) {
   return refusal("not-a-quad", text(f) + " has degree " + number(degree) + ", expected 4",
                  {.faces = {f.index()}});
 }
 
-Error ring_too_short(Face f, Face g) {
+Failure ring_too_short(Face f, Face g) {
   return refusal("degree-below-three",
                  "the ring consists of " + text(f) + " and " + text(g) +
                      " only, and would leave faces of degree 2, expected three quads or more",
                  {.faces = {f.index(), g.index()}});
 }
 
-Error repeated_on_ring(Edge e, Vertex v) {
+Failure repeated_on_ring(Edge e, Vertex v) {
   return refusal("repeated-vertex",
                  "the ring of quads over " + text(e) + " passes " + text(v) +
                      " more than once, expected different vertices",
                  {.vertices = {v.index()}, .edges = {e.index()}});
 }
 
-Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
+Failure no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
   Witness witness{.vertices = {a.index(), b.index()}, .faces = {f.index()}};
   if (existing.valid()) witness.edges = {existing.index()};
   return refusal("no-triangulation",
@@ -95,18 +95,18 @@ Error no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
                  std::move(witness));
 }
 
-Error not_a_fraction(const char* name, double value) {
+Failure not_a_fraction(const char* name, double value) {
   return refusal("out-of-range", std::string("the ") + name + " is " + sentence::number(value) +
                                      ", expected a number from 0 to 1");
 }
 
-Error valence_below_three(Vertex v, Index valence) {
+Failure valence_below_three(Vertex v, Index valence) {
   return refusal("valence-below-three",
                  text(v) + " has valence " + number(valence) + ", expected 3 at least",
                  {.vertices = {v.index()}});
 }
 
-Error both_valences_below_three(Edge e, Vertex a, Vertex b) {
+Failure both_valences_below_three(Edge e, Vertex a, Vertex b) {
   return refusal("valence-below-three",
                  "the new face would have two corners: both " + text(a) + " and " + text(b) +
                      ", the ends of " + text(e) + ", have valence 2, expected 3 at one at least",
