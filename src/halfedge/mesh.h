@@ -3,8 +3,10 @@
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/connectivity.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <cstring>
 #include <span>
 
 namespace halfedge {
@@ -104,7 +106,25 @@ class BasicMesh : public BasicConnectivity<kStored> {
     if (write.field == Field::kVertexSlots) {
       (void)positions_.resize(3 * std::size_t{write.word}, 0.0F);  // in room that was there before
     }
+    if (write.field == Field::kNewVertices) return exchange_new_vertices(write);
     Base::exchange(write);
+  }
+
+  // The positions are the first to be dropped, and the last to be there again.
+  void exchange_new_vertices(Journal::Write& write) {
+    Journal& journal = this->journal();
+    const std::size_t kept = 3 * std::size_t{std::min(write.word, vertex_slots())};
+    const std::size_t changed = 3 * std::size_t{std::max(write.word, vertex_slots())} - kept;
+    if (write.word < vertex_slots()) {
+      journal.keep_dropped(positions_.begin() + kept, changed);
+      positions_.grow_to(kept);
+      Base::exchange(write);
+    } else {
+      Base::exchange(write);
+      positions_.grow_to(kept + changed);
+      std::memcpy(positions_.begin() + kept, journal.take_dropped(changed),
+                  changed * sizeof(float));
+    }
   }
 
   Array<float> positions_;

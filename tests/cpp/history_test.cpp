@@ -96,6 +96,74 @@ TEST(History, TakesBackEachStepExactly) {
   EXPECT_FALSE(mesh.undo());
 }
 
+TEST(History, GoesBackAndForthThroughStepsOfManyChanges) {
+  std::vector<Shape> shapes = all_shapes();
+  for (std::uint32_t seed = 0; seed < 6; ++seed) shapes.push_back(random_polygons(seed));
+  std::uint32_t seed = 100;
+  for (const Shape& shape : shapes) {
+    SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
+    Mesh mesh = with_history(shape);
+    RandomCalls random(seed++, 60);
+    std::vector<Snapshot> states{Snapshot(mesh)};
+    for (int step = 0; step < 60; ++step) {
+      // Items that are new in a step are deleted in it, their slots taken again, and compacted.
+      for (std::size_t changes = 1 + random.below(30); changes > 0; --changes) {
+        (void)change_something(mesh, random);
+      }
+      const std::size_t steps = mesh.history()->undo_count();
+      mesh.end_step();
+      if (mesh.history()->undo_count() > steps) states.push_back(Snapshot(mesh));
+    }
+    ASSERT_GT(states.size(), 40U);
+    for (int times = 0; times < 2; ++times) {
+      for (std::size_t i = states.size() - 1; i-- > 0;) {
+        ASSERT_TRUE(mesh.undo());
+        ASSERT_EQ(Snapshot(mesh), states[i]) << "after undo, state " << i;
+      }
+      for (std::size_t i = 1; i < states.size(); ++i) {
+        ASSERT_TRUE(mesh.redo());
+        ASSERT_EQ(Snapshot(mesh), states[i]) << "after redo, state " << i;
+      }
+    }
+  }
+}
+
+TEST(History, NeedsNoNotesOfWhatNewItemsHold) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  const Snapshot before(mesh);
+  ASSERT_TRUE(operations::split_face(mesh, Face(0)));
+  mesh.end_step();
+  // Sizes of three arrays; next and prev of three sides, the face of two of them.
+  EXPECT_EQ(mesh.history()->bytes(), (3 + 6 + 2) * sizeof(Journal::Write));
+  const Snapshot after(mesh);
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(Snapshot(mesh), before);
+  ASSERT_TRUE(mesh.redo());
+  EXPECT_EQ(Snapshot(mesh), after);
+}
+
+TEST(History, NotesADeletedEdgeInOnePlaceOfItsChunk) {
+  // So many steps that edges fall on each place of a chunk of notes.
+  Mesh mesh = reference_build(quad_grid(40, 40));
+  ASSERT_TRUE(mesh.enable_history());
+  const Snapshot before(mesh);
+  std::size_t moved = 0;
+  for (Index f = 0; f < mesh.face_slots(); ++f) {
+    const Vertex v = mesh.to_vertex(mesh.face_halfedge(Face(f)));
+    for (Index i = 0; i < f % 3; ++i) mesh.set_position(v, {float(++moved), 0, 0});
+    ASSERT_TRUE(operations::delete_face(mesh, Face(f)));
+    mesh.end_step();
+  }
+  const Snapshot after(mesh);
+  while (mesh.undo()) {
+  }
+  ASSERT_EQ(Snapshot(mesh), before);
+  while (mesh.redo()) {
+  }
+  ASSERT_EQ(Snapshot(mesh), after);
+}
+
 TEST(History, BringsItemsBackUnderTheirHandles) {
   Mesh mesh = with_history(tetrahedron());
   const Face f = mesh.face(Halfedge(0));
@@ -283,7 +351,7 @@ TEST(History, ARefusedOperationMakesNoStep) {
 
 TEST(History, UndoInvalidatesCirculators) {
   Mesh mesh = with_history(triangle());
-  mesh.set_face(Halfedge(0), mesh.face(Halfedge(0)));
+  mesh.set_position(Vertex(0), {1, 1, 1});
   mesh.end_step();
   const std::uint64_t version = mesh.version();
   ASSERT_TRUE(mesh.undo());

@@ -121,11 +121,18 @@ class Array {
     capacity_ = size_;
   }
 
+  /// Makes room for `count` elements more, and then some: amortised O(count). Keeps the contents.
+  [[nodiscard]] bool reserve_more(std::size_t count) {
+    const std::size_t least = size_ + count;
+    if (least <= capacity_) return true;
+    return reserve(least + least / 2 + 16) || reserve(least);
+  }
+
   /// Appends one element; amortised O(1).
   [[nodiscard]] bool push_back(const T& value) {
     if (size_ == capacity_) {
       const T copy = value;  // value may lie in this array
-      if (!reserve(capacity_ + capacity_ / 2 + 16) && !reserve(capacity_ + 1)) return false;
+      if (!reserve_more(1)) return false;
       data_[size_++] = copy;
       return true;
     }

@@ -57,6 +57,7 @@ class Compaction {
 
   template <Storage kStored>
   static void note_positions(BasicMesh<kStored>& mesh) {
+    mesh.journal().end_new();
     for (Index v = 0; v < mesh.vertex_slots(); ++v) mesh.note_position(Vertex(v));
   }
 
@@ -79,6 +80,7 @@ class Compaction {
   // Sizes last: they are the first that undo restores.
   template <Storage kStored>
   static void note_all(BasicConnectivity<kStored>& mesh) {
+    mesh.journal_->end_new();
     const auto note_words = [&](Field field, const Array<Index>& array) {
       for (Index i = 0; i < array.size(); ++i) mesh.note(field, i, array[i]);
     };

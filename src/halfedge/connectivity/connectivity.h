@@ -345,6 +345,12 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// operations that would write each of them twice.
   [[nodiscard]] Halfedge new_unlinked_edge(Vertex from, Vertex to);
 
+  /// So many edges or faces in a row behind the last one, and the first of them; deleted slots are
+  /// left alone. The caller sets all their links. For operations that add several at once.
+  /// pre: there is room for them
+  [[nodiscard]] Edge append_edges(Index count);
+  [[nodiscard]] Face append_faces(Index count);
+
   /// A face with the loop of `h` as its boundary; the halfedges of the loop still need `set_face`.
   /// Where faces store no halfedge `h` isn't looked at.
   [[nodiscard]] Face new_face(Halfedge h);
@@ -355,25 +361,72 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     explicit Writer(BasicConnectivity& mesh) : mesh_(mesh) { ++mesh.version_; }
 
     void link(Halfedge h, Halfedge n) const {
-      mesh_.write(Field::kNext, mesh_.links_.next, h.index(), n.index());
+      set_next(h, n);
+      set_prev(n, h);
+    }
+    /// The halves of `link`.
+    void set_next(Halfedge h, Halfedge n) const {
+      write(Field::kNext, mesh_.links_.next, h.index(), n.index());
+    }
+    void set_prev([[maybe_unused]] Halfedge h, [[maybe_unused]] Halfedge p) const {
       if constexpr (kStorage.prev) {
-        mesh_.write(Field::kPrev, mesh_.links_.prev, n.index(), h.index());
+        write(Field::kPrev, mesh_.links_.prev, h.index(), p.index());
       }
     }
     void set_to_vertex(Halfedge h, Vertex v) const {
-      mesh_.write(Field::kToVertex, mesh_.links_.to_vertex, h.index(), v.index());
+      write(Field::kToVertex, mesh_.links_.to_vertex, h.index(), v.index());
     }
     /// Does nothing where faces aren't stored.
     void set_face([[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) const {
       if constexpr (kStorage.face) {
-        mesh_.write(Field::kFace, mesh_.links_.face, h.index(), f.index());
+        write(Field::kFace, mesh_.links_.face, h.index(), f.index());
+      }
+    }
+    /// Does nothing where faces store no halfedge.
+    void set_face_halfedge([[maybe_unused]] Face f, [[maybe_unused]] Halfedge h) const {
+      if constexpr (kStorage.face_halfedge) {
+        mesh_.write(Field::kFaceHalfedge, mesh_.links_.face_halfedge, f.index(), h.index());
       }
     }
 
    private:
+    // As that of the mesh, but that no call is needed to find out that a halfedge is new.
+    void write(Field field, Array<Index>& array, Index h, Index word) const {
+      if (mesh_.journal_ != nullptr && array[h] != word && !mesh_.journal_->is_new_halfedge(h))
+          [[unlikely]]
+        mesh_.journal_->record(field, h, array[h]);
+      array[h] = word;
+    }
+
     BasicConnectivity& mesh_;
   };
   [[nodiscard]] Writer writer() { return Writer(*this); }
+
+  /// The same for slots that were appended in this step: history needs no note of what they hold.
+  class AppendedWriter {
+   public:
+    explicit AppendedWriter(BasicConnectivity& mesh) : links_(mesh.links_) {}
+
+    void link(Halfedge h, Halfedge n) const {
+      set_next(h, n);
+      set_prev(n, h);
+    }
+    void set_next(Halfedge h, Halfedge n) const { links_.next[h.index()] = n.index(); }
+    void set_prev([[maybe_unused]] Halfedge h, [[maybe_unused]] Halfedge p) const {
+      if constexpr (kStorage.prev) links_.prev[h.index()] = p.index();
+    }
+    void set_to_vertex(Halfedge h, Vertex v) const { links_.to_vertex[h.index()] = v.index(); }
+    void set_face([[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) const {
+      if constexpr (kStorage.face) links_.face[h.index()] = f.index();
+    }
+    void set_face_halfedge([[maybe_unused]] Face f, [[maybe_unused]] Halfedge h) const {
+      if constexpr (kStorage.face_halfedge) links_.face_halfedge[f.index()] = h.index();
+    }
+
+   private:
+    Links& links_;
+  };
+  [[nodiscard]] AppendedWriter appended_writer() { return AppendedWriter(*this); }
 
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
@@ -428,6 +481,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] const FreeList& free_faces() const { return free_faces_; }
 
  protected:
+  /// pre: history is on
+  [[nodiscard]] Journal& journal() { return *journal_; }
   /// Notes that a word is about to be replaced.
   void note(Field field, Index index, Index word) {
     if (journal_ != nullptr) [[unlikely]]
@@ -456,8 +511,13 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   friend class Compaction;
 
   void write(Field field, Array<Index>& array, Index i, Index word) {
-    note(field, i, array[i]);
+    if (journal_ != nullptr && array[i] != word) [[unlikely]]
+      journal_->record(field, i, array[i]);
     array[i] = word;
+  }
+  void note_new(Field field, Index slots) {
+    if (journal_ != nullptr) [[unlikely]]
+      journal_->record_new(field, slots);
   }
   void note(Field field, const FreeList& list) {
     note(field, 0, list.head);
@@ -471,8 +531,13 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
 
   [[nodiscard]] Halfedge add_edge_slot();
-  void push_free(Field field, FreeList& list, Index slot);
-  [[nodiscard]] Index pop_free(Field field, FreeList& list, Index next_free);
+  void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
+  void note_freed(Edge e, bool is_taken);
+  void exchange_freed_edge(Journal::Write& first);
+  void exchange_new_halfedges(Journal::Write& write);
+  void exchange_new(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
+                    Journal::Write& write);
+  [[nodiscard]] Index take_free(Field field, Array<Index>& links, FreeList& list, Index link);
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.
   [[nodiscard]] Halfedge find_prev(Halfedge h) const {

@@ -4,6 +4,8 @@
 
 #include <halfedge/connectivity/connectivity.h>
 
+#include <cstring>
+
 namespace halfedge {
 
 namespace internal {
@@ -130,17 +132,13 @@ bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
 }
 
 template <Storage kStored>
-void BasicConnectivity<kStored>::push_free(Field field, FreeList& list, Index slot) {
-  note(field, list);
-  list.head = slot;
-  ++list.count;
-}
-
-template <Storage kStored>
-Index BasicConnectivity<kStored>::pop_free(Field field, FreeList& list, Index next_free) {
-  note(field, list);
-  --list.count;
-  return std::exchange(list.head, next_free);
+Index BasicConnectivity<kStored>::take_free(Field field, Array<Index>& links, FreeList& list,
+                                            Index link) {
+  const Index slot = list.head;
+  const Index next_free = next_free_slot(links[slot]);
+  write(field, links, slot, link);
+  list.pop(next_free);
+  return slot;
 }
 
 template <Storage kStored>
@@ -148,18 +146,16 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
   if (vertex_count() >= kMaxSlots) return {};
   Vertex v(vertex_slots());
   if (kStorage.vertex_halfedge && free_vertices_.count > 0) {
-    const Index next_free = next_free_slot(links_.vertex_halfedge[free_vertices_.head]);
-    v = Vertex(pop_free(Field::kFreeVertices, free_vertices_, next_free));
-    write(Field::kVertexHalfedge, links_.vertex_halfedge, v.index(), kNone);
+    v = Vertex(take_free(Field::kFreedVertex, links_.vertex_halfedge, free_vertices_, kNone));
     attributes_.set_default(ItemKind::kVertex, v.index(), journal_.get());
   } else {
     if (!attributes_.reserve(ItemKind::kVertex, std::size_t{v.index()} + 1)) return {};
     if constexpr (!kStorage.vertex_halfedge) {
-      note(Field::kVertexSlots, 0, bare_vertices_++);
+      note_new(Field::kNewVertices, bare_vertices_++);
     } else {
       Array<Index>& anchors = links_.vertex_halfedge;
       if (!internal::make_room(anchors, anchors.size() + 1)) return {};
-      note(Field::kVertexSlots, 0, v.index());
+      note_new(Field::kNewVertices, v.index());
       (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
     }
     attributes_.resize(ItemKind::kVertex, v.index() + 1, journal_.get());
@@ -179,7 +175,7 @@ Halfedge BasicConnectivity<kStored>::add_edge_slot() {
                                 !attributes_.reserve(ItemKind::kHalfedge, count))) {
     return {};
   }
-  note(Field::kHalfedgeSlots, 0, h.index());
+  note_new(Field::kNewHalfedges, h.index());
   (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
     array.grow_to(count);
     array[h.index()] = array[h.index() + 1U] = kNone;
@@ -193,14 +189,46 @@ Halfedge BasicConnectivity<kStored>::add_edge_slot() {
 }
 
 template <Storage kStored>
+Edge BasicConnectivity<kStored>::append_edges(Index count) {
+  const Edge first(edge_slots());
+  const std::size_t halfedges = halfedge_slots() + 2 * std::size_t{count};
+  note_new(Field::kNewHalfedges, halfedge_slots());
+  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    array.grow_to(halfedges);
+    return true;
+  });
+  attributes_.resize(ItemKind::kEdge, Index(halfedges / 2), journal_.get());
+  attributes_.resize(ItemKind::kHalfedge, Index(halfedges));
+  ++version_;
+  return first;
+}
+
+template <Storage kStored>
+Face BasicConnectivity<kStored>::append_faces(Index count) {
+  const Face first(face_slots());
+  const Index faces = face_slots() + count;
+  note_new(Field::kNewFaces, face_slots());
+  if constexpr (kStorage.face_halfedge) {
+    links_.face_halfedge.grow_to(faces);
+  } else {
+    bare_faces_ = faces;
+  }
+  attributes_.resize(ItemKind::kFace, faces, journal_.get());
+  ++version_;
+  return first;
+}
+
+template <Storage kStored>
 Halfedge BasicConnectivity<kStored>::new_unlinked_edge(Vertex from, Vertex to) {
   Halfedge h;
   if (free_edges_.count == 0) {
     h = add_edge_slot();
     if (!h.valid()) return h;
   } else {
-    const Index next_free = next_free_slot(links_.next[2 * std::size_t{free_edges_.head}]);
-    h = edge_halfedge(Edge(pop_free(Field::kFreeEdges, free_edges_, next_free)));
+    h = edge_halfedge(Edge(free_edges_.head));
+    if (journal_ != nullptr) [[unlikely]]
+      note_freed(edge(h), /*is_taken=*/true);
+    free_edges_.pop(next_free_slot(links_.next[h.index()]));
     attributes_.set_default(ItemKind::kEdge, edge(h).index(), journal_.get());
     attributes_.set_default(ItemKind::kHalfedge, h.index(), journal_.get());
     attributes_.set_default(ItemKind::kHalfedge, opposite(h).index(), journal_.get());
@@ -229,17 +257,16 @@ Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
   if (face_count() >= kMaxSlots) return {};
   Face f(face_slots());
   if (kStorage.face_halfedge && free_faces_.count > 0) {
-    const Index next_free = next_free_slot(links_.face_halfedge[free_faces_.head]);
-    f = Face(pop_free(Field::kFreeFaces, free_faces_, next_free));
+    f = Face(take_free(Field::kFreedFace, links_.face_halfedge, free_faces_, h.index()));
     attributes_.set_default(ItemKind::kFace, f.index(), journal_.get());
   } else {
     if (!attributes_.reserve(ItemKind::kFace, std::size_t{f.index()} + 1)) return {};
     if constexpr (!kStorage.face_halfedge) {
-      note(Field::kFaceSlots, 0, bare_faces_++);
+      note_new(Field::kNewFaces, bare_faces_++);
     } else {
       Array<Index>& firsts = links_.face_halfedge;
       if (!internal::make_room(firsts, firsts.size() + 1)) return {};
-      note(Field::kFaceSlots, 0, f.index());
+      note_new(Field::kNewFaces, f.index());
       (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
     }
     attributes_.resize(ItemKind::kFace, f.index() + 1, journal_.get());
@@ -260,28 +287,65 @@ void BasicConnectivity<kStored>::adjust_anchor(Vertex v) {
 }
 
 template <Storage kStored>
+void BasicConnectivity<kStored>::release_slot(Field field, Array<Index>& links, FreeList& list,
+                                              Index slot) {
+  write(field, links, slot, internal::encode_free_slot(list.head));
+  list.push(slot);
+  ++version_;
+}
+
+template <Storage kStored>
 void BasicConnectivity<kStored>::release(Vertex v) {
   static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
   assert(is_live(v));
   attributes_.end_generation(ItemKind::kVertex, v.index(), journal_.get());
-  set_vertex_halfedge(v, Halfedge(internal::encode_free_slot(free_vertices_.head)));
-  push_free(Field::kFreeVertices, free_vertices_, v.index());
+  release_slot(Field::kFreedVertex, links_.vertex_halfedge, free_vertices_, v.index());
 }
 
 template <Storage kStored>
 void BasicConnectivity<kStored>::release(Edge e) {
   assert(is_live(e));
   attributes_.end_generation(ItemKind::kEdge, e.index(), journal_.get());
-  for (const Index side : {0U, 1U}) {
-    const Index h = edge_halfedge(e, side).index();
-    const Index link = side == 0 ? internal::encode_free_slot(free_edges_.head) : kDeleted;
-    write(Field::kNext, links_.next, h, link);
-    write(Field::kToVertex, links_.to_vertex, h, kDeleted);
-    if constexpr (kStorage.prev) write(Field::kPrev, links_.prev, h, kDeleted);
-    if constexpr (kStorage.face) write(Field::kFace, links_.face, h, kDeleted);
-  }
-  push_free(Field::kFreeEdges, free_edges_, e.index());
+  const Index h = edge_halfedge(e).index();
+  if (journal_ != nullptr) [[unlikely]]
+    note_freed(e, /*is_taken=*/false);
+  (void)internal::for_halfedge_arrays<kStored>(links_, [h](Array<Index>& array) {
+    array[h] = array[h + 1] = kDeleted;
+    return true;
+  });
+  links_.next[h] = internal::encode_free_slot(free_edges_.head);
+  free_edges_.push(e.index());
   ++version_;
+}
+
+// The words in the order in which `exchange_freed_edge` takes them.
+template <Storage kStored>
+void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
+  Index words[8] = {};
+  Index* word = words;
+  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    *word++ = array[edge_halfedge(e, 0).index()];
+    *word++ = array[edge_halfedge(e, 1).index()];
+    return true;
+  });
+  journal_->record_freed_edge(e.index(), words, is_taken);
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_freed_edge(Journal::Write& first) {
+  const Index e = first.index;
+  free_edges_.exchange(e, links_.next[2 * std::size_t{e}]);
+  Index words[8] = {};
+  Index* word = words;
+  Journal::for_edge_words(&first, [&word](Index noted) { *word++ = noted; });
+  word = words;
+  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    std::swap(array[edge_halfedge(Edge(e), 0).index()], *word++);
+    std::swap(array[edge_halfedge(Edge(e), 1).index()], *word++);
+    return true;
+  });
+  word = words;
+  Journal::for_edge_words(&first, [&word](Index& noted) { noted = *word++; });
 }
 
 template <Storage kStored>
@@ -289,8 +353,53 @@ void BasicConnectivity<kStored>::release(Face f) {
   static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
   assert(is_live(f));
   attributes_.end_generation(ItemKind::kFace, f.index(), journal_.get());
-  set_face_halfedge(f, Halfedge(internal::encode_free_slot(free_faces_.head)));
-  push_free(Field::kFreeFaces, free_faces_, f.index());
+  release_slot(Field::kFreedFace, links_.face_halfedge, free_faces_, f.index());
+}
+
+// Drops slots that were new, or adds them again, in room that was there before, as they were.
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_new(ItemKind kind, bool is_stored, Array<Index>& array,
+                                              Index& bare, Journal::Write& write) {
+  const Index size = slots(kind);
+  attributes_.resize(kind, write.word);
+  if (!is_stored) {
+    bare = write.word;
+  } else if (write.word < size) {
+    journal_->keep_dropped(&array[write.word], size - write.word);
+    array.grow_to(write.word);
+  } else {
+    const Index count = write.word - size;
+    array.grow_to(write.word);
+    std::memcpy(array.begin() + size, journal_->take_dropped(count), count * sizeof(Index));
+  }
+  write.word = size;
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
+  const Index size = halfedge_slots();
+  attributes_.resize(ItemKind::kEdge, write.word / 2);
+  attributes_.resize(ItemKind::kHalfedge, write.word);
+  if (write.word < size) {
+    (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+      journal_->keep_dropped(&array[write.word], size - write.word);
+      array.grow_to(write.word);
+      return true;
+    });
+  } else {
+    const std::size_t count = write.word - size;
+    std::size_t arrays = 0;
+    (void)internal::for_halfedge_arrays<kStored>(links_,
+                                                 [&](Array<Index>&) { return ++arrays > 0; });
+    const auto* dropped = static_cast<const Index*>(journal_->take_dropped(arrays * count));
+    (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+      array.grow_to(write.word);
+      std::copy_n(dropped, count, array.begin() + size);
+      dropped += count;
+      return true;
+    });
+  }
+  write.word = size;
 }
 
 template <Storage kStored>
@@ -337,12 +446,30 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
       write.word = size;
       return;
     }
+    case Field::kNewVertices:
+      return exchange_new(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
+                          bare_vertices_, write);
+    case Field::kNewFaces:
+      return exchange_new(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
+                          bare_faces_, write);
+    case Field::kNewHalfedges:
+      return exchange_new_halfedges(write);
     case Field::kFreeVertices:
       return exchange_free(free_vertices_);
     case Field::kFreeEdges:
       return exchange_free(free_edges_);
     case Field::kFreeFaces:
       return exchange_free(free_faces_);
+    case Field::kFreedVertex:
+      free_vertices_.exchange(write.index, links_.vertex_halfedge[write.index]);
+      return exchange_word(links_.vertex_halfedge);
+    case Field::kFreedFace:
+      free_faces_.exchange(write.index, links_.face_halfedge[write.index]);
+      return exchange_word(links_.face_halfedge);
+    case Field::kFreedEdge:
+      return exchange_freed_edge(write);
+    case Field::kNothing:
+      return;
     default:
       assert(write.field >= Field::kFirstAttribute && "a field of a class built on this one");
       attributes_.exchange(write);

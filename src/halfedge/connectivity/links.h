@@ -45,6 +45,23 @@ inline constexpr Index kDeleted = 0xFFFF'FFFE;
 struct FreeList {
   Index head = kNone;
   Index count = 0;
+
+  /// Of a slot whose link leads to the last one deleted before.
+  void push(Index slot) {
+    head = slot;
+    ++count;
+  }
+  /// Of the slot at the head, whose link led to `next_free`.
+  void pop(Index next_free) {
+    head = next_free;
+    --count;
+  }
+  /// Undoes or repeats one of the two: pops the slot at the head, whose link is `link`; pushes any
+  /// other one.
+  void exchange(Index slot, Index link) {
+    if (slot != head) return push(slot);
+    pop(next_free_slot(link));
+  }
 };
 
 }  // namespace halfedge

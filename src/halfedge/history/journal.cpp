@@ -1,29 +1,92 @@
 #include <halfedge/history/journal.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <iterator>
 
 namespace halfedge {
 
-std::size_t Journal::bytes() const { return sizeof(Write) * (writes_.size() - begin_of(first_)); }
+namespace {
+
+constexpr std::size_t kVertices = 0;
+constexpr std::size_t kHalfedges = 1;
+constexpr std::size_t kFaces = 2;
+
+// Whose slots the arrays from kNext to kPositionZ have.
+constexpr std::uint8_t kSlotsOf[] = {kHalfedges, kHalfedges, kHalfedges, kHalfedges, kVertices,
+                                     kFaces,     kVertices,  kVertices,  kVertices};
+static_assert(std::size(kSlotsOf) == std::size_t(Field::kVertexSlots));
+
+}  // namespace
+
+std::size_t Journal::bytes() const {
+  return sizeof(Write) * (writes_.end_index() - begin_of(first_)) + sizeof(Index) * dropped_.size();
+}
 
 // Not inline: it is called wherever something is written, and mostly there is no journal at all.
+// All that is rare is elsewhere, so that this needs no register to be saved.
 void Journal::record(Field field, Index index, Index word) {
+  if (field < Field::kVertexSlots && index >= new_from_[kSlotsOf[std::size_t(field)]]) return;
+  if (has_undone_ || writes_.room_in_chunk() == 0) [[unlikely]]
+    return record_in_new_place(field, index, word);
+  writes_.push_back_in_chunk({field, index, word});
+}
+
+void Journal::record_in_new_place(Field field, Index index, Index word) {
   forget_redo();
   if (!writes_.push_back({field, index, word})) lose();
-  step_end_ = writes_.size();
+}
+
+void Journal::record_freed_edge(Index edge, const Index (&words)[8], bool is_taken) {
+  forget_redo();
+  // All four shall be in one chunk.
+  while (writes_.room_in_chunk() < kWritesOfEdge) {
+    if (!writes_.push_back({Field::kNothing, 0, 0})) return lose();
+  }
+  writes_.push_back_in_chunk({Field::kFreedEdge, edge, words[0]});
+  writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
+  writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
+  writes_.push_back_in_chunk({Field::kFreedEdge, edge, words[7]});
+  if (is_taken) {
+    std::copy_backward(taken_, taken_ + 3, taken_ + 4);
+    taken_[0] = edge;
+  }
+}
+
+void Journal::record_new(Field field, Index slots) {
+  Index& new_from = new_from_[std::size_t(field) - std::size_t(Field::kNewVertices)];
+  if (new_from != kNone) return;
+  record(field, 0, slots);
+  new_from = slots;
+}
+
+void Journal::keep_dropped(const void* words, std::size_t count) {
+  if (lost_dropped_ || !dropped_.reserve_more(count)) {
+    lost_dropped_ = true;
+    return;
+  }
+  std::memcpy(dropped_.end(), words, count * sizeof(Index));
+  dropped_.grow_to(dropped_.size() + count);
+}
+
+const void* Journal::take_dropped(std::size_t count) {
+  (void)dropped_.resize(dropped_.size() - count);
+  return dropped_.end();
 }
 
 void Journal::end_step() {
+  end_new();
   if (lost_) {  // what is left of this step can't be taken back
     forget();
     return;
   }
   if (!has_open_step()) return;
-  if (!ends_.push_back(writes_.size())) {
+  if (!ends_.push_back(writes_.end_index())) {
     forget();
     return;
   }
-  done_ = ends_.size();
+  done_ = ends_.end_index();
   forget_beyond_limits();
 }
 
@@ -34,37 +97,30 @@ void Journal::limit(HistoryLimits limits) {
 }
 
 void Journal::forget_beyond_limits() {
+  const std::size_t first = first_;
   while (done_ - first_ > 1 && (done_ - first_ > limits_.steps || bytes() > limits_.bytes)) {
     ++first_;
   }
-  forget_oldest();
+  if (first_ == first) return;
+  writes_.drop_before(begin_of(first_));
+  ends_.drop_before(first_);
 }
 
 void Journal::forget() {
   writes_.clear();
   ends_.clear();
-  first_ = done_ = step_end_ = 0;
-  lost_ = false;
+  dropped_.clear();
+  first_ = done_ = 0;
+  lost_ = lost_dropped_ = has_undone_ = false;
+  end_new();
 }
 
 void Journal::forget_undone() {
-  (void)writes_.resize(step_end_);  // no larger than they are
-  (void)ends_.resize(done_);
-}
-
-// Moves the notes down once half of them are forgotten, so that each is moved once on average.
-void Journal::forget_oldest() {
-  const std::size_t gone = begin_of(first_);
-  if (2 * gone < writes_.size()) return;
-  std::copy(writes_.begin() + gone, writes_.end(), writes_.begin());
-  (void)writes_.resize(writes_.size() - gone);
-  for (std::size_t step = first_; step < ends_.size(); ++step) {
-    ends_[step - first_] = ends_[step] - gone;
-  }
-  (void)ends_.resize(ends_.size() - first_);
-  done_ -= first_;
-  first_ = 0;
-  step_end_ = writes_.size();
+  dropped_.clear();
+  lost_dropped_ = false;
+  writes_.drop_from(begin_of(done_));
+  ends_.drop_from(done_);
+  has_undone_ = false;
 }
 
 void Journal::lose() {

@@ -2,7 +2,9 @@
 
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/history/chunked_array.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -23,9 +25,16 @@ enum class Field : std::uint32_t {
   kVertexSlots,  // sizes of the arrays; no index
   kHalfedgeSlots,
   kFaceSlots,
+  kNewVertices,  // the same before slots were added at the end
+  kNewHalfedges,
+  kNewFaces,
   kFreeVertices,  // free lists; index 0: the head, 1: the count
   kFreeEdges,
   kFreeFaces,
+  kFreedVertex,  // the link of a slot that was given back to its free list, or taken, and the list
+  kFreedFace,
+  kFreedEdge,  // the same of an edge, with the eight links of its sides
+  kNothing,
   kFirstAttribute  // attributes have numbers from here on
 };
 
@@ -39,7 +48,9 @@ struct HistoryLimits {
 /// A record of writes, by which a mesh goes back and forth exactly. Each write is noted with the
 /// word that it replaced; to undo a step is to exchange its words with those of the arrays, last
 /// one first, and to redo it, first one first. So the cost is that of what was touched, 12 bytes a
-/// word.
+/// word; 12 for a vertex or face that is deleted, 48 for an edge. What is written to slots that
+/// are new in a step needs no note: to undo it is to drop them. What they held is kept then, for
+/// redo.
 ///
 /// A step is all that was written since the end of the step before.
 class Journal {
@@ -50,11 +61,52 @@ class Journal {
     Index word;  // of the other state
   };
 
+  /// An edge that was deleted, or whose slot was taken again, is noted by four in a row, the first
+  /// and the last with its field and index: in their other members are its words.
+  static constexpr std::size_t kWritesOfEdge = 4;
+  /// Calls `each` with each of those eight words.
+  template <class Each>
+  static void for_edge_words(Write* first, const Each& each) {
+    each(first[0].word);
+    for (Write* inner : {first + 1, first + 2}) {
+      auto word = Index(inner->field);
+      each(word);
+      inner->field = Field(word);
+      each(inner->index);
+      each(inner->word);
+    }
+    each(first[3].word);
+  }
+
   explicit Journal(HistoryLimits limits) : limits_(limits) {}
 
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word);
+  /// The same for the words of an edge that is about to be deleted, or to take the slot of a
+  /// deleted one: then what is written to it in this step needs no note.
+  void record_freed_edge(Index edge, const Index (&words)[8], bool is_taken);
+
+  /// Notes that slots are about to be added behind the present ones. `field` is kNewVertices,
+  /// kNewHalfedges or kNewFaces.
+  void record_new(Field field, Index slots);
+  /// Whether the step needs no note of what is written to `h`. Of those that took the slots of
+  /// deleted ones it knows the last four.
+  [[nodiscard]] bool is_new_halfedge(Index h) const {
+    const Index e = h >> 1U;
+    return h >= new_from_[1] || e == taken_[0] || e == taken_[1] || e == taken_[2] ||
+           e == taken_[3];
+  }
+  /// Takes notes of all slots again.
+  void end_new() {
+    std::fill_n(new_from_, 3, kNone);
+    std::fill_n(taken_, 4, kNone);
+  }
+
+  /// Keeps words of slots that undo drops, and gives back the last ones that were kept. If there is
+  /// no memory for them, what is undone can't be redone.
+  void keep_dropped(const void* words, std::size_t count);
+  [[nodiscard]] const void* take_dropped(std::size_t count);
 
   /// Sets how far back history reaches from now on, and forgets what lies beyond.
   void limit(HistoryLimits limits);
@@ -64,31 +116,38 @@ class Journal {
 
   /// Whether something was written since the end of the last step.
   [[nodiscard]] bool has_open_step() const {
-    return step_end_ == writes_.size() && writes_.size() != begin_of(ends_.size());
+    return !has_undone_ && writes_.end_index() != begin_of(ends_.end_index());
   }
 
   /// Steps that can be undone and redone.
   [[nodiscard]] std::size_t undo_count() const { return done_ - first_; }
-  [[nodiscard]] std::size_t redo_count() const { return ends_.size() - done_; }
+  [[nodiscard]] std::size_t redo_count() const { return ends_.end_index() - done_; }
   /// What the notes of all steps take.
   [[nodiscard]] std::size_t bytes() const;
 
   /// Takes back the last step, or repeats the one taken back last: calls `exchange` with each of
-  /// its writes, whose word it exchanges with that of the mesh. False if there is none.
+  /// its writes (of an edge with the first of four), whose words it exchanges with those of the
+  /// mesh. False if there is none.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
     end_step();
     if (undo_count() == 0) return false;
     --done_;
-    for (std::size_t i = ends_[done_]; i-- > begin_of(done_);) exchange(writes_[i]);
-    step_end_ = begin_of(done_);
+    for (std::size_t i = ends_[done_]; i > begin_of(done_);) {
+      i -= length_of(writes_[i - 1]);
+      exchange(writes_[i]);
+    }
+    has_undone_ = true;
+    if (lost_dropped_) forget_redo();
     return true;
   }
   template <class Exchange>
   bool redo(const Exchange& exchange) {
     if (redo_count() == 0) return false;
-    for (std::size_t i = begin_of(done_); i < ends_[done_]; ++i) exchange(writes_[i]);
-    step_end_ = ends_[done_++];
+    for (std::size_t i = begin_of(done_); i < ends_[done_]; i += length_of(writes_[i])) {
+      exchange(writes_[i]);
+    }
+    has_undone_ = ++done_ < ends_.end_index();
     return true;
   }
 
@@ -96,25 +155,32 @@ class Journal {
   void forget();
   /// Forgets the steps that were undone.
   void forget_redo() {
-    if (step_end_ != writes_.size()) forget_undone();
+    if (has_undone_) forget_undone();
   }
 
  private:
-  [[nodiscard]] std::size_t begin_of(std::size_t step) const {
-    return step == 0 ? 0 : ends_[step - 1];
+  [[nodiscard]] static std::size_t length_of(const Write& write) {
+    return write.field == Field::kFreedEdge ? kWritesOfEdge : 1;
   }
+  [[nodiscard]] std::size_t begin_of(std::size_t step) const {
+    return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
+  }
+  [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
   void forget_undone();
   void forget_beyond_limits();
-  void forget_oldest();
   void lose();
 
   HistoryLimits limits_;
-  Array<Write> writes_;
-  Array<std::size_t> ends_;   // of the steps, in writes_
-  std::size_t first_ = 0;     // steps before this one are forgotten
-  std::size_t done_ = 0;      // steps from here on are undone
-  std::size_t step_end_ = 0;  // of the writes that are done
-  bool lost_ = false;         // notes of the step underway
+  ChunkedArray<Write, 1024> writes_;
+  ChunkedArray<std::size_t, 1024> ends_;  // of the steps, in writes_
+  Array<Index> dropped_;                  // what the slots held that were new in undone steps
+  std::size_t first_ = 0;                 // steps before this one are forgotten
+  std::size_t done_ = 0;                  // steps from here on are undone
+  bool has_undone_ = false;
+  bool lost_ = false;  // notes of the step underway
+  bool lost_dropped_ = false;
+  Index new_from_[3] = {kNone, kNone, kNone};  // vertices, halfedges, faces of the step underway
+  Index taken_[4] = {kNone, kNone, kNone, kNone};  // edges of the step underway
 };
 
 }  // namespace halfedge
