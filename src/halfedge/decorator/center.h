@@ -21,6 +21,116 @@ template <HasPositions Mesh>
   return {float(sum[0] / corners), float(sum[1] / corners), float(sum[2] / corners)};
 }
 
+/// The edges and faces that an operation adds, behind all others.
+template <class Mesh>
+class AppendedItems {
+ public:
+  AppendedItems(Mesh& mesh, Index edges, Index faces)
+      : writer_(mesh.appended_writer()), edge_(mesh.append_edges(edges)) {
+    if constexpr (StoresFaces<Mesh>) face_ = mesh.append_faces(faces);
+  }
+  [[nodiscard]] const auto& writer() const { return writer_; }
+  [[nodiscard]] Halfedge new_edge(Vertex from, Vertex to) {
+    const Halfedge h = Mesh::edge_halfedge(edge_);
+    edge_ = Edge(edge_.index() + 1);
+    writer_.set_to_vertex(h, to);
+    writer_.set_to_vertex(Mesh::opposite(h), from);
+    return h;
+  }
+  [[nodiscard]] Face new_face(Halfedge h) {
+    const Face f = face_;
+    if constexpr (StoresFaces<Mesh>) {
+      face_ = Face(f.index() + 1);
+      writer_.set_face_halfedge(f, h);
+    }
+    return f;
+  }
+
+ private:
+  typename Mesh::AppendedWriter writer_;
+  Edge edge_;
+  Face face_;
+};
+
+/// The same, wherever there are slots for them.
+template <class Mesh>
+class RecycledItems {
+ public:
+  explicit RecycledItems(Mesh& mesh) : mesh_(mesh), writer_(mesh.writer()) {}
+  [[nodiscard]] const auto& writer() const { return writer_; }
+  [[nodiscard]] Halfedge new_edge(Vertex from, Vertex to) {
+    return mesh_.new_unlinked_edge(from, to);
+  }
+  [[nodiscard]] Face new_face(Halfedge h) { return new_face_like(mesh_, h, {}); }
+
+ private:
+  Mesh& mesh_;
+  typename Mesh::Writer writer_;
+};
+
+/// Joins `c`, which is isolated, to the corners of the loop of `h`; see create_center_vertex.
+template <class Mesh, class Items>
+[[nodiscard]] Halfedge fan_out(Mesh& mesh, Halfedge h, Vertex c, Items items) {
+  const Face f = face_of(mesh, h);
+  const auto writer = mesh.writer();
+  const auto& of_new = items.writer();
+  const Halfedge k = items.new_edge(mesh.to_vertex(h), c);
+  const bool has_attributes = mesh.attributes().has_any();
+  if (has_attributes) {
+    mesh.average_attributes(k, [&](const auto& add) {
+      for (const Halfedge on_loop : mesh.loop_ccw(h)) add(on_loop.index());
+    });
+    mesh.copy_corner(mesh.opposite(k), h);
+  }
+  set_anchor(mesh, c, mesh.opposite(k));
+
+  // A triangle consists of a side, the spoke from its end to c, and the one from its beginning,
+  // back. The last one is that of h.
+  const auto make_triangle = [&](Halfedge side, Halfedge spoke, Halfedge back, Face triangle) {
+    writer.set_next(side, spoke);
+    of_new.set_prev(spoke, side);
+    of_new.link(spoke, back);
+    of_new.set_next(back, side);
+    writer.set_prev(side, back);
+    writer.set_face(side, triangle);
+    for (const Halfedge corner : {spoke, back}) of_new.set_face(corner, triangle);
+  };
+  Halfedge before = k;
+  for (Halfedge side = mesh.next(h); side != h;) {
+    const Halfedge following = mesh.next(side);
+    const Halfedge spoke = items.new_edge(mesh.to_vertex(side), c);
+    const Face triangle = items.new_face(side);
+    if (has_attributes) {
+      mesh.copy_corner(spoke, k);
+      mesh.copy_corner(mesh.opposite(spoke), side);
+      if (f.valid()) mesh.copy_attributes(triangle, f);
+    }
+    make_triangle(side, spoke, mesh.opposite(before), triangle);
+    before = spoke;
+    side = following;
+  }
+  make_triangle(h, k, mesh.opposite(before), f);
+  mend_face(mesh, f, h);
+  return k;
+}
+
+/// create_center_vertex, all checks done.
+template <class Mesh>
+[[nodiscard]] Result<Halfedge> add_center_vertex(Mesh& mesh, Halfedge h) {
+  Index degree = 0;
+  for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(h)) ++degree;
+  if (!make_room(mesh, 1, degree, degree - 1)) return no_memory("a vertex, its edges and faces");
+  const Vertex c = mesh.new_vertex();
+  if constexpr (HasPositions<Mesh>) mesh.set_position(c, centroid(mesh, h));
+  mesh.average_attributes(c, [&](const auto& add) {
+    for (const Halfedge on_loop : mesh.loop_ccw(h)) add(mesh.to_vertex(on_loop).index());
+  });
+  if (mesh.free_edges().count > 0 || mesh.free_faces().count > 0) {
+    return fan_out(mesh, h, c, RecycledItems(mesh));
+  }
+  return fan_out(mesh, h, c, AppendedItems(mesh, degree, degree - 1));
+}
+
 }  // namespace internal
 
 /// Whether create_center_vertex(h) can be done: else not-a-halfedge, boundary-halfedge.
@@ -49,47 +159,8 @@ template <Editable Mesh>
 /// errors: those of check_create_center_vertex, out-of-memory
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> create_center_vertex(Mesh& mesh, Halfedge h) {
-  using namespace internal;
   if (Result<void> can = check_create_center_vertex(mesh, h); !can) return can.error();
-  Index degree = 0;
-  for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(h)) ++degree;
-  if (!make_room(mesh, 1, degree, degree - 1)) return no_memory("a vertex, its edges and faces");
-
-  const Face f = face_of(mesh, h);
-  const Vertex c = mesh.new_vertex();
-  if constexpr (HasPositions<Mesh>) mesh.set_position(c, centroid(mesh, h));
-  mesh.average_attributes(c, [&](const auto& add) {
-    for (const Halfedge on_loop : mesh.loop_ccw(h)) add(mesh.to_vertex(on_loop).index());
-  });
-  const Halfedge k = mesh.new_unlinked_edge(mesh.to_vertex(h), c);
-  mesh.average_attributes(k, [&](const auto& add) {
-    for (const Halfedge on_loop : mesh.loop_ccw(h)) add(on_loop.index());
-  });
-  mesh.copy_corner(mesh.opposite(k), h);
-  set_anchor(mesh, c, mesh.opposite(k));
-
-  // A triangle consists of a side, the spoke from its end to c, and the one from its beginning,
-  // back. The last one is that of h.
-  const auto make_triangle = [&, writer = mesh.writer()](Halfedge side, Halfedge spoke,
-                                                         Halfedge back, Face triangle) {
-    writer.link(side, spoke);
-    writer.link(spoke, back);
-    writer.link(back, side);
-    for (const Halfedge corner : {side, spoke, back}) writer.set_face(corner, triangle);
-  };
-  Halfedge before = k;
-  for (Halfedge side = mesh.next(h); side != h;) {
-    const Halfedge following = mesh.next(side);
-    const Halfedge spoke = mesh.new_unlinked_edge(mesh.to_vertex(side), c);
-    mesh.copy_corner(spoke, k);
-    mesh.copy_corner(mesh.opposite(spoke), side);
-    make_triangle(side, spoke, mesh.opposite(before), new_face_like(mesh, side, f));
-    before = spoke;
-    side = following;
-  }
-  make_triangle(h, k, mesh.opposite(before), f);
-  mend_face(mesh, f, h);
-  return k;
+  return internal::add_center_vertex(mesh, h);
 }
 
 /// Whether erase_center_vertex(h) can be done: else not-a-halfedge; boundary-vertex; loop-edge;

@@ -126,9 +126,10 @@ void set_face(Mesh& mesh, [[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) 
 template <class Mesh>
 void set_face_of_loop(Mesh& mesh, Halfedge h, Face f) {
   if constexpr (StoresFaces<Mesh>) {
+    const auto writer = mesh.writer();
     Halfedge on_loop = h;
     do {
-      mesh.set_face(on_loop, f);
+      writer.set_face(on_loop, f);
       on_loop = mesh.next(on_loop);
     } while (on_loop != h);
   }
@@ -249,14 +250,20 @@ template <class Mesh>
 
 // ---- edges ----------------------------------------------------------------------------------
 
+/// The edge of `h` gets the attributes of that of `like`, whose direction it has.
+template <class Mesh>
+void copy_edge(Mesh& mesh, Halfedge h, Halfedge like) {
+  mesh.copy_attributes(mesh.edge(h), mesh.edge(like));
+  mesh.copy_attributes(h, like);
+  mesh.copy_attributes(mesh.opposite(h), mesh.opposite(like));
+}
+
 /// A new edge with the attributes of the edge of `like`, whose direction it has.
 /// pre: there is room for it
 template <class Mesh>
 [[nodiscard]] Halfedge new_edge_like(Mesh& mesh, Vertex from, Vertex to, Halfedge like) {
   const Halfedge h = mesh.new_edge(from, to);
-  mesh.copy_attributes(mesh.edge(h), mesh.edge(like));
-  mesh.copy_attributes(h, like);
-  mesh.copy_attributes(mesh.opposite(h), mesh.opposite(like));
+  copy_edge(mesh, h, like);
   return h;
 }
 
@@ -265,9 +272,10 @@ template <class Mesh>
 template <class Mesh>
 void insert_tip(Mesh& mesh, Halfedge h, Halfedge v) {
   mesh.copy_corner(h, v);
-  mesh.link(h, mesh.next(v));
-  mesh.link(v, mesh.opposite(h));
-  mesh.set_to_vertex(h, mesh.to_vertex(v));
+  const auto writer = mesh.writer();
+  writer.link(h, mesh.next(v));
+  writer.link(v, mesh.opposite(h));
+  writer.set_to_vertex(h, mesh.to_vertex(v));
 }
 
 /// `h` enters the loop of `f` after `f`: f -> h -> next(f). So the corner after `f` becomes two

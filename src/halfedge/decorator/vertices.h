@@ -152,19 +152,23 @@ template <Editable Mesh>
   const Halfedge after_o = mesh.next(o);
   const bool is_tip = before_h == o;  // u has no other edge
   const Vertex w = new_vertex_between(mesh, u, mesh.to_vertex(h), t);
-  const Halfedge k = new_edge_like(mesh, u, w, h);
+  const Halfedge k = mesh.new_unlinked_edge(u, w);
+  copy_edge(mesh, k, h);
   const Halfedge k_opposite = mesh.opposite(k);
   mesh.blend_corners(k, before_h, h, t);
   mesh.blend_corners(o, o, mesh.prev(o), t);
-  mesh.set_to_vertex(o, w);
-  mesh.link(k, h);
-  mesh.link(o, k_opposite);
-  if (!is_tip) {  // else k follows its opposite, as in every new edge
-    mesh.link(before_h, k);
-    mesh.link(k_opposite, after_o);
+  const auto writer = mesh.writer();
+  writer.set_to_vertex(o, w);
+  writer.link(k, h);
+  writer.link(o, k_opposite);
+  if (is_tip) {
+    writer.link(k_opposite, k);
+  } else {
+    writer.link(before_h, k);
+    writer.link(k_opposite, after_o);
   }
-  set_face(mesh, k, face_of(mesh, h));
-  set_face(mesh, k_opposite, face_of(mesh, o));
+  writer.set_face(k, face_of(mesh, h));
+  writer.set_face(k_opposite, face_of(mesh, o));
   replace_anchor(mesh, u, h, k);
   set_anchor(mesh, w, is_boundary(mesh, o) ? k_opposite : h);
   return k;

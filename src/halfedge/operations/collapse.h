@@ -179,7 +179,7 @@ template <class Mesh>
 }
 
 template <class Mesh>
-[[nodiscard]] Error explain(const Mesh& mesh, Halfedge h, const CollapseObstacle& obstacle) {
+[[nodiscard]] Failure explain(const Mesh& mesh, Halfedge h, const CollapseObstacle& obstacle) {
   using Kind = CollapseObstacle::Kind;
   const CollapseSite site(mesh, h);
   const Edge e = mesh.edge(h);
@@ -267,22 +267,25 @@ void blend_ends(Mesh& mesh, const CollapseSite& site, Halfedge before_h, Halfedg
   });
 }
 
-/// Takes away the triangle of which two edges are left: `kept` and `gone`, each other's next. The
-/// edge of `kept` stays, and takes the place of the other one in the face beyond that.
+/// Takes away the triangle beside a contracted edge, of which two edges are left: `kept`, at b, and
+/// `gone`, at a. The edge of `kept` takes the place of the other one in the face beyond that, after
+/// `before`.
 template <class Mesh>
-void zip_triangle(Mesh& mesh, Halfedge kept, Halfedge gone) {
+void zip_triangle(Mesh& mesh, const CollapseSite& site, Halfedge kept, Halfedge gone,
+                  Halfedge before) {
   namespace steps = decorator::internal;
+  const auto end_that_stays = [&](Vertex v) { return v == site.a ? site.b : v; };
   const Halfedge beyond = mesh.opposite(gone);
   const Face f = mesh.face(beyond);
-  const Halfedge before = mesh.prev(beyond);
   const Halfedge after = mesh.next(beyond);
-  steps::replace_anchor(mesh, mesh.from_vertex(gone), gone, mesh.opposite(kept));
-  steps::replace_anchor(mesh, mesh.from_vertex(beyond), beyond, kept);
+  steps::replace_anchor(mesh, end_that_stays(mesh.from_vertex(gone)), gone, mesh.opposite(kept));
+  steps::replace_anchor(mesh, end_that_stays(mesh.from_vertex(beyond)), beyond, kept);
   mesh.release(mesh.face(kept));
   mesh.copy_corner(kept, beyond);
-  mesh.link(before, kept);
-  mesh.link(kept, after);
-  mesh.set_face(kept, f);
+  const auto writer = mesh.writer();
+  writer.link(before, kept);
+  writer.link(kept, after);
+  writer.set_face(kept, f);
   steps::replace_in_face(mesh, f, beyond, kept);
   mesh.release(mesh.edge(gone));
 }
@@ -324,9 +327,13 @@ template <EditableSurface Mesh>
                        internal::parameter_on(mesh, h, position, 1));
   internal::move_to(mesh, site.b, position);
 
-  for (Halfedge in = mesh.next_on_vertex(o); in != o; in = mesh.next_on_vertex(in)) {
-    mesh.set_to_vertex(in, site.b);
-  }
+  // The edges of a that stay. Clockwise after that of h the first one vanishes with a triangle on
+  // the right, the last one with a triangle on the left.
+  const Halfedge last = site.left_is_triangle ? before_h : o;
+  Halfedge in = mesh.next_on_vertex(o);
+  if (site.right_is_triangle && in != last) in = mesh.next_on_vertex(in);
+  const auto writer = mesh.writer();
+  for (; in != last; in = mesh.next_on_vertex(in)) writer.set_to_vertex(in, site.b);
   // If b was inside, or on the boundary with this edge only, it takes over the anchor of a.
   const Halfedge anchor_of_a = mesh.vertex_halfedge(site.a);
   const Halfedge anchor_of_b = mesh.vertex_halfedge(site.b);
@@ -339,14 +346,30 @@ template <EditableSurface Mesh>
       mesh.set_vertex_halfedge(site.b, site.after_h);
     }
   }
-  mesh.link(before_h, site.after_h);
-  mesh.link(before_o, site.after_o);
-  steps::replace_in_face(mesh, mesh.face(h), h, site.after_h);
-  steps::replace_in_face(mesh, mesh.face(o), o, before_o);
+  // Taken while all laps are closed: prev may have to be searched for. Where a has valence two o is
+  // what comes before, and vanishes.
+  const auto before_beyond = [&](bool is_triangle, Halfedge gone) {
+    const Halfedge before = is_triangle ? mesh.prev(mesh.opposite(gone)) : Halfedge{};
+    return before == o ? before_o : before;
+  };
+  const Halfedge before_left = before_beyond(site.left_is_triangle, before_h);
+  const Halfedge before_right = before_beyond(site.right_is_triangle, site.after_o);
+  if (!site.left_is_triangle) {
+    mesh.link(before_h, site.after_h);
+    steps::replace_in_face(mesh, mesh.face(h), h, site.after_h);
+  }
+  if (!site.right_is_triangle) {
+    mesh.link(before_o, site.after_o);
+    steps::replace_in_face(mesh, mesh.face(o), o, before_o);
+  }
   mesh.release(mesh.edge(h));
   mesh.release(site.a);
-  if (site.left_is_triangle) internal::zip_triangle(mesh, site.after_h, before_h);
-  if (site.right_is_triangle) internal::zip_triangle(mesh, before_o, site.after_o);
+  if (site.left_is_triangle) {
+    internal::zip_triangle(mesh, site, site.after_h, before_h, before_left);
+  }
+  if (site.right_is_triangle) {
+    internal::zip_triangle(mesh, site, before_o, site.after_o, before_right);
+  }
   return site.b;
 }
 

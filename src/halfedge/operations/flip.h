@@ -7,13 +7,19 @@ namespace halfedge::operations {
 
 namespace internal {
 
-/// The edge between from_vertex(a) and from_vertex(b), or empty. Around both in step, so that it
-/// costs O(the smaller valence): flips in a row make vertices of high valence.
+/// The edge between from_vertex(a) and from_vertex(b), or empty. Most vertices have few edges, so a
+/// lap around one of them decides; where it is long, around both in step, so that it costs O(the
+/// smaller valence): flips in a row make vertices of high valence.
 template <class Mesh>
 [[nodiscard]] Edge find_edge_between(const Mesh& mesh, Halfedge a, Halfedge b) {
   const Vertex v = mesh.from_vertex(a);
   const Vertex w = mesh.from_vertex(b);
   Halfedge at_v = a;
+  for (int steps = 0; steps < 8; ++steps) {
+    if (mesh.to_vertex(at_v) == w) return mesh.edge(at_v);
+    at_v = mesh.rotate_cw(at_v);
+    if (at_v == a) return {};
+  }
   Halfedge at_w = b;
   do {
     if (mesh.to_vertex(at_v) == w) return mesh.edge(at_v);

@@ -95,7 +95,7 @@ template <class Mesh>
 void cut_face(Mesh& mesh, Halfedge x, Halfedge y) {
   namespace steps = decorator::internal;
   const Face f = mesh.face(x);
-  const Halfedge cut = mesh.new_edge(mesh.to_vertex(x), mesh.to_vertex(y));
+  const Halfedge cut = mesh.new_unlinked_edge(mesh.to_vertex(x), mesh.to_vertex(y));
   steps::insert_tip(mesh, cut, y);
   steps::insert_tip(mesh, mesh.opposite(cut), x);
   mesh.set_face(cut, f);

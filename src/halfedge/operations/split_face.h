@@ -33,7 +33,8 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_face(
     Mesh& mesh, Face f, [[maybe_unused]] const std::optional<Point>& position = {}) {
   if (Result<void> can = check_split_face(mesh, f); !can) return can.error();
-  const Result<Halfedge> to_center = decorator::create_center_vertex(mesh, mesh.face_halfedge(f));
+  const Result<Halfedge> to_center =
+      decorator::internal::add_center_vertex(mesh, mesh.face_halfedge(f));
   if (!to_center) return to_center.error();
   const Vertex c = mesh.to_vertex(to_center.value());
   if constexpr (HasPositions<Mesh>) {
