@@ -152,7 +152,8 @@ class Remover {
     for (const bool other : {false, true}) {
       const Halfedge h = turns != other ? Surface::opposite(side) : side;
       if (folds(h)) {
-        why = refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over").error();
+        why =
+            refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over").error();
         continue;
       }
       const Result<Vertex> kept = surface_.collapse(h);
@@ -299,7 +300,8 @@ class Remover {
     const bool is_old_thin = is_thin(shape_of(faces[1]));
     for (const Vector& normal : news) {
       if (!is_old_thin && dot(normal, old) < 0) {
-        why = refusal("", "a triangle beyond " + text(Surface::edge(longest)) + " would fold over").error();
+        why = refusal("", "a triangle beyond " + text(Surface::edge(longest)) + " would fold over")
+                  .error();
         return false;
       }
     }
