@@ -115,10 +115,9 @@ TEST(Ply, TakesElementsAndPropertiesInAnyOrder) {
   EXPECT_EQ(file.error, "");
   EXPECT_EQ(file.positions, (std::vector<float>{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 1, 2, 3}}));
-  EXPECT_EQ(file.notes,
-            (std::vector<std::string>{"ignored the property \"uv\" of \"face\"",
-                                      "ignored the 5 elements \"nothing\"",
-                                      "ignored the property \"n\" of \"vertex\""}));
+  EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the property \"uv\" of \"face\"",
+                                                  "ignored the 5 elements \"nothing\"",
+                                                  "ignored the property \"n\" of \"vertex\""}));
 }
 
 TEST(Ply, TakesAnyEndOfLine) {
