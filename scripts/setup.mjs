@@ -24,6 +24,7 @@ const requirements = [
   need('build', 'Emscripten (an activated emsdk)', 'emscripten', () => emscriptenToolchain()),
   need('build', 'CMake', 'cmake', () => onPath('cmake')),
   need('build', 'Ninja', 'ninja-build', () => onPath('ninja')),
+  need('build', 'fast_float', 'libfast-float-dev', hasFastFloat),
   need('tests', 'g++', 'g++', () => onPath('g++')),
   need('tests', 'clang', 'clang', () => onPath('clang++')),
   need('tests', "clang's sanitizers and fuzzer", 'libclang-rt-dev', hasSanitizers),
@@ -45,6 +46,11 @@ const requirements = [
 
 function need(purpose, title, aptPackage, found) {
   return { purpose, title, aptPackage, found };
+}
+
+/** CMake downloads fast_float where there is no package of it, so it is asked for on Debian only. */
+function hasFastFloat() {
+  return process.env.HALFEDGE_FAST_FLOAT_DIR || header('fast_float/fast_float.h') || !hasApt();
 }
 
 /** Whether clang can link AddressSanitizer and libFuzzer, which Debian packs apart from it. */

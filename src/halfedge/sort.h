@@ -1,7 +1,5 @@
 #pragma once
 
-#include <halfedge/sort.h>
-
 #include <bit>
 #include <cstddef>
 #include <functional>

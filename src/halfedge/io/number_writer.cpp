@@ -1,4 +1,4 @@
-#include <halfedge/io/number_reader.h>
+#include <fast_float/fast_float.h>
 #include <halfedge/io/number_writer.h>
 
 #include <algorithm>
@@ -106,7 +106,7 @@ char* write_scientific(char* out, float value) {
     char* const stop =
         std::to_chars(mantissa_end + 1, out + kMaxNumberLength, number.exponent + after_point).ptr;
     float read = 0;
-    (void)read_number(out, stop, read);
+    (void)fast_float::from_chars(out, stop, read);
     if (read == value || count == kMost) return stop;
   }
 }
@@ -146,7 +146,7 @@ char* write_double(char* out, double value) {
     length = std::snprintf(text, sizeof(text), "%.*g", digits, value);
     std::replace(text, text + length, ',', '.');  // of the language that the program is set to
     double read = 0;
-    (void)read_number(text, text + length, read);
+    (void)fast_float::from_chars(text, text + length, read);
     if (read == value) break;
   }
   return write_word(out, {text, static_cast<std::size_t>(length)});

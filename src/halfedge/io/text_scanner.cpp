@@ -1,4 +1,4 @@
-#include <halfedge/io/number_reader.h>
+#include <fast_float/fast_float.h>
 #include <halfedge/io/text_scanner.h>
 
 #include <algorithm>
@@ -35,8 +35,10 @@ bool TextScanner::read_number(T& value) {
     ++number;
     if (number != end_ && *number == '-') return false;
   }
-  const char* after = io::read_number(number, end_, value);
-  if (after == nullptr) return false;
+  // What is too large or too small becomes infinite or zero, and some versions report it.
+  const auto [stop, code] = fast_float::from_chars(number, end_, value);
+  if (code == std::errc::invalid_argument) return false;
+  const char* after = stop;
   if (after != end_ && *after == '#') {  // a comment, unless it belongs to the number
     if (const char* special = read_microsoft_special(at_, end_, value)) after = special;
   }
