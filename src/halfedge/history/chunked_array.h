@@ -53,7 +53,7 @@ class ChunkedArray {
   /// Drops the elements from `end` on.
   void drop_from(std::size_t end) {
     while (!chunks_.empty() && (first_chunk_ + chunks_.size() - 1) * kChunk >= end) {
-      std::free(chunks_[chunks_.size() - 1]);
+      std::free(chunks_[chunks_.size() - 1].elements);
       chunks_.pop_back();
     }
     set_end(end);
@@ -64,7 +64,7 @@ class ChunkedArray {
     begin_ = begin;
     const std::size_t gone = begin_ / kChunk - first_chunk_;
     if (gone == 0) return;
-    for (std::size_t i = 0; i < gone; ++i) std::free(chunks_[i]);
+    for (std::size_t i = 0; i < gone; ++i) std::free(chunks_[i].elements);
     std::copy(chunks_.begin() + gone, chunks_.end(), chunks_.begin());
     (void)chunks_.resize(chunks_.size() - gone);  // no larger than it is
     first_chunk_ += gone;
@@ -73,19 +73,25 @@ class ChunkedArray {
 
   /// Drops all of them, and counts from 0 again.
   void clear() {
-    for (T* chunk : chunks_) std::free(chunk);
+    for (const Chunk& chunk : chunks_) std::free(chunk.elements);
     chunks_.reset();
     begin_ = first_chunk_ = 0;
     set_end(0);
   }
 
  private:
-  [[nodiscard]] T* chunk_of(std::size_t i) const { return chunks_[i / kChunk - first_chunk_]; }
+  struct Chunk {
+    T* elements;
+  };
+
+  [[nodiscard]] T* chunk_of(std::size_t i) const {
+    return chunks_[i / kChunk - first_chunk_].elements;
+  }
 
   // Not inline, so that to add an element is short.
   [[nodiscard, gnu::noinline]] bool add_chunk() {
     auto* chunk = static_cast<T*>(std::malloc(kChunk * sizeof(T)));
-    if (chunk == nullptr || !chunks_.push_back(chunk)) {
+    if (chunk == nullptr || !chunks_.push_back({chunk})) {
       std::free(chunk);
       return false;
     }
@@ -100,12 +106,12 @@ class ChunkedArray {
       next_ = chunk_end_ = nullptr;
       return;
     }
-    T* last = chunks_[chunks_.size() - 1];
+    T* last = chunks_[chunks_.size() - 1].elements;
     chunk_end_ = last + kChunk;
     next_ = last + (end - (first_chunk_ + chunks_.size() - 1) * kChunk);
   }
 
-  Array<T*> chunks_;
+  Array<Chunk> chunks_;
   std::size_t first_chunk_ = 0;
   std::size_t begin_ = 0;
   T* next_ = nullptr;  // behind the last element, in the last chunk
