@@ -12,6 +12,7 @@
 
 #include "builders.h"
 #include "contender.h"
+#include "history.h"
 #include "measure.h"
 #include "memory.h"
 #include "meshes.h"
@@ -202,6 +203,12 @@ int main(int argc, char** argv) {
     compare_libraries(faces + ", shuffled", shuffled(mesh, 1));
     compare_operations(faces + ", natural", mesh);
     compare_operations(faces + ", shuffled", shuffled(mesh, 1));
+  }
+
+  std::printf("\n");
+  print_header({"faces, order", "operation", "without history, ms", "with"});
+  for (const TriangleMesh& mesh : meshes) {
+    compare_history(thousands(mesh.face_count()) + ", natural", mesh);
   }
 
   columns = {"faces", "bytes a vertex, float positions"};
