@@ -73,4 +73,11 @@ export const onHalfedges: readonly Operation[] = [
     returns: 'halfedge',
     second: { kind: 'halfedge', ask: 'a halfedge of a loop of the same degree' },
   },
+  {
+    stem: 'reverseComponent',
+    on: 'halfedge',
+    label: 'Turn inside out',
+    meaning: 'reverses its connected component',
+    key: 'I',
+  },
 ];
