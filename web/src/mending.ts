@@ -148,7 +148,7 @@ export abstract class Mending extends Modelling {
    * @returns `faces`: those that were deleted
    */
   dropSmallComponents(options: DropOptions): MendReport {
-    linksOf(this); // throws if the mesh is disposed, before anything is said of the options
+    void linksOf(this).address; // throws if the mesh is disposed, before anything is said of options
     const { faces = 0, area = 0, diagonal = 0 } = checkOptions(options) as DropOptions;
     checkFrom0('options.faces', faces);
     checkShare('options.area', area);
