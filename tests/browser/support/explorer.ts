@@ -112,7 +112,11 @@ export class ExplorerPage {
 
   /** Waits until the picture is drawn and nothing moves. */
   async rest(): Promise<void> {
-    await this.page.waitForSelector('html[data-state=ready]');
+    const ready = () => this.page.waitForSelector('html[data-state=ready]');
+    await ready();
+    // What was pressed last may set something in motion a moment later.
+    await this.page.evaluate(() => new Promise((done) => setTimeout(done, 100)));
+    await ready();
   }
 
   /** Waits for the camera to rest, and returns where positions of the mesh appear in the window. */
