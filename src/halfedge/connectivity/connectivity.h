@@ -222,8 +222,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// errors: attribute-exists, bad-attribute, out-of-memory
   [[nodiscard]] Result<Attribute*> add_attribute(ItemKind kind, std::string_view name,
                                                  const AttributeOptions& options = {}) {
-    if (journal_ != nullptr) journal_->forget_redo();  // in which the column has no part
-    return attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
+    Result<Attribute*> added =
+        attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
+    if (added) forget_redo();  // in which the column has no part
+    return added;
   }
   bool remove_attribute(ItemKind kind, std::string_view name) {
     return attributes_.remove(kind, name);
@@ -280,8 +282,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
   /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
   /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
-  /// was kept with the stamp of its item can be told from one to its successor. `compact` and
-  /// `clear` end all generations. 4 bytes an item. errors: attribute-exists, out-of-memory
+  /// was kept with the stamp of its item can be told from one to its successor. `clear`, and
+  /// `compact` where it moves something, end all generations. 4 bytes an item. errors:
+  /// attribute-exists, out-of-memory
   [[nodiscard]] Result<void> enable_generations();
   /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
   [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }

@@ -95,15 +95,17 @@ template <Storage kStored>
 Result<void> BasicConnectivity<kStored>::enable_generations() {
   constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
   for (const ItemKind kind : kKinds) {
-    const Result<Attribute*> added = add_attribute(
+    const Result<Attribute*> added = attributes_.add(
         kind, "generation",
-        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
+        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true},
+        slots(kind));
     if (added) continue;
     for (const ItemKind done : kKinds) {
       if (done == kind) return added.error();
       remove_attribute(done, "generation");
     }
   }
+  forget_redo();
   return {};
 }
 
