@@ -349,6 +349,39 @@ TEST(History, ARefusedOperationMakesNoStep) {
   EXPECT_EQ(mesh.history()->undo_count(), 0U);
 }
 
+TEST(History, ARefusedAttributeLeavesWhatCanBeRedone) {
+  Mesh mesh = with_history(triangle());
+  ASSERT_TRUE(mesh.add_attribute(ItemKind::kEdge, "generation"));
+  mesh.set_position(Vertex(0), {1, 1, 1});
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(mesh.add_attribute(ItemKind::kEdge, "generation").error().code, "attribute-exists");
+  EXPECT_EQ(mesh.enable_generations().error().code, "attribute-exists");
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kVertex, "generation"), nullptr);
+  ASSERT_TRUE(mesh.redo());
+  EXPECT_EQ(mesh.position(Vertex(0)), (Point{1, 1, 1}));
+  ASSERT_TRUE(mesh.undo());
+  ASSERT_TRUE(mesh.add_attribute(ItemKind::kFace, "of the state that was gone back to"));
+  EXPECT_FALSE(mesh.redo());
+}
+
+TEST(History, CompactingWithoutGapsIsNoStep) {
+  Mesh mesh = with_history(tetrahedron());
+  mesh.set_position(Vertex(0), {1, 1, 1});
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());
+  const std::uint64_t version = mesh.version();
+  const std::size_t bytes = mesh.history()->bytes();
+  const Result<CompactMaps> maps = compact(mesh);
+  ASSERT_TRUE(maps);
+  EXPECT_EQ(maps.value()(Halfedge(5)), Halfedge(5));
+  EXPECT_EQ(mesh.version(), version);
+  EXPECT_FALSE(mesh.history()->has_open_step());
+  EXPECT_EQ(mesh.history()->bytes(), bytes);
+  ASSERT_TRUE(mesh.redo());
+  EXPECT_EQ(mesh.position(Vertex(0)), (Point{1, 1, 1}));
+}
+
 TEST(History, UndoInvalidatesCirculators) {
   Mesh mesh = with_history(triangle());
   mesh.set_position(Vertex(0), {1, 1, 1});

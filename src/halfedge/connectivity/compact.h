@@ -27,13 +27,24 @@ struct CompactMaps {
 /// The parts of `compact`, which write the links of a mesh.
 class Compaction {
  public:
+  /// Where everything goes. All that can fail.
   template <Storage kStored>
-  [[nodiscard]] static Result<CompactMaps> run(BasicConnectivity<kStored>& mesh) {
+  [[nodiscard]] static Result<CompactMaps> plan(const BasicConnectivity<kStored>& mesh) {
     CompactMaps maps;
     if (!number_live<Vertex>(mesh, maps.vertices) || !number_live<Edge>(mesh, maps.edges) ||
         !number_live<Face>(mesh, maps.faces)) {
       return Error{"out-of-memory", "There is not enough memory for the maps of compact()."};
     }
+    return maps;
+  }
+
+  template <Storage kStored>
+  [[nodiscard]] static bool has_gaps(const BasicConnectivity<kStored>& mesh) {
+    return mesh.free_vertices_.count + mesh.free_edges_.count + mesh.free_faces_.count > 0;
+  }
+
+  template <Storage kStored>
+  static void run(BasicConnectivity<kStored>& mesh, const CompactMaps& maps) {
     Links& links = mesh.links_;
     if (mesh.history() != nullptr) note_all(mesh);
     const auto halfedge = [&](Index h) { return h == kNone ? kNone : maps(Halfedge(h)).index(); };
@@ -52,7 +63,6 @@ class Compaction {
     mesh.attributes_.end_all_generations();
     mesh.free_vertices_ = mesh.free_edges_ = mesh.free_faces_ = FreeList{};
     ++mesh.version_;
-    return maps;
   }
 
   template <Storage kStored>
@@ -110,22 +120,26 @@ class Compaction {
 };
 
 /// Closes the gaps of deleted slots. Live items keep their order, and the sides of an edge theirs;
-/// the maps say where each went. The memory stays reserved. After an error nothing has changed.
+/// the maps say where each went. The memory stays reserved. After an error nothing has changed,
+/// and nothing does where no slot is deleted: that is no step of history then.
 ///
 /// pre: no live item refers to a deleted one (invariant 7)
 /// cost: O(slots), and 4 bytes a vertex, edge and face for the maps
 /// errors: out-of-memory
 template <Storage kStored>
 [[nodiscard]] Result<CompactMaps> compact(BasicConnectivity<kStored>& mesh) {
-  return Compaction::run(mesh);
+  Result<CompactMaps> maps = Compaction::plan(mesh);
+  if (maps && Compaction::has_gaps(mesh)) Compaction::run(mesh, maps.value());
+  return maps;
 }
 
 /// The same with positions.
 template <Storage kStored>
 [[nodiscard]] Result<CompactMaps> compact(BasicMesh<kStored>& mesh) {
+  Result<CompactMaps> maps = Compaction::plan(mesh);
+  if (!maps || !Compaction::has_gaps(mesh)) return maps;
   if (mesh.history() != nullptr) Compaction::note_positions(mesh);
-  Result<CompactMaps> maps = Compaction::run(mesh);
-  if (!maps) return maps.error();
+  Compaction::run(mesh, maps.value());
   Compaction::move_down<3>(maps.value().vertices, mesh.mutable_positions(),
                            [](float coordinate) { return coordinate; });
   return maps;
