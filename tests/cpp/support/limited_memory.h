@@ -43,6 +43,9 @@ inline void use_up_memory() {
   }
 }
 
+/// There is as much as the machine has again.
+inline void stop_limiting_memory() { (void)limit_address_space(RLIM_INFINITY); }
+
 }  // namespace halfedge::test
 
 #else
@@ -51,6 +54,7 @@ namespace halfedge::test {
 
 inline constexpr bool kCanLimitMemory = false;
 inline void use_up_memory() {}
+inline void stop_limiting_memory() {}
 
 }  // namespace halfedge::test
 
