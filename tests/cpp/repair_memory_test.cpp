@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
 #include <halfedge/repair/repair.h>
+#include <halfedge/repair/transfer.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -44,7 +46,47 @@ TEST(RepairMemoryDeathTest, WhereverMemoryEndsTheRepairEndsInAnError) {
   EXPECT_EXIT(repair_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
 }
 
+/// A column of twos for each corner of the grid, which needs a look at each face to be filled in.
+SoupAttribute column_of_corners(const Shape& shape) {
+  SoupAttribute column;
+  column.name = "two";
+  column.item = SoupItem::kCorner;
+  column.type = Scalar::kUint8;
+  if (!column.values.resize(3 * shape.faces.size(), std::byte{2})) std::_Exit(2);
+  return column;
+}
+
+[[noreturn]] void transfer_with_more_and_more_memory() {
+  const Shape shape = triangle_grid(150, 150);
+  const Polygons soup = shape.polygons();
+  Mesh mesh;
+  BuildReport report;
+  if (!build_from_polygons(mesh, soup, report)) std::_Exit(2);
+  constexpr std::size_t kStep = std::size_t{16} << 10U;
+  for (int failures = 0;; ++failures) {
+    SoupAttribute column = column_of_corners(shape);
+    if (!limit_address_space(address_space_in_use() + kStep * std::size_t(failures))) std::_Exit(2);
+    const bool done = add_attributes(mesh, soup, nullptr, {&column, 1}).ok();
+    if (!limit_address_space(RLIM_INFINITY)) std::_Exit(2);
+    const Attribute* const added = mesh.find_attribute(ItemKind::kHalfedge, "two");
+    if ((added != nullptr) != done) std::_Exit(3);
+    if (!done) continue;
+    for (const Halfedge h : mesh.halfedges()) {
+      if (added->get(h.index(), 0) != (mesh.is_boundary(h) ? 0 : 2)) std::_Exit(4);
+    }
+    std::_Exit(failures > 8 ? 0 : 5);
+  }
+}
+
+TEST(RepairMemoryDeathTest, AColumnThatCannotBeFilledInIsNotThere) {
+  EXPECT_EXIT(transfer_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
+}
+
 #else
+
+TEST(RepairMemoryDeathTest, AColumnThatCannotBeFilledInIsNotThere) {
+  GTEST_SKIP() << "memory can be limited on Linux only, and not under AddressSanitizer";
+}
 
 TEST(RepairMemoryDeathTest, WhereverMemoryEndsTheRepairEndsInAnError) {
   GTEST_SKIP() << "memory can be limited on Linux only, and not under AddressSanitizer";

@@ -47,7 +47,8 @@ class Transfer {
 /// `report` is that of `build_from_soup`, or null after a strict build. The columns are used up one
 /// after the other, so that memory is needed for one more at most.
 /// pre: `mesh` is as it was built of `soup`. cost: O(values)
-/// errors: attribute-exists, bad-attribute, out-of-memory; the columns before stay then
+/// errors: attribute-exists, bad-attribute, out-of-memory; the columns before stay then, none of
+///         them half filled
 template <Storage kStored>
 [[nodiscard]] Result<void> add_attributes(BasicMesh<kStored>& mesh, const Polygons& soup,
                                           const RepairReport* report,
@@ -64,6 +65,7 @@ template <Storage kStored>
     from.values.reset();
     from.rows.reset();
     if (!is_filled) {
+      mesh.remove_attribute(kKinds[std::size_t(from.item)], from.name);
       return Error{"out-of-memory",
                    "There is not enough memory for the attributes of the file's mesh."};
     }
