@@ -115,7 +115,8 @@ inline void permute(Array<Index>& array, const Array<Halfedge>& new_of, Array<In
 /// as `new_halfedge` says; vertices and faces keep theirs.
 /// post: is_boundary_normalized(mesh)
 /// cost: O(slots), 8 bytes a halfedge of scratch memory. inverse: none; the same again changes
-/// nothing errors: out-of-memory
+///       nothing
+/// errors: out-of-memory
 template <Editable Mesh>
 requires StoresFaces<Mesh>
 [[nodiscard]] Result<BoundaryOrder> normalize_boundary(Mesh& mesh) {

@@ -44,7 +44,8 @@ struct BytesSource {
 [[nodiscard]] Result<Array<std::uint8_t>> to_bytes(const BytesSource& source);
 
 /// The bytes of a mesh, whatever state it is in. History isn't part of them, and generations
-/// aren't. cost: one pass over all arrays, and the bytes errors: out-of-memory
+/// aren't. cost: one pass over all arrays, and the bytes
+/// errors: too-large (more attributes than the bytes can number), out-of-memory
 template <Storage kStored>
 [[nodiscard]] Result<Array<std::uint8_t>> to_bytes(const BasicMesh<kStored>& mesh) {
   static_assert(kStored.face && kStored.face_halfedge && kStored.vertex_halfedge,
@@ -66,10 +67,11 @@ enum class BytesFrom : std::uint8_t { kAnywhere, kThisProgram };
 /// Makes `mesh` the one that these bytes were made of; its history is off. The bytes may be
 /// anything: all that a mesh needs to be safe is checked, the invariants up to level 2 of
 /// `validate` included, unless `from` says that this is known. After an error `mesh` is as it was.
-/// cost: O(bytes), most of it for the checks; beside the mesh, what `validate` takes errors:
-/// unknown-format (these are no such bytes), unsupported-version, truncated, parse-error (with what
-/// was expected at which byte), storage-mismatch (prev is stored and `mesh` has none, or the
-/// reverse), corrupt-connectivity, attribute-exists, bad-attribute, out-of-memory
+/// cost: O(bytes), most of it for the checks; beside the mesh, what `validate` takes
+/// errors: unknown-format (these are no such bytes), unsupported-version, truncated, parse-error
+///         (with what was expected at which byte), storage-mismatch (prev is stored and `mesh` has
+///         none, or the reverse), corrupt-connectivity, attribute-exists, bad-attribute,
+///         out-of-memory
 template <Storage kStored>
 [[nodiscard]] Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
                                       BytesFrom from = BytesFrom::kAnywhere);

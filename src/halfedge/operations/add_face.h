@@ -192,8 +192,8 @@ void choose_anchor(Mesh& mesh, Halfedge in, Halfedge out) {
 /// - not-a-vertex; degree-below-three; repeated-vertex
 /// - duplicate-face; edge-with-many-faces; opposite-orientation, if a neighbour runs along an edge
 ///   in the direction in which the new face would
-/// - pinched-vertex, if the faces around a vertex would be closed, or are, and others not among
-///   them
+/// - pinched-vertex, if the faces around a vertex would be closed, or are, and others aren't
+///   among them
 /// - out-of-memory, of a face with many corners
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_add_face(const Mesh& mesh, std::span<const Vertex> corners) {

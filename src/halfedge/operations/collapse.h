@@ -228,12 +228,10 @@ template <EditableSurface Mesh>
 ///   edge-without-face  a triangle on one side is on the boundary with its two other edges, which
 ///                      would become one
 ///   common-neighbour   a and b have a neighbour in common that isn't the third corner of a
-///   triangle
-///                      beside the edge: it would be joined to b twice
+///                      triangle beside the edge: it would be joined to b twice
 ///   repeated-vertex    a and b are corners of a face that doesn't have their edge
 ///   leaves-pillow      two faces would have the same corners and all their edges in common;
-///   allowed
-///                      by LinkCondition::kPermissive
+///                      allowed by LinkCondition::kPermissive
 ///
 /// The witness has the items named: that neighbour with its two edges, those faces. For triangle
 /// meshes these are the link condition (Dey et al., Topology preserving edge contraction, 1999).

@@ -23,8 +23,9 @@ template <EditableSurface Mesh>
 /// attributes: `e` keeps its own and is the half at v, a new edge like it is the half at u. The new
 ///             vertex w, and its corners, are at (1 - t) u + t v: in the middle, or at the point of
 ///             the edge that is closest to `position`
-/// returns: w. cost: O(1), and finding prev where it isn't stored. inverse:
-/// remove_vertex_on_edge(w) errors: not-an-edge, out-of-memory
+/// returns: w. cost: O(1), and finding prev where it isn't stored
+/// inverse: remove_vertex_on_edge(w)
+/// errors: not-an-edge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> insert_vertex_on_edge(Mesh& mesh, Edge e,
                                                    const std::optional<Point>& position = {}) {
@@ -132,9 +133,8 @@ template <EditableSurface Mesh>
 ///           d                        d
 ///
 /// attributes: as insert_vertex_on_edge. The triangles at v keep their faces, those at u are new
-/// and
-///             have the attributes of the face that they were cut from; the cuts have defaults;
-///             their corners at c and d are divided into two alike
+///             and have the attributes of the face that they were cut from; the cuts have
+///             defaults; their corners at c and d are divided into two alike
 /// returns: w. cost: O(1), and finding prev where it isn't stored
 /// inverse: collapse of the halfedge from w to u or to v
 /// errors: those of check_split_edge, out-of-memory

@@ -74,8 +74,7 @@ template <class Reduced, class Whole>
 /// 1 | to-from-mismatch         to(h) == from(next(h)) (2)
 ///   | face-mismatch            face(h) == face(next(h)) (3)
 /// 2 | unreachable-halfedge     every halfedge that leaves v is reached by rotating from its
-/// anchor:
-///   |                          the orbits of the vertices add up to all halfedges (6)
+///   |                          anchor: the orbits of the vertices add up to all halfedges (6)
 /// 3 | face-with-many-loops     a face has one loop, so that face loops and boundary loops add up
 ///   |                          to all halfedges (3)
 ///   | interior-anchor          the anchor of a boundary vertex is a boundary halfedge (5)
