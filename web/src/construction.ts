@@ -190,7 +190,8 @@ export abstract class Construction extends Circulation {
 
   /**
    * Closes the gaps that deletions have left: then the slots are as many as the items. Items keep their
-   * order. History notes all links, positions and attributes: so this step costs more than others. O(slots).
+   * order. History notes all links, positions and attributes: so this step costs more than others; without gaps there
+   * is none. O(slots).
    *
    * @returns where each item went
    */

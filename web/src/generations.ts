@@ -24,7 +24,7 @@ export interface Reference {
  * if (mesh.generations.isCurrent(reference)) use(reference.index);
  * ```
  *
- * `compact()` ends all generations, as it moves items. Undo brings the stamps back.
+ * `compact()` ends all generations where it moves items. Undo brings the stamps back.
  */
 export class Generations {
   readonly #links: Links;
