@@ -298,8 +298,11 @@ describe('Generations', () => {
     const reference = mesh.generations.reference('vertex', 2);
     expect(mesh.attributes.list()).toEqual([]);
     mesh.compact();
+    expect(mesh.generations.isCurrent(reference)).toBe(true); // nothing was moved
+    mesh.deleteFace(8);
+    mesh.compact();
     expect(mesh.generations.isCurrent(reference)).toBe(false);
-    const last = mesh.generations.reference('vertex', 15);
+    const last = mesh.generations.reference('vertex', 14);
     mesh.clear();
     expect(mesh.generations.isCurrent(last)).toBe(false);
   });
