@@ -66,7 +66,18 @@ class Halfedges final : public Contender {
     require(mesh_.reserve(mesh_.vertex_slots() + faces, edges + 3 * faces, 3 * faces));
     for (Index f = 0; f < faces; ++f) require(bool(operations::split_face(mesh_, Face(f))));
     for (Index v = 0; v < moved.size(); ++v) mesh_.set_position(Vertex(v), moved[v]);
-    for (Index e = 0; e < edges; ++e) (void)operations::flip_edge(mesh_, Edge(e));
+    // Each triangle has one side left that is old. Face by face they are flipped in the order in
+    // which their new edges lie; old edges are numbered by vertex.
+    const auto flip_old_side = [&](Face f) {
+      const Halfedge h = mesh_.face_halfedge(f);
+      if (h == Mesh::edge_halfedge(Mesh::edge(h)))
+        (void)operations::flip_edge(mesh_, Mesh::edge(h));
+    };
+    for (Index f = 0; f < faces; ++f) {
+      flip_old_side(Face(f));
+      flip_old_side(Face(faces + 2 * f));
+      flip_old_side(Face(faces + 2 * f + 1));
+    }
   }
 
   void split_and_collapse() override {

@@ -34,24 +34,30 @@ template <class Mesh>
 void turn_edge(Mesh& mesh, Halfedge h) {
   const Halfedge o = mesh.opposite(h);
   const Halfedge h23 = mesh.next(h);
-  const Halfedge h30 = mesh.next(h23);
+  const Halfedge h30 = mesh.prev(h);
   const Halfedge h01 = mesh.next(o);
-  const Halfedge h12 = mesh.next(h01);
-  replace_anchor(mesh, mesh.from_vertex(h), h, h01);
-  replace_anchor(mesh, mesh.from_vertex(o), o, h23);
+  const Halfedge h12 = mesh.prev(o);
+  const Vertex v0 = mesh.to_vertex(o);
+  const Vertex v1 = mesh.to_vertex(h01);
+  const Vertex v2 = mesh.to_vertex(h);
+  const Vertex v3 = mesh.to_vertex(h23);
+  const Face left = face_of(mesh, h);
+  const Face right = face_of(mesh, o);
+  replace_anchor(mesh, v0, h, h01);
+  replace_anchor(mesh, v2, o, h23);
+  replace_in_face(mesh, left, h23, h);
+  replace_in_face(mesh, right, h01, o);
   const auto writer = mesh.writer();
-  writer.set_to_vertex(h, mesh.to_vertex(h23));
-  writer.set_to_vertex(o, mesh.to_vertex(h01));
+  writer.set_to_vertex(h, v3);
+  writer.set_to_vertex(o, v1);
+  writer.set_face(h01, left);
+  writer.set_face(h23, right);
   const Halfedge loops[2][3] = {{h, h30, h01}, {o, h12, h23}};
   for (const auto& [first, second, third] : loops) {
     writer.link(first, second);
     writer.link(second, third);
     writer.link(third, first);
   }
-  writer.set_face(h01, face_of(mesh, h));
-  writer.set_face(h23, face_of(mesh, o));
-  mend_face(mesh, face_of(mesh, h), h);
-  mend_face(mesh, face_of(mesh, o), o);
 }
 
 }  // namespace internal

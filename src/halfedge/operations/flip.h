@@ -41,14 +41,14 @@ template <EditableSurface Mesh>
   const Halfedge o = mesh.opposite(h);
   if (mesh.is_boundary(e)) return is_boundary_edge(e, mesh.is_boundary(h) ? h : o);
   for (const Halfedge side : {h, o}) {
-    if (mesh.next(mesh.next(mesh.next(side))) != side) {
+    if (mesh.next(mesh.next(side)) != mesh.prev(side)) {
       return not_a_triangle(mesh.face(side), mesh.degree(mesh.face(side)));
     }
   }
-  const Halfedge from_a = mesh.next(mesh.next(h));
-  const Halfedge from_b = mesh.next(mesh.next(o));
-  const Vertex a = mesh.from_vertex(from_a);
-  const Vertex b = mesh.from_vertex(from_b);
+  const Halfedge from_a = mesh.prev(h);
+  const Halfedge from_b = mesh.prev(o);
+  const Vertex a = mesh.to_vertex(mesh.next(h));
+  const Vertex b = mesh.to_vertex(mesh.next(o));
   if (a == b) return same_vertex(e, a);
   if (const Edge existing = internal::find_edge_between(mesh, from_a, from_b); existing.valid()) {
     return edge_exists(a, b, existing);
