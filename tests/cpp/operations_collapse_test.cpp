@@ -589,5 +589,57 @@ TEST(SplitVertex, FillsTheBoundaryWithTrianglesIfAsked) {
   }
 }
 
+// Where one end has hundreds of neighbours, those of the other end are asked: with a chord across a
+// disk from some vertices, and a wheel on the other side whose hub may have fewer or more.
+TEST(Collapse, FindsCommonNeighboursOfAVertexOfHighValence) {
+  std::vector<Shape> shapes;
+  Shape chords = disk(200);
+  std::vector<std::vector<Index>> faces = chords.faces;
+  for (Index v = 5; v < 80; v += 10) faces.push_back({v, 200 - v, 200 + v});
+  shapes.emplace_back("disk with chords", 300, faces);
+  for (const Index other : {30U, 69U, 100U, 140U}) {
+    faces = disk(100).faces;
+    for (Index i = 0; i < other; ++i) {
+      const Index v = 1 + i % 100;
+      const Index w = 1 + (i + 1) % 100;
+      if (i < 100) faces.push_back({w, v, 101});
+    }
+    for (Index i = 100; i < other; ++i) faces.push_back({101, 102 + 2 * i, 103 + 2 * i});
+    if (other > 100) faces.erase(faces.begin() + 100);
+    shapes.emplace_back("disk on " + std::to_string(other), 400, faces);
+  }
+  std::size_t blocked = 0;
+  std::size_t allowed = 0;
+  for (const Shape& shape : shapes) {
+    SCOPED_TRACE(shape.name);
+    const Mesh mesh = reference_build(shape);
+    for (const Halfedge h : mesh.halfedges()) {
+      const Vertex a = mesh.from_vertex(h);
+      const Vertex b = mesh.to_vertex(h);
+      const auto is_apex = [&](Vertex v) {
+        for (const Halfedge side : {h, mesh.opposite(h)}) {
+          if (!mesh.is_boundary(side) && mesh.to_vertex(mesh.next(side)) == v) return true;
+        }
+        return false;
+      };
+      std::set<Index> common;
+      for (const Vertex v : mesh.vertex_vertices_ccw(a)) {
+        if (mesh.find_edge(v, b).valid() && !is_apex(v)) common.insert(v.index());
+      }
+      const Result<void> can = check_collapse(mesh, h);
+      EXPECT_EQ(is_collapse_ok(mesh, h), can.ok());
+      if (can) {
+        EXPECT_TRUE(common.empty()) << h.index();
+        ++allowed;
+      } else if (can.error().code == "common-neighbour") {
+        EXPECT_EQ(common.count(can.error().witness.vertices[0]), 1U) << h.index();
+        ++blocked;
+      }
+    }
+  }
+  EXPECT_GT(allowed, 500U);
+  EXPECT_GT(blocked, 30U);
+}
+
 }  // namespace
 }  // namespace halfedge::test

@@ -52,16 +52,40 @@ template <class Mesh>
   return false;
 }
 
+/// find_common_neighbour, by a lap around each neighbour of a. Nothing if one around b is shorter
+/// than all of these.
+template <class Mesh>
+[[nodiscard]] std::optional<Halfedge> find_near_few(const Mesh& mesh, const CollapseSite& site) {
+  Halfedge around_b = site.o;
+  for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
+    const Vertex v = mesh.to_vertex(of_a);
+    if (v == site.left || v == site.right) continue;
+    const Halfedge o = mesh.opposite(of_a);
+    for (Halfedge g = mesh.rotate_cw(o); g != o; g = mesh.rotate_cw(g)) {
+      if (mesh.to_vertex(g) == site.b) return mesh.opposite(g);
+      around_b = mesh.rotate_cw(around_b);
+      if (around_b == site.o) return {};
+    }
+  }
+  return Halfedge{};
+}
+
 /// A halfedge from b to a common neighbour of a and b that is not an apex, or empty. The neighbours
-/// of b are looked for in a set of 64 bits first, so few of them need a walk around a.
+/// of b are looked for in a set of 64 bits first, so few of them need a walk around a. Where b has
+/// many, as it may after many collapses, those of a are asked.
 template <class Mesh>
 [[nodiscard]] Halfedge find_common_neighbour(const Mesh& mesh, const CollapseSite& site) {
+  constexpr int kMany = 64;
   const auto bit = [](Vertex v) { return std::uint64_t{1} << (v.index() % 64); };
   std::uint64_t around_a = 0;
   for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
     around_a |= bit(mesh.to_vertex(g));
   }
+  int seen = 0;
   for (Halfedge g = mesh.rotate_cw(site.o); g != site.o; g = mesh.rotate_cw(g)) {
+    if (++seen == kMany) [[unlikely]] {
+      if (const std::optional<Halfedge> found = find_near_few(mesh, site)) return *found;
+    }
     const Vertex v = mesh.to_vertex(g);
     if ((around_a & bit(v)) == 0 || v == site.left || v == site.right) continue;
     for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
@@ -237,7 +261,8 @@ template <EditableSurface Mesh>
 /// meshes these are the link condition (Dey et al., Topology preserving edge contraction, 1999).
 ///
 /// cost: O(valences of both ends, degrees of the faces at a) while the valences are in the tens;
-///       O(product of the valences) beyond
+///       beyond, the valences of the neighbours of a if that is less than b's, else up to
+///       O(product of the valences)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_collapse(const Mesh& mesh, Halfedge h,
                                           LinkCondition condition = LinkCondition::kStrict) {
