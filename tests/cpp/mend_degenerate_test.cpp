@@ -158,6 +158,31 @@ TEST(RemoveDegenerateFaces, SaysWhyAnEdgeCannotBeCollapsed) {
       << report.problems[0].message;
 }
 
+// Flips that undo each other: the two faces of a quad are thin whichever diagonal they have.
+TEST(RemoveDegenerateFaces, EndsWhereNoDiagonalHelps) {
+  for (const double tolerance : {1.0, 0.0}) {
+    SCOPED_TRACE(tolerance);
+    std::vector<Point> points;
+    std::vector<std::vector<Index>> faces;
+    for (const float x : {0.0F, 1000.0F}) {
+      const Index a = Index(points.size());
+      const Point apex = tolerance > 0 ? Point{1.05F + x, 0.95F, 0} : Point{0.85e-5F, 0.95e-5F, x};
+      const Point other = tolerance > 0 ? Point{0.5F + x, -8, 0} : Point{-0.5F, -8, x};
+      const float origin = tolerance > 0 ? x : 0;
+      const float z = tolerance > 0 ? 0 : x;
+      points.insert(points.end(), {{origin, 0, z}, {origin + 10, 0, z}, apex, other});
+      faces.insert(faces.end(), {{a, a + 1, a + 2}, {a + 1, a, a + 3}});
+    }
+    Mesh mesh = mesh_of(points, faces);
+    const mend::Report report = mended(mesh, remove_with(tolerance));
+    EXPECT_EQ(report.count(Code::kFlippedEdge), 2U) << report.summary;
+    EXPECT_EQ(report.count(Code::kDegenerateFace), 2U) << report.summary;
+    ASSERT_EQ(report.problems.size(), 2U);
+    EXPECT_NE(report.problems[0].message.find("would be no wider"), std::string::npos)
+        << report.problems[0].message;
+  }
+}
+
 TEST(RemoveDegenerateFaces, LeavesWhatIsFine) {
   for (const Result<PolygonSoup>& shape :
        {shapes::ico_sphere(3), shapes::torus(9, 7), shapes::dodecahedron(),
@@ -227,6 +252,59 @@ TEST(RemoveDegenerateFaces, ClearsRandomOnesOffClosedMeshes) {
   }
   EXPECT_GT(caps, 100U);
   EXPECT_GT(needles, 100U);
+}
+
+/// How many triangles are no wider than the tolerance, and edges no longer.
+std::array<std::size_t, 2> count_thin_and_short(const Mesh& mesh, double tolerance) {
+  std::array<std::size_t, 2> counts{};
+  for (const Face f : mesh.faces()) {
+    EXPECT_EQ(mesh.degree(f), 3U);
+    double longest = 0;
+    for (const Halfedge h : mesh.face_halfedges_ccw(f)) {
+      longest = std::max(
+          longest, distance(mesh.position(mesh.from_vertex(h)), mesh.position(mesh.to_vertex(h))));
+    }
+    const double width = longest > 0 ? 2 * area_of(mesh, f) / longest : 0;
+    counts[0] += width <= std::max(tolerance, 1e-6 * longest) ? 1 : 0;
+  }
+  for (const Edge e : mesh.edges()) {
+    const Halfedge h = mesh.edge_halfedge(e);
+    counts[1] +=
+        distance(mesh.position(mesh.from_vertex(h)), mesh.position(mesh.to_vertex(h))) <= tolerance
+            ? 1
+            : 0;
+  }
+  return counts;
+}
+
+// Of triangles with corners anywhere many are slivers, whatever is done.
+TEST(RemoveDegenerateFaces, ListsAllSliversThatStay) {
+  std::size_t stay = 0;
+  std::size_t removed = 0;
+  for (std::uint32_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    Mesh mesh = shapes::mesh_of(seed % 2 == 0 ? shapes::ico_sphere(2)
+                                              : shapes::grid(9, 9, shapes::Faces::kTriangles, 2, 2))
+                    .value();
+    const float jitter = 0.05F * float(1 + seed % 7);
+    std::uniform_real_distribution<float> offset(-jitter, jitter);
+    for (const Vertex v : mesh.vertices()) {
+      const Point p = mesh.position(v);
+      mesh.set_position(v, {p.x + offset(random), p.y + offset(random), p.z});
+    }
+    const double tolerance = 0.02 * (1 + seed % 5);
+    const std::size_t before = count_thin_and_short(mesh, tolerance)[0];
+    const mend::Report report = mended(mesh, remove_with(tolerance));
+    const auto [thin, edges] = count_thin_and_short(mesh, tolerance);
+    EXPECT_EQ(report.count(Code::kDegenerateFace), thin) << report.summary;
+    EXPECT_EQ(report.count(Code::kZeroLengthEdge), edges) << report.summary;
+    EXPECT_LE(thin, before);
+    stay += thin;
+    removed += before - thin;
+  }
+  EXPECT_GT(stay, 10U);
+  EXPECT_GT(removed, 100U);
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
-#include <halfedge/mend/measure.h>
+#include <halfedge/mend/face_shape.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/mend/short_edges.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -18,40 +17,47 @@ namespace {
 using decorator::internal::refusal;
 using decorator::internal::text;
 
-// A face that is thinner than this share of its length has no area to speak of: the rounding of
-// positions alone could turn it over.
-constexpr double kThin = 1e-6;
-constexpr int kRounds = 16;
+constexpr int kRounds = 32;
 
-/// How far the corners of a face reach along a line, and away from it.
-struct Shape {
-  double length = 0;
-  double width = 0;
-  Halfedge longest;  // sides
-  Halfedge shortest;
-  double least = 0;  // the length of `shortest`
-};
+Failure thin(Face f, const FaceShape& shape, const std::string& why) {
+  return refusal("",
+                 text(f) + " is " + sentence::number(shape.length) + " long and " +
+                     sentence::number(shape.width) + " wide " + why,
+                 {.faces = {f.index()}});
+}
+
+Failure unfinished(Edge e, double length) {
+  return refusal("",
+                 text(e) + " has a length of " + sentence::number(length) +
+                     " and was not reached, expected less to do: repair it once more",
+                 {.edges = {e.index()}});
+}
 
 class Remover {
  public:
   Remover(Surface& surface, double tolerance, Report& report)
-      : surface_(surface), tolerance_(tolerance), report_(report) {}
+      : surface_(surface),
+        tolerance_(tolerance),
+        report_(report),
+        short_edges_(surface, tolerance, report) {}
 
   [[nodiscard]] Result<void> run() {
-    for (int round = 0; round < kRounds; ++round) {
-      // What is refused may be possible once more is done.
-      Report left;
-      const std::size_t before = steps_;
-      if (Result<void> done = collapse_short_edges(left); !done) return done;
+    // What is refused may be possible once more is done: until a round does nothing.
+    Report left;
+    bool is_done = false;
+    for (int round = 0; round < kRounds && !is_done; ++round) {
+      left = {};
+      is_unfinished_ = false;
+      const std::size_t before = steps();
+      if (Result<void> done = short_edges_.collapse_all(left); !done) return done;
       if (Result<void> done = remove_thin_faces(left); !done) return done;
-      const bool is_last = steps_ == before || round + 1 == kRounds;
-      if (!is_last) continue;
-      for (const Code code : {Code::kZeroLengthEdge, Code::kDegenerateFace}) {
-        report_.add(code, left.count(code));
-      }
-      report_.problems = std::move(left.problems);
-      break;
+      is_done = steps() == before && !is_unfinished_;
     }
+    if (!is_done) list_unfinished(left = {});
+    for (const Code code : {Code::kZeroLengthEdge, Code::kDegenerateFace}) {
+      report_.add(code, left.count(code));
+    }
+    report_.problems = std::move(left.problems);
     keep_live<Vertex>(report_.vertices);
     keep_live<Edge>(report_.edges);
     keep_live<Face>(report_.faces);
@@ -62,280 +68,137 @@ class Remover {
   static Failure no_memory() { return decorator::internal::no_memory("the faces to be removed"); }
 
   [[nodiscard]] Vector at(Vertex v) const { return point_of(surface_, v); }
-  [[nodiscard]] double length_of(Halfedge h) const {
-    return length(at(surface_.to_vertex(h)) - at(surface_.from_vertex(h)));
-  }
-  [[nodiscard]] bool is_triangle(Face f) const {
-    const Halfedge h = surface_.halfedge(f);
-    return surface_.next(surface_.next(surface_.next(h))) == h;
-  }
-  [[nodiscard]] double limit_of(double length) const {
-    return std::max(tolerance_, kThin * length);
-  }
+  [[nodiscard]] std::size_t steps() const { return steps_ + short_edges_.count(); }
 
-  [[nodiscard]] Shape shape_of(Face f) const {
-    Shape shape;
-    const Halfedge first = surface_.halfedge(f);
-    Halfedge h = first;
-    Halfedge far = first;  // where it leads is farthest from where `first` does
-    double farthest = -1;
-    double side = -1;
-    bool is_finite = true;
-    do {
-      const double own = length_of(h);
-      is_finite = is_finite && std::isfinite(own);
-      const double away = length(at(surface_.to_vertex(h)) - at(surface_.to_vertex(first)));
-      if (own > side) side = own, shape.longest = h;
-      if (!shape.shortest.valid() || own < shape.least) shape.least = own, shape.shortest = h;
-      if (away > farthest) farthest = away, far = h;
-      h = surface_.next(h);
-    } while (h != first);
-    if (!is_finite) {
-      shape.length = shape.width = shape.least = std::numeric_limits<double>::quiet_NaN();
-      return shape;  // which is not thin
-    }
-    // From there the farthest again: of a triangle, take the longest side itself.
-    const Vector a =
-        is_triangle(f) ? at(surface_.from_vertex(shape.longest)) : at(surface_.to_vertex(far));
-    Vector b = at(surface_.to_vertex(shape.longest));
-    if (!is_triangle(f)) {
-      farthest = -1;
-      do {
-        const Vector p = at(surface_.to_vertex(h));
-        if (length(p - a) > farthest) farthest = length(p - a), b = p;
-        h = surface_.next(h);
-      } while (h != first);
-    }
-    shape.length = length(b - a);
-    do {
-      const Vector p = at(surface_.to_vertex(h));
-      if (shape.length > 0) {
-        shape.width = std::max(shape.width, length(cross(b - a, p - a)) / shape.length);
-      }
-      h = surface_.next(h);
-    } while (h != first);
-    return shape;
-  }
-  [[nodiscard]] bool is_thin(const Shape& shape) const {
-    return shape.width <= limit_of(shape.length);
-  }
-
-  // ---- edges without length -----------------------------------------------------------------
-
-  [[nodiscard]] Result<void> collapse_short_edges(Report& left) {
-    for (Index i = 0; i < surface_.edge_slots(); ++i) {
-      const Edge e(i);
-      if (!surface_.is_live(e) || !(length_of(Halfedge(2 * i)) <= tolerance_)) continue;
-      Error why;
-      const Result<bool> done = collapse(Halfedge(2 * i), why);
-      if (!done) return done.error();
-      if (done.value()) continue;
-      left.leave(Code::kZeroLengthEdge, [&] {
-        return refusal("",
-                       text(e) + " has a length of " +
-                           sentence::number(length_of(Halfedge(2 * i))) +
-                           " but can't be collapsed: " + without_stop(why.message),
-                       {.edges = {e.index()}});
-      });
-    }
-    return {};
-  }
-
-  static std::string without_stop(const std::string& sentence) {
-    return sentence.substr(0, sentence.size() - 1);
-  }
-
-  // Collapses the edge of `side`, into a boundary vertex if one end is one. False if it is refused.
-  [[nodiscard]] Result<bool> collapse(Halfedge side, Error& why) {
-    const bool turns = surface_.is_boundary(surface_.from_vertex(side)) &&
-                       !surface_.is_boundary(surface_.to_vertex(side));
-    for (const bool other : {false, true}) {
-      const Halfedge h = turns != other ? Surface::opposite(side) : side;
-      if (folds(h)) {
-        why =
-            refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over").error();
-        continue;
-      }
-      const Result<Vertex> kept = surface_.collapse(h);
-      if (kept) {
-        ++steps_;
-        report_.add(Code::kCollapsedEdge);
-        if (!report_.vertices.push_back(kept.value().index()) || !see_around(kept.value())) {
-          return no_memory();
-        }
-        return true;
-      }
-      if (kept.error().code == "out-of-memory") return kept.error();
-      why = kept.error();
-      return false;  // the other way round it would be refused as well
-    }
-    return false;
-  }
-
-  // Whether a face turns over when the vertex that `h` leaves goes where `h` leads.
-  [[nodiscard]] bool folds(Halfedge h) const {
-    const Vertex from = surface_.from_vertex(h);
-    const Vector to = at(surface_.to_vertex(h));
-    if (length(to - at(from)) == 0) return false;
-    Halfedge out = h;
-    do {
-      const Face f = surface_.face(out);
-      if (f.valid() && !is_thin(shape_of(f))) {
-        const Vector before = area_vector(out, at(from));
-        const Vector after = area_vector(out, to);
-        if (dot(before, after) < 0) return true;
-      }
-      out = surface_.rotate_cw(out);
-    } while (out != h);
-    return false;
-  }
-
-  // Twice the area of the face of `h`, if the vertex that h leaves were there.
-  [[nodiscard]] Vector area_vector(Halfedge h, const Vector& there) const {
-    Vector sum = {};
-    Vector last = at(surface_.to_vertex(h)) - there;
-    for (Halfedge on_loop = surface_.next(h); surface_.next(on_loop) != h;
-         on_loop = surface_.next(on_loop)) {
-      const Vector p = at(surface_.to_vertex(on_loop)) - there;
-      const Vector n = cross(last, p);
-      for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
-      last = p;
-    }
-    return sum;
-  }
-
-  // ---- faces without area -------------------------------------------------------------------
-
+  // Each face, and those that are touched when it goes.
   [[nodiscard]] Result<void> remove_thin_faces(Report& left) {
     std::size_t steps_left = 20 * (std::size_t{surface_.face_slots()} + 50);
     for (Index i = 0; i < surface_.face_slots(); ++i) {
       work_.clear();
       if (!work_.push_back(Face(i))) return no_memory();
-      while (!work_.empty() && steps_left-- > 0) {
+      while (!work_.empty() && steps_left > 0) {
+        --steps_left;
         const Face f = work_[work_.size() - 1];
         work_.pop_back();
         if (!surface_.is_live(f)) continue;
-        const Shape shape = shape_of(f);
-        if (!is_thin(shape)) continue;
-        Error why;
-        const Result<bool> done = remove(f, shape, why);
-        if (!done) return done.error();
-        if (done.value()) ++steps_;
+        const FaceShape shape = shape_of(surface_, f);
+        if (!shape.is_thin(tolerance_)) continue;
+        const Result<void> done = remove(f, shape);
+        if (done) continue;
+        if (done.error().code == "out-of-memory") return done;
+        left.leave(Code::kDegenerateFace, [&] {
+          return thin(f, shape, "but can't be removed: " + reason_of(done.error()));
+        });
       }
+    }
+    is_unfinished_ = steps_left == 0;
+    return {};
+  }
+
+  void list_unfinished(Report& left) const {
+    for (Index i = 0; i < surface_.edge_slots(); ++i) {
+      const Edge e(i);
+      if (!surface_.is_live(e) || !short_edges_.is_short(e)) continue;
+      left.leave(Code::kZeroLengthEdge,
+                 [&] { return unfinished(e, length_of(surface_, Halfedge(2 * i))); });
     }
     for (Index i = 0; i < surface_.face_slots(); ++i) {
       const Face f(i);
       if (!surface_.is_live(f)) continue;
-      const Shape shape = shape_of(f);
-      if (!is_thin(shape)) continue;
-      Error why;
-      const Result<bool> done = remove(f, shape, why);
-      if (!done) return done.error();
-      if (done.value()) {
-        ++steps_;
-        continue;
-      }
+      const FaceShape shape = shape_of(surface_, f);
+      if (!shape.is_thin(tolerance_)) continue;
       left.leave(Code::kDegenerateFace, [&] {
-        return refusal("",
-                       text(f) + " is " + sentence::number(shape.length) + " long and " +
-                           sentence::number(shape.width) +
-                           " wide but can't be removed: " + without_stop(why.message),
-                       {.faces = {f.index()}});
+        return thin(f, shape, "and was not reached, expected less to do: repair it once more");
       });
+    }
+  }
+
+  [[nodiscard]] Result<void> remove(Face f, const FaceShape& shape) {
+    if (shape.least <= shape.limit(tolerance_)) return collapse(shape.shortest);
+    if (!is_triangle(surface_, f)) return cut_up(f);
+    const Halfedge beyond = Surface::opposite(shape.longest);
+    if (surface_.is_boundary(beyond)) return delete_at_boundary(f, shape.longest);
+    if (is_triangle(surface_, surface_.face(beyond))) return flip(shape.longest);
+    return join(shape.longest);
+  }
+
+  [[nodiscard]] Result<void> collapse(Halfedge side) {
+    if (Result<void> done = short_edges_.collapse(side); !done) return done;
+    for (const Face moved : short_edges_.moved()) {
+      if (!work_.push_back(moved)) return no_memory();
     }
     return {};
   }
 
-  [[nodiscard]] Result<bool> remove(Face f, const Shape& shape, Error& why) {
-    if (shape.least <= limit_of(shape.length)) return collapse(shape.shortest, why);
-    if (!is_triangle(f)) return cut_up(f, why);
-    const Halfedge beyond = Surface::opposite(shape.longest);
-    if (surface_.is_boundary(beyond)) return delete_at_boundary(f, shape.longest, why);
-    if (is_triangle(surface_.face(beyond))) return flip(shape.longest, why);
-    return join(shape.longest, why);
-  }
-
-  [[nodiscard]] Result<bool> outcome(bool done, const Error& refused, Code code, Error& why) {
-    if (done) {
-      report_.add(code);
-      return true;
-    }
-    if (refused.code == "out-of-memory") return refused;
-    why = refused;
-    return false;
-  }
-
-  [[nodiscard]] Result<bool> cut_up(Face f, Error& why) {
-    const Result<Index> done = surface_.triangulate(f);
-    return outcome(done.ok(), done ? Error{} : done.error(), Code::kTriangulatedFace, why);
+  [[nodiscard]] Result<void> cut_up(Face f) {
+    if (const Result<Index> done = surface_.triangulate(f); !done) return done.error();
+    return count(Code::kTriangulatedFace);
   }
 
   // Without the face, the two other sides take the place of the long one, on which they lie.
-  [[nodiscard]] Result<bool> delete_at_boundary(Face f, Halfedge longest, Error& why) {
+  [[nodiscard]] Result<void> delete_at_boundary(Face f, Halfedge longest) {
     const Halfedge into_apex = surface_.next(longest);
     const Halfedge from_apex = surface_.next(into_apex);
     const Vertex apex = surface_.to_vertex(into_apex);
-    const bool has_neighbours = !surface_.is_boundary(Surface::opposite(into_apex)) &&
-                                !surface_.is_boundary(Surface::opposite(from_apex));
-    if (has_neighbours && surface_.is_boundary(apex)) {
-      why = refusal("", text(apex) + " would be pinched").error();
-      return false;
+    const Face neighbours[] = {surface_.face(Surface::opposite(into_apex)),
+                               surface_.face(Surface::opposite(from_apex))};
+    if (neighbours[0].valid() && neighbours[1].valid() && surface_.is_boundary(apex)) {
+      return refusal("", text(apex) + " would be pinched");
     }
+    if (!work_.reserve_more(2)) return no_memory();
     surface_.delete_face(f);
-    report_.add(Code::kRemovedFace);
-    return true;
+    for (const Face neighbour : neighbours) {
+      if (neighbour.valid()) (void)work_.push_back(neighbour);
+    }
+    return count(Code::kRemovedFace);
   }
 
   // The apex lies on the long side: so the triangles that it divides the one beyond into have the
   // normal of that.
-  [[nodiscard]] Result<bool> flip(Halfedge longest, Error& why) {
+  [[nodiscard]] Result<void> flip(Halfedge longest) {
     const Halfedge beyond = Surface::opposite(longest);
-    const Vertex a = surface_.from_vertex(longest);
-    const Vertex b = surface_.to_vertex(longest);
+    const Edge e = Surface::edge(longest);
+    const Vector a = at(surface_.from_vertex(longest));
+    const Vector b = at(surface_.to_vertex(longest));
     const Vector apex = at(surface_.to_vertex(surface_.next(longest)));
     const Vector other = at(surface_.to_vertex(surface_.next(beyond)));
-    const Vector old = cross(at(a) - at(b), other - at(b));
-    const Vector news[] = {cross(other - at(a), apex - at(a)), cross(at(b) - other, apex - other)};
     const Face faces[] = {surface_.face(longest), surface_.face(beyond)};
-    const bool is_old_thin = is_thin(shape_of(faces[1]));
-    for (const Vector& normal : news) {
-      if (!is_old_thin && dot(normal, old) < 0) {
-        why = refusal("", "a triangle beyond " + text(Surface::edge(longest)) + " would fold over")
-                  .error();
-        return false;
-      }
+    const bool is_old_thin = shape_of(surface_, faces[1]).is_thin(tolerance_);
+    const Vector old = cross(a - b, other - b);
+    if (!is_old_thin && (dot(cross(other - a, apex - a), old) < 0 ||
+                         dot(cross(b - other, apex - other), old) < 0)) {
+      return refusal("", "a triangle beyond " + text(e) + " would fold over");
     }
-    // Where all lie on a line the edge must become shorter, or it would go on for ever.
-    if (is_old_thin && !(length(other - apex) < length_of(longest))) {
-      why = refusal("", text(faces[1]) + " beyond its longest edge has no area either").error();
-      return false;
+    // Each flip makes the thinner triangle wider or, where none has a width, the edge shorter: so
+    // none is undone by another.
+    const auto now = std::minmax({width_of(a, b, apex), width_of(b, a, other)});
+    const auto then = std::minmax({width_of(a, other, apex), width_of(b, apex, other)});
+    if (!(now < then || (now == then && length(other - apex) < length(b - a)))) {
+      return refusal("", "it and " + text(faces[1]) + " would be no wider if " + text(e) +
+                             " between them were flipped");
     }
-    const Result<Edge> done = surface_.flip_edge(Surface::edge(longest));
-    if (done) {
-      if (!report_.edges.push_back(done.value().index()) || !work_.push_back(faces[0]) ||
-          !work_.push_back(faces[1])) {
-        return no_memory();
-      }
-    }
-    return outcome(done.ok(), done ? Error{} : done.error(), Code::kFlippedEdge, why);
+    if (!work_.reserve_more(2) || !report_.edges.reserve_more(1)) return no_memory();
+    const Result<Edge> done = surface_.flip_edge(e);
+    if (!done) return done.error();
+    (void)report_.edges.push_back(done.value().index());
+    for (const Face f : faces) (void)work_.push_back(f);
+    return count(Code::kFlippedEdge);
   }
 
   // The face beyond has more corners: it gains the apex.
-  [[nodiscard]] Result<bool> join(Halfedge longest, Error& why) {
+  [[nodiscard]] Result<void> join(Halfedge longest) {
+    if (!work_.reserve_more(1) || !report_.faces.reserve_more(1)) return no_memory();
     const Result<Face> done = surface_.remove_edge(Surface::edge(longest));
-    if (done && !report_.faces.push_back(done.value().index())) return no_memory();
-    return outcome(done.ok(), done ? Error{} : done.error(), Code::kJoinedFace, why);
+    if (!done) return done.error();
+    (void)report_.faces.push_back(done.value().index());
+    (void)work_.push_back(done.value());
+    return count(Code::kJoinedFace);
   }
 
-  [[nodiscard]] bool see_around(Vertex v) {
-    const Halfedge anchor = surface_.halfedge(v);
-    if (!anchor.valid()) return true;
-    Halfedge out = anchor;
-    do {
-      if (surface_.face(out).valid() && !work_.push_back(surface_.face(out))) return false;
-      out = surface_.rotate_cw(out);
-    } while (out != anchor);
-    return true;
+  [[nodiscard]] Result<void> count(Code code) {
+    ++steps_;
+    report_.add(code);
+    return {};
   }
 
   template <class Item>
@@ -352,8 +215,10 @@ class Remover {
   Surface& surface_;
   double tolerance_;
   Report& report_;
+  ShortEdges short_edges_;
   Array<Face> work_;
   std::size_t steps_ = 0;
+  bool is_unfinished_ = false;  // a round has taken too many steps
 };
 
 }  // namespace

@@ -8,8 +8,6 @@ namespace halfedge::mend {
 
 namespace {
 
-// A triangle that is thinner has no normal.
-constexpr double kThin = 1e-6;
 // The steps of what a fold costs: cosines of 30, 60, ... degrees.
 constexpr double kSteps[] = {0.8660254, 0.5, 0, -0.5, -0.8660254};
 constexpr int kFoldOfThin = 4;

@@ -6,6 +6,10 @@
 
 namespace halfedge::mend {
 
+/// A face that is thinner than this share of its length has no normal to speak of: the rounding of
+/// positions alone could turn it over.
+inline constexpr double kThin = 1e-6;
+
 /// A point or a vector, of which differences of floats are exact or nearly so.
 using Vector = std::array<double, 3>;
 

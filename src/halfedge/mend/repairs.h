@@ -87,13 +87,14 @@ struct DegenerateOptions {
 
 /// Removes faces without area, and edges without length, so that the surface stays where it is:
 /// - a short edge is collapsed, where the link condition allows it and no face turns over;
-/// - of a triangle whose corner lies on the opposite side, that side is flipped; beside a larger
-///   face it is removed, so that the corner becomes one of that face; on the boundary the triangle
-///   is deleted, unless that pinches a vertex;
+/// - of a triangle whose corner lies on the opposite side, that side is flipped, where the thinner
+///   of the two faces becomes wider; beside a larger face it is removed, so that the corner becomes
+///   one of that face; on the boundary the triangle is deleted, unless that pinches a vertex;
 /// - a larger face whose corners lie on a line is cut into triangles, and then so on.
 /// (CGAL: remove_degenerate_faces, remove_almost_degenerate_faces)
 ///
-/// What none of this can remove is left (zero-length-edge, degenerate-face).
+/// What none of this can remove is left (zero-length-edge, degenerate-face): all that is short or
+/// thin in the end is reported.
 ///
 /// attributes: as operations::collapse, flip_edge, remove_edge, triangulate
 /// report: vertices: those that edges were collapsed into; edges: those that were flipped; faces:

@@ -41,6 +41,10 @@ constexpr std::array<Wording, kCodeCount> kWordings{{
 
 const char* name_of(Code code) { return kWordings[std::size_t(code)].name; }
 
+std::string reason_of(const Error& error) {
+  return error.message.substr(0, error.message.size() - 1);
+}
+
 void Report::summarize() {
   summary.clear();
   for (std::size_t i = 0; i < kCodeCount; ++i) {

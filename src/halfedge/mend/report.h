@@ -41,6 +41,9 @@ inline constexpr std::size_t kCodeCount = std::size_t(Code::kFoldingHole) + 1;
 /// "stitched-edge" and so on: stable, in kebab-case.
 [[nodiscard]] const char* name_of(Code code);
 
+/// What an error says, to end another sentence with: without its full stop.
+[[nodiscard]] std::string reason_of(const Error& error);
+
 /// What a repair has done, and what not.
 struct Report {
   /// So many problems of one code are listed.
