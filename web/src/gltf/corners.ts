@@ -7,16 +7,33 @@ import type { ItemKind } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import type { RepairReport } from '../repair.js';
 
-export type CornerValues = Float32Array | Uint8Array | Uint16Array;
+export type CornerValues =
+  | Float32Array
+  | Int8Array
+  | Uint8Array
+  | Int16Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array;
 
 /** A named column of numbers by vertex of a buffer. */
 export interface CornerAttribute {
   readonly name: string;
   readonly components: number;
   readonly values: CornerValues;
+  /** What a split makes of it. Default: 'normalize' for normals, else 'interpolate'. */
+  readonly onSplit?: OnSplit;
 }
 
-const TYPES = { Float32Array: 'float32', Uint8Array: 'uint8', Uint16Array: 'uint16' } as const;
+const TYPES = {
+  Float32Array: 'float32',
+  Int8Array: 'int8',
+  Uint8Array: 'uint8',
+  Int16Array: 'int16',
+  Uint16Array: 'uint16',
+  Int32Array: 'int32',
+  Uint32Array: 'uint32',
+} as const;
 
 /**
  * Gives the attributes of a triangle soup to the mesh that was made of it: to its vertices, or to its
@@ -24,17 +41,31 @@ const TYPES = { Float32Array: 'float32', Uint8Array: 'uint8', Uint16Array: 'uint
  */
 export function addAttributes(
   mesh: HalfedgeMesh,
-  { vertexMap, vertexOrigin, faceMap }: RepairReport,
+  report: RepairReport,
   indices: Uint32Array,
   attributes: readonly CornerAttribute[],
 ): void {
   if (attributes.length === 0) return;
+  const corners = cornersOf(mesh, report, indices);
+  const toVertex = mesh.connectivity.toVertex.slice(); // adding attributes can detach the views
+  for (const attribute of attributes) {
+    const rows = rowsByVertex(attribute, corners, toVertex, report.vertexOrigin);
+    if (rows === undefined) fill(mesh, 'halfedge', attribute, corners);
+    else fill(mesh, 'vertex', attribute, rows);
+  }
+}
+
+/** By halfedge of the mesh of a soup: the vertex of the soup in the corner where it ends, or -1. */
+export function cornersOf(
+  mesh: HalfedgeMesh,
+  { vertexMap, vertexOrigin, faceMap }: RepairReport,
+  indices: Uint32Array,
+): Int32Array {
   const { toVertex, face } = mesh.connectivity;
   const faceOrigin = new Uint32Array(mesh.faceSlots);
   faceMap.forEach((f, input) => {
     if (f >= 0) faceOrigin[f] = input;
   });
-  // By halfedge, the vertex of the soup in the corner where it ends.
   const corners = new Int32Array(face.length).fill(-1);
   for (let h = 0; h < face.length; h++) {
     if (face[h] < 0) continue;
@@ -44,11 +75,7 @@ export function addAttributes(
       if (vertexMap[indices[k]] === vertex) corners[h] = indices[k];
     }
   }
-  for (const attribute of attributes) {
-    const rows = rowsByVertex(attribute, corners, toVertex, vertexOrigin);
-    if (rows === undefined) fill(mesh, 'halfedge', attribute, corners);
-    else fill(mesh, 'vertex', attribute, rows);
-  }
+  return corners;
 }
 
 /** By vertex of the mesh a row that is that of all its corners, if they are all alike. */
@@ -79,11 +106,15 @@ function areEqual(values: CornerValues, components: number, a: number, b: number
 function fill(
   mesh: HalfedgeMesh,
   kind: ItemKind,
-  { name, components, values }: CornerAttribute,
+  {
+    name,
+    components,
+    values,
+    onSplit = name === 'normal' ? 'normalize' : 'interpolate',
+  }: CornerAttribute,
   rows: Int32Array,
 ): void {
   const type = TYPES[values.constructor.name as keyof typeof TYPES];
-  const onSplit: OnSplit = name === 'normal' ? 'normalize' : 'interpolate';
   const view = mesh.attributes.add(kind, name, { type, components, onSplit });
   rows.forEach((row, item) => {
     if (row < 0) return;
@@ -92,7 +123,7 @@ function fill(
 }
 
 /** What a buffer can hold of an attribute, and where the mesh has it. */
-interface Column extends CornerAttribute {
+export interface Column extends CornerAttribute {
   readonly kind: 'vertex' | 'halfedge';
 }
 
@@ -115,15 +146,25 @@ function columnsOf(mesh: HalfedgeMesh): Column[] {
   return [...found.values()];
 }
 
-/** The buffers of a triangle mesh: vertices in order, then copies of those whose corners differ. */
-export function buffersOf(mesh: HalfedgeMesh): {
-  positions: Float32Array;
-  indices: Uint32Array;
-  attributes: CornerAttribute[];
-} {
-  const columns = columnsOf(mesh);
+/** What a mesh is to a graphics card. */
+export interface Buffers {
+  readonly positions: Float32Array;
+  readonly indices: Uint32Array;
+  readonly attributes: CornerAttribute[];
+  /** By row of the buffers: the vertex that it shows. */
+  readonly vertexOf: number[];
+}
+
+/**
+ * The buffers of a mesh: vertices in order, then copies of those whose corners differ. `halfedges` are
+ * those that end in the corners of its triangles: of a triangle mesh, all in the order of its faces.
+ */
+export function buffersOf(
+  mesh: HalfedgeMesh,
+  columns: readonly Column[] = columnsOf(mesh),
+  halfedges: Uint32Array = mesh.allFaceHalfedges().items,
+): Buffers {
   const ofCorners = columns.filter(({ kind }) => kind === 'halfedge');
-  const { items: halfedges } = mesh.allFaceHalfedges();
   const { toVertex } = mesh.connectivity;
   const vertices = Uint32Array.from(mesh.vertices());
   const rank = new Int32Array(mesh.vertexSlots).fill(-1);
@@ -154,11 +195,11 @@ export function buffersOf(mesh: HalfedgeMesh): {
     indices[i] = row;
   }
   const positions = gather({ components: 3, values: mesh.positions }, vertexOf) as Float32Array;
-  const attributes = columns.map(({ name, components, values, kind }) => {
+  const attributes = columns.map(({ kind, ...column }) => {
     const rows = kind === 'vertex' ? vertexOf : cornerOf;
-    return { name, components, values: gather({ components, values }, rows) };
+    return { ...column, values: gather(column, rows) };
   });
-  return { positions, indices, attributes };
+  return { positions, indices, attributes, vertexOf };
 }
 
 /** Rows in this order; zeros for -1. */
