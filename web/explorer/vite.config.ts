@@ -10,7 +10,11 @@ export default defineConfig({
   publicDir: false,
   resolve: {
     // The package as it is shipped: `npm run build` makes it.
-    alias: [{ find: /^halfedge$/, replacement: fromHere('../../dist/index.js') }],
+    alias: [
+      { find: /^halfedge$/, replacement: fromHere('../../dist/index.js') },
+      { find: /^halfedge\/(dialects|gltf)$/, replacement: fromHere('../../dist/$1/index.js') },
+      { find: /^halfedge\/(worker)$/, replacement: fromHere('../../dist/$1.js') },
+    ],
   },
   server: { fs: { allow: [fromHere('../..')] } },
   build: {

@@ -2,6 +2,7 @@ import type { Direction, HalfedgeMesh, Problem } from 'halfedge';
 import { samples } from '../samples/index.js';
 import type { PickMode } from '../scene/picking.js';
 import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
+import { type DialectId, dialectOf } from './dialects.js';
 import {
   failureOf,
   type MeshDocument,
@@ -52,6 +53,8 @@ export class Explorer {
   readonly groups = new Signal<readonly QueryGroup[]>([]);
   readonly choice = new Signal<Choice | null>(null);
   readonly direction = new Signal<Direction>('ccw');
+  /** Whose names the code and the links have. */
+  readonly dialect = new Signal<DialectId>('halfedge');
   readonly play = new Signal<Play | null>(null);
   readonly speed = new Signal(2);
   /** What is being opened, while it is. */
@@ -196,6 +199,14 @@ export class Explorer {
     this.#load();
   }
 
+  /** Shows and runs the same query in other names, as far as it has come. */
+  setDialect(dialect: DialectId): void {
+    const position = this.play.value?.position ?? 0;
+    this.dialect.value = dialect;
+    this.#load();
+    if (position > 0) this.seek(position);
+  }
+
   /** Plays to the end of the lap; from the beginning if it is there already. */
   start(): void {
     const player = this.play.value?.player;
@@ -284,12 +295,13 @@ export class Explorer {
       this.play.value = null;
       return;
     }
-    const player = new CirculatorPlayer(mesh, {
+    const query = {
       circulator: choice.circulator,
       index: group.index,
       direction: this.direction.value,
       ...(group.start === undefined ? {} : { start: group.start }),
-    });
+    };
+    const player = new CirculatorPlayer(mesh, query, dialectOf(this.dialect.value));
     this.play.value = { player, position: 0, playing: false };
   }
 

@@ -1,33 +1,40 @@
 import type { HalfedgeMesh } from 'halfedge';
 import type { Query } from './circulators.js';
+import { type Dialect, dialectOf } from './dialects.js';
 import type { Item } from './items.js';
+import { type Hop, type Program, programOf, run } from './program.js';
 import { hopWords, startWords } from './words.js';
 
 /** One visit: the halfedge where the circulator stood, and the item it showed. */
 export interface Visit {
   readonly halfedge: number;
   readonly item: Item;
+  /** The lines of the program that ran since the visit before, by their places; the last yielded. */
+  readonly ran: readonly number[];
 }
 
 /**
- * Steps an endless circulator of the mesh through one lap, forward and back, and remembers what
- * it visited. Position 0 is before the first visit; `count` is the length of the lap.
+ * Runs the code of a query through one lap, and remembers what it visited: back is where it was. Position 0 is before the first visit; `count` is the length of the lap.
  */
 export class CirculatorPlayer {
   readonly query: Query;
   readonly count: number;
+  readonly dialect: Dialect;
+  /** The code that runs. */
+  readonly program: Program;
   readonly #mesh: HalfedgeMesh;
   readonly #visits: Visit[] = [];
-  readonly #circulator: ReturnType<HalfedgeMesh['circulate']>;
+  /** What the code has visited; it does not run back. */
+  readonly #known: Visit[] = [];
+  readonly #running: Iterator<Hop, void>;
 
-  constructor(mesh: HalfedgeMesh, query: Query) {
+  constructor(mesh: HalfedgeMesh, query: Query, dialect = dialectOf('halfedge')) {
     this.#mesh = mesh;
     this.query = query;
+    this.dialect = dialect;
+    this.program = programOf(query, dialect);
     this.count = lapLength(mesh, query);
-    this.#circulator = mesh.circulate(query.circulator.name, query.index, {
-      direction: query.direction,
-      ...(query.start === undefined ? {} : { start: query.start }),
-    });
+    this.#running = run(this.program, mesh, query, dialect);
   }
 
   /** How many items are visited; the last of them is the current one. */
@@ -51,15 +58,15 @@ export class CirculatorPlayer {
   /** Visits one more item. False at the end of the lap. */
   forward(): boolean {
     if (this.done) return false;
-    if (this.position > 0) this.#circulator.next();
-    this.#visits.push(this.#look());
+    const visit = this.#known[this.position] ?? this.#look();
+    if (!visit) return false;
+    this.#visits.push(visit);
     return true;
   }
 
   /** Takes the last visit back. False at the beginning. */
   back(): boolean {
     if (this.position === 0) return false;
-    if (this.position > 1) this.#circulator.prev();
     this.#visits.pop();
     return true;
   }
@@ -67,7 +74,7 @@ export class CirculatorPlayer {
   /** Steps until `position` items are visited. */
   seek(position: number): void {
     const target = Math.max(0, Math.min(this.count, Math.round(position)));
-    while (this.position < target) this.forward();
+    while (this.position < target && this.forward());
     while (this.position > target) this.back();
   }
 
@@ -77,16 +84,17 @@ export class CirculatorPlayer {
     if (!last) return '';
     const before = this.#visits.at(-2);
     return before
-      ? hopWords(this.#mesh, this.query, before.halfedge, last.halfedge)
-      : startWords(this.#mesh, this.query, last.halfedge);
+      ? hopWords(this.#mesh, this.query, before.halfedge, last.halfedge, this.dialect)
+      : startWords(this.#mesh, this.query, last.halfedge, this.dialect);
   }
 
-  #look(): Visit {
-    const { yields } = this.query.circulator;
-    return {
-      halfedge: this.#circulator.halfedge,
-      item: { kind: yields, index: this.#circulator.current },
-    };
+  #look(): Visit | null {
+    const step = this.#running.next();
+    if (step.done) return null;
+    const { halfedge, index, ran } = step.value;
+    const visit = { halfedge, item: { kind: this.query.circulator.yields, index }, ran };
+    this.#known.push(visit);
+    return visit;
   }
 }
 

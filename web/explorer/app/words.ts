@@ -1,21 +1,31 @@
 import { type HalfedgeMesh, NONE } from 'halfedge';
 import type { Circulator, Query } from './circulators.js';
+import type { Dialect } from './dialects.js';
+import { stepOf } from './program.js';
 
 /** One step of the walk, as the expression that makes it. */
-function step(mesh: HalfedgeMesh, query: Query, h: number): { expression: string; to: number } {
-  const { walk } = query.circulator;
-  const ccw = query.direction === 'ccw';
-  if (walk === 'rotate') {
-    return ccw
-      ? { expression: `opposite(prev(h${h}))`, to: mesh.rotateCcw(h) }
-      : { expression: `next(opposite(h${h}))`, to: mesh.rotateCw(h) };
-  }
-  if (walk === 'loop') {
-    return ccw
-      ? { expression: `next(h${h})`, to: mesh.next(h) }
-      : { expression: `prev(h${h})`, to: mesh.prev(h) };
-  }
-  return { expression: `opposite(h${h})`, to: mesh.opposite(h) };
+function step(
+  mesh: HalfedgeMesh,
+  query: Query,
+  dialect: Dialect,
+  h: number,
+): { expression: string; to: number } {
+  const kind = stepOf(query);
+  const to = {
+    rotateCcw: () => mesh.rotateCcw(h),
+    rotateCw: () => mesh.rotateCw(h),
+    next: () => mesh.next(h),
+    prev: () => mesh.prev(h),
+    across: () => mesh.opposite(h),
+  }[kind]();
+  const at = cursor(mesh, query, dialect, h);
+  const before = `h${mesh.prev(h)}`;
+  return { expression: dialect.stepName(kind, `h${at}`, before), to };
+}
+
+/** The halfedge that the dialect is at, where ours is `h`: one that arrives, or one that leaves. */
+function cursor(mesh: HalfedgeMesh, { circulator }: Query, dialect: Dialect, h: number): number {
+  return dialect.arrives && circulator.walk === 'rotate' ? mesh.opposite(h) : h;
 }
 
 /** What the circulator shows of halfedge `h`: ` → vertex 7`, or nothing for the halfedge itself. */
@@ -43,12 +53,18 @@ function showsNothing(mesh: HalfedgeMesh, { view }: Circulator, h: number): bool
 }
 
 /** The walk in words from one halfedge to another that it reaches, skipped ones included. */
-function walkWords(mesh: HalfedgeMesh, query: Query, from: number, to: number): string {
+function walkWords(
+  mesh: HalfedgeMesh,
+  query: Query,
+  from: number,
+  to: number,
+  dialect: Dialect,
+): string {
   let words = '';
   let at = from;
   for (;;) {
-    const { expression, to: reached } = step(mesh, query, at);
-    words += `${expression} = h${reached}`;
+    const { expression, to: reached } = step(mesh, query, dialect, at);
+    words += `${expression} = h${cursor(mesh, query, dialect, reached)}`;
     at = reached;
     if (at === to || !showsNothing(mesh, query.circulator, at)) break;
     words += ', no face there: skipped; ';
@@ -57,21 +73,40 @@ function walkWords(mesh: HalfedgeMesh, query: Query, from: number, to: number): 
 }
 
 /** What the first visit of a lap does: where the walk begins, and why there. */
-export function startWords(mesh: HalfedgeMesh, query: Query, first: number): string {
+export function startWords(
+  mesh: HalfedgeMesh,
+  query: Query,
+  first: number,
+  dialect: Dialect,
+): string {
   const { circulator, index, start } = query;
   const end = shown(mesh, circulator, first);
-  if (start === first) return `starts at the chosen h${first}${end}`;
-  if (circulator.around === 'halfedge') return `starts at h${first} itself${end}`;
-  if (circulator.around === 'edge') return `edgeHalfedge(${index}, 0) = h${first}${end}`;
+  const name = (h: number) => `h${cursor(mesh, query, dialect, h)}`;
+  if (start === first) return `starts at the chosen ${name(first)}${end}`;
+  if (circulator.around === 'halfedge') return `starts at ${name(first)} itself${end}`;
+  const isOurs = dialect.id === 'halfedge';
+  if (circulator.around === 'edge') {
+    return isOurs ? `edgeHalfedge(${index}, 0) = h${first}${end}` : `starts at h${first}${end}`;
+  }
   const accessor = circulator.around === 'vertex' ? 'vertexHalfedge' : 'faceHalfedge';
   const stored = start ?? mesh[accessor](index as never);
-  if (stored === first) return `${accessor}(${index}) = h${first}${end}`;
+  const letter = circulator.around === 'vertex' ? 'v' : 'f';
+  const anchor = isOurs
+    ? `${accessor}(${index})`
+    : dialect.anchor(circulator.around, letter + index).replace('.', dialect.mesh ? '.' : '->');
+  if (stored === first) return `${anchor} = ${name(first)}${end}`;
   const named =
     start !== undefined ? 'chosen' : circulator.around === 'vertex' ? 'anchor' : accessor;
-  return `${named} h${stored}: ${walkWords(mesh, query, stored, first)}`;
+  return `${isOurs || start !== undefined ? named : anchor} ${name(stored)}: ${walkWords(mesh, query, stored, first, dialect)}`;
 }
 
 /** What a step did: `opposite(prev(h12)) = h31 → vertex 7`. */
-export function hopWords(mesh: HalfedgeMesh, query: Query, from: number, to: number): string {
-  return walkWords(mesh, query, from, to);
+export function hopWords(
+  mesh: HalfedgeMesh,
+  query: Query,
+  from: number,
+  to: number,
+  dialect: Dialect,
+): string {
+  return walkWords(mesh, query, from, to, dialect);
 }

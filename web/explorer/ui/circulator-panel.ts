@@ -1,6 +1,7 @@
-import { hasDirection, queryCode } from '../app/circulators.js';
+import { hasDirection } from '../app/circulators.js';
 import { type Explorer, type Play, SPEEDS } from '../app/explorer.js';
 import { itemName } from '../app/items.js';
+import { codeListing } from './code-listing.js';
 import { fill, h, type IconName, icon, setAttribute } from './dom.js';
 
 /** Longer laps are scrubbed, and list only their last visits. */
@@ -9,7 +10,6 @@ const LIST_CAP = 60;
 /** Chooses a circulator and plays it. */
 export function circulatorPanel(explorer: Explorer): HTMLElement {
   const kinds = h('div', { class: 'kinds' });
-  const code = h('code', { class: 'code', 'aria-label': 'Code of this circulator' });
   const body = h('div', { class: 'circulator' });
   const section = h(
     'section',
@@ -19,7 +19,7 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
   );
   section.classList.add('circulator');
   const direction = directionControl(explorer);
-  body.append(kinds, code, ...player(explorer, direction));
+  body.append(kinds, codeListing(explorer), ...player(explorer, direction));
   const show = () => {
     const choice = explorer.choice.value;
     section.hidden = choice === null;
@@ -31,9 +31,6 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
     direction.hidden = !hasDirection(choice.circulator);
   };
   explorer.choice.subscribe(show);
-  explorer.play.subscribe((play) => {
-    if (play) code.textContent = queryCode(play.player.query);
-  });
   return section;
 }
 

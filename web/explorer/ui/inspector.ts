@@ -1,3 +1,4 @@
+import { dialectOf } from '../app/dialects.js';
 import type { Explorer } from '../app/explorer.js';
 import { factsOf, type Item, itemName, type Link, linksOf, parseItemName } from '../app/items.js';
 import { fill, h } from './dom.js';
@@ -37,6 +38,7 @@ export function inspector(explorer: Explorer): HTMLElement {
     fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link)));
     if (focused >= 0) (links.querySelectorAll('button')[focused] ?? title).focus();
   };
+  explorer.dialect.subscribe(show);
   explorer.document.subscribe(show);
   explorer.selected.subscribe(show);
   return h(
@@ -70,7 +72,9 @@ function fourDigits(values: readonly number[]): number[] {
 }
 
 function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {
-  const label = `${name}: ${target ? itemName(target) : 'empty'} (${hint})`;
+  const named = dialectOf(explorer.dialect.value).links[name];
+  const shown = named === undefined ? name : (named ?? '(has none)');
+  const label = `${shown}: ${target ? itemName(target) : 'empty'} (${hint})`;
   return h(
     'li',
     {},
@@ -92,7 +96,7 @@ function linkButton(explorer: Explorer, { number, name, hint, target, key, role 
         },
       },
       h('span', { class: `number role-${role}` }, number === undefined ? '' : String(number)),
-      h('span', { class: 'api' }, name),
+      h('span', { class: named === null ? 'api nameless' : 'api' }, shown),
       h('span', { class: 'hint' }, hint),
       h('span', { class: 'target' }, itemName(target)),
       h('kbd', { class: 'kbd' }, key),

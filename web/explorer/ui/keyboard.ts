@@ -79,6 +79,7 @@ function belongsToControl({ target, key }: KeyboardEvent): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target instanceof HTMLSelectElement) return true;
   const arrow = key.startsWith('Arrow');
+  if (target.matches('.listing-box')) return arrow;
   if (target instanceof HTMLInputElement) {
     if (target.type === 'text') return key !== 'Escape';
     if (target.type === 'range') return arrow || key === 'Home' || key === 'End';
