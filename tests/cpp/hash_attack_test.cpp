@@ -62,6 +62,36 @@ std::vector<float> colliding_in_weld() {
   });
 }
 
+/// Places apart whose cells lie in the same place in the table of the welder with this tolerance,
+/// and beside each another one, closer than it.
+constexpr double kTolerance = 0x1p-40 / 2.000002;  // makes cells as wide as a power of two
+
+std::vector<float> colliding_in_near_weld() {
+  constexpr std::uint64_t kStart = 0x9E37'79B9'7F4A'7C15U;
+  constexpr std::uint64_t kFactor = 0xD6E8'FEB8'6659'FD93U;
+  constexpr auto kInverse = std::uint32_t(inverse(kFactor));
+  std::vector<float> positions;
+  // Cells are whole numbers as doubles whose lower 32 bits are 0. So the upper ones of z can be
+  // chosen such that the hash of any y, with x in the first cell, ends in 32 zeros.
+  for (std::uint64_t i = 0; positions.size() < 3 * kCount / 2; ++i) {
+    const std::uint64_t y = (0x4330'0000U + i) << 32U;
+    std::uint64_t h = kStart * kFactor;
+    h = ((h ^ (h >> 32U)) ^ y) * kFactor;
+    h = ((h ^ (h >> 32U)) ^ kStart) * kFactor;
+    h ^= h >> 32U;
+    const std::uint64_t of_low = (h & 0xFFFF'FFFFU) * kFactor;
+    const auto missing = std::uint32_t(of_low) - std::uint32_t(of_low >> 32U);
+    const std::uint64_t z = ((h >> 32U) ^ std::uint32_t(missing * kInverse)) << 32U;
+    double cells[2];
+    std::memcpy(&cells[0], &y, sizeof y);
+    std::memcpy(&cells[1], &z, sizeof z);
+    const double size = std::abs(cells[1]);
+    if (!(size >= 0x1p21 && size < 0x1p150)) continue;
+    positions.insert(positions.end(), {0, float(cells[0] * 0x1p-40), float(cells[1] * 0x1p-40)});
+  }
+  return positions;
+}
+
 std::vector<float> ordinary() {
   std::mt19937_64 random(1);
   return positions_of([&random](std::uint64_t) { return random(); });
@@ -92,6 +122,20 @@ double seconds_to_weld(const std::vector<float>& positions) {
   return seconds([&positions] {
     const Repaired welded({positions, {}, {}}, {.weld = 0});
     EXPECT_EQ(welded.mesh.vertex_count(), kCount);
+  });
+}
+
+/// Welds each position with another one that is close to it.
+double seconds_to_weld_twins(std::vector<float> positions) {
+  const std::size_t count = positions.size() / 3;
+  for (std::size_t i = 0; i < count; ++i) {
+    positions[3 * i] = 0;
+    positions.insert(positions.end(),
+                     {float(kTolerance / 2), positions[3 * i + 1], positions[3 * i + 2]});
+  }
+  return seconds([&] {
+    const Repaired welded({positions, {}, {}}, {.weld = kTolerance});
+    EXPECT_EQ(welded.mesh.vertex_count(), count);
   });
 }
 
@@ -133,6 +177,13 @@ TEST(HashAttack, MakesReadingStlNoSlower) {
 
 TEST(HashAttack, MakesWeldingNoSlower) {
   EXPECT_LT(seconds_to_weld(colliding_in_weld()), 0.2 + 20 * seconds_to_weld(ordinary()));
+}
+
+TEST(HashAttack, MakesWeldingWithinAToleranceNoSlower) {
+  std::vector<float> others;
+  for (std::size_t i = 0; i < kCount / 2; ++i) others.insert(others.end(), {0, float(i), 1});
+  EXPECT_LT(seconds_to_weld_twins(colliding_in_near_weld()),
+            0.2 + 20 * seconds_to_weld_twins(others));
 }
 
 }  // namespace

@@ -101,7 +101,8 @@ class ExactWelder {
 
 // Joins different positions that are closer than a tolerance, in groups around leaders, which are
 // hashed by cells of a grid. A cell is twice as wide as the tolerance, so what is near a position
-// lies in its cell and in those on its nearer sides, eight in all.
+// lies in its cell and in those on its nearer sides, eight in all. Positions that were chosen to
+// collide cost no more: when too many do, others are the ones that do.
 class NearWelder {
  public:
   NearWelder(std::span<const float> positions, double tolerance, Vertices& vertices)
@@ -116,9 +117,10 @@ class NearWelder {
     std::size_t slots = 64;
     while (slots < count) slots *= 2;
     if (!order.recreate(count) || !leader_of_.recreate(count) ||
-        !next_in_group_.resize(count, kNone) || !slots_.resize(slots, kNone)) {
+        !next_in_group_.resize(count, kNone) || !slots_.recreate(slots)) {
       return false;
     }
+    fill_slots();
     for (Index i = 0; i < count; ++i) order[i] = i;
     introsort(order.begin(), order.end(), [this](Index a, Index b) {
       const float* p = at(a);
@@ -156,21 +158,25 @@ class NearWelder {
     return x * x + y * y + z * z;
   }
 
+  [[nodiscard]] Cell cell_of(const float* p) const {
+    Cell cell{};
+    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::floor(double{p[k]} / cell_);
+    return cell;
+  }
   [[nodiscard]] std::size_t slot_of(const Cell& cell) const {
     std::array<std::uint64_t, 3> bits{};
     for (std::size_t i = 0; i < 3; ++i) {
       const double normal = cell[i] + 0.0;
       std::memcpy(&bits[i], &normal, sizeof normal);
     }
-    return std::size_t(mix(mix(bits[0], bits[1]), bits[2])) & (slots_.size() - 1);
+    return std::size_t(mix(mix(bits[0] ^ seed_, bits[1]), bits[2])) & (slots_.size() - 1);
   }
 
   [[nodiscard]] bool place(Index i) {
     const float* p = at(i);
-    Cell own{};
+    const Cell own = cell_of(p);
     Cell near{};
     for (std::size_t k = 0; k < 3; ++k) {
-      own[k] = std::floor(double{p[k]} / cell_);
       near[k] = own[k] + (double{p[k]} - own[k] * cell_ < cell_ / 2 ? -1 : 1);
     }
     Index best = kNone;
@@ -180,23 +186,46 @@ class NearWelder {
       const Cell cell = {(corner & 1U) != 0 ? near[0] : own[0],
                          (corner & 2U) != 0 ? near[1] : own[1],
                          (corner & 4U) != 0 ? near[2] : own[2]};
-      for (Index l = slots_[slot_of(cell)]; l != kNone && met < kMet; ++met) {
+      Index next = slots_[slot_of(cell)];
+      while (next != kNone && met < kMet) {
+        const Index l = next;
         const Leader& leader = leaders_[l];
+        next = leader.next_in_slot;
+        if (cell_of(at(leader.vertex)) != cell) {
+          ++steps_;
+          continue;
+        }
+        ++met;
         const double square = square_distance(p, at(leader.vertex));
         const bool is_better = square < nearest || (square == nearest && l < best);
         if (square < square_ && is_better && fits(p, leader)) best = l, nearest = square;
-        l = leader.next_in_slot;
       }
     }
     if (best != kNone) {
       join(i, best);
       return true;
     }
+    // That many steps have paid for new places.
+    if (steps_ > 8 * slots_.size()) {
+      seed_ = mix(seed_ + reinterpret_cast<std::uintptr_t>(slots_.data()), i);
+      fill_slots();
+    }
     leader_of_[i] = i;
     Index& head = slots_[slot_of(own)];
     const Leader leader{i, head, 1, {p[0], p[1], p[2]}, {p[0], p[1], p[2]}};
     head = Index(leaders_.size());
     return leaders_.push_back(leader);
+  }
+
+  // Those of a cell stay in their order, the last one first.
+  void fill_slots() {
+    std::fill(slots_.begin(), slots_.end(), kNone);
+    for (Index l = 0; l < leaders_.size(); ++l) {
+      Index& head = slots_[slot_of(cell_of(at(leaders_[l].vertex)))];
+      leaders_[l].next_in_slot = head;
+      head = l;
+    }
+    steps_ = 0;
   }
 
   // Whether p is closer than the tolerance to all of a group.
@@ -256,6 +285,8 @@ class NearWelder {
   Array<Leader> leaders_;
   Array<Index> leader_of_;
   Array<Index> next_in_group_;
+  std::uint64_t seed_ = 0;
+  std::size_t steps_ = 0;  // past leaders of other cells, since the slots were filled
 };
 
 [[nodiscard]] bool keep_apart(std::span<const float> positions, Vertices& out) {
