@@ -415,6 +415,16 @@ TEST(OffAttributes, TellIntegersFromFloats) {
             (Strings{"vertex color uint8 4 interpolate", "face color uint8 4 interpolate"}));
 }
 
+TEST(OffAttributes, HaveAnAlphaOfOneWhereTheLineHasNone) {
+  const test::MeshFile read = read_mesh(
+      "COFF\n4 2 0\n0 0 0 .5 .5 .5 -1.0\n1 0 0 .25 .25 .25\n0 1 0 0 0 0 .75\n1 1 0 0 0 0\n"
+      "3 0 1 2\n3 0 2 3 .5 .5 .5 -1.\n");
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color"),
+            (Doubles{.5, .5, .5, -1, .25, .25, .25, 1, 0, 0, 0, .75, 0, 0, 0, 1}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "color"), (Doubles{0, 0, 0, 0, .5, .5, .5, -1}));
+}
+
 TEST(OffAttributes, SaysWhichLinesAreOthers) {
   const test::MeshFile read =
       read_mesh("NOFF\n3 1 0\n0 0 0 0 0 1 9\n1 0 0 0\n0 1 0 0 0 1\n3 0 1 2 7\n");

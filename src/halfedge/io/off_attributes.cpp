@@ -8,8 +8,6 @@
 namespace halfedge::io {
 namespace {
 
-constexpr float kNoAlpha = -1;
-
 [[nodiscard]] bool append(Array<float>& values, std::span<const float> row) {
   for (const float value : row) {
     if (!values.push_back(value)) return false;
@@ -32,17 +30,22 @@ constexpr float kNoAlpha = -1;
 }  // namespace
 
 bool OffColors::add(std::size_t item, std::span<const float> color) {
-  constexpr float kNone[4] = {};
-  while (values_.size() < 4 * item) {
-    if (!append(values_, kNone)) return false;
+  if (!values_.reserve_more(4 * (item + 1) - values_.size()) ||
+      !widths_.reserve_more(item + 1 - widths_.size())) {
+    return false;
   }
+  (void)values_.resize(4 * item, 0);  // in the room made above, as the rest
+  (void)widths_.resize(item, 0);
   have_alpha_ |= color.size() == 4;
-  return append(values_, color) && (color.size() == 4 || values_.push_back(kNoAlpha));
+  (void)append(values_, color);
+  (void)values_.resize(4 * (item + 1), 0);
+  (void)widths_.push_back(static_cast<std::uint8_t>(color.size()));
+  return true;
 }
 
 bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
   if (values_.empty()) return true;
-  if (!values_.resize(4 * count, 0)) return false;
+  if (!values_.resize(4 * count, 0) || !widths_.resize(count, 0)) return false;
   const std::size_t width = have_alpha_ ? 4 : 3;
   float most = 0;
   for (const float value : values_) most = std::max(most, value);
@@ -58,7 +61,7 @@ bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < width; ++k) {
       float value = values_[4 * i + k];
-      if (k == 3 && value == kNoAlpha) value = are_bytes ? 255 : 1;
+      if (k == 3 && widths_[i] == 3) value = are_bytes ? 255 : 1;
       if (are_bytes) {
         *to++ = static_cast<std::byte>(value);
       } else {
@@ -68,6 +71,7 @@ bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
     }
   }
   values_.reset();
+  widths_.reset();
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <halfedge/io/parse.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -26,7 +27,8 @@ class OffColors {
   [[nodiscard]] bool finish(SoupItem item, std::size_t count, ParsedFile& file);
 
  private:
-  Array<float> values_;  // four for each item
+  Array<float> values_;         // four for each item
+  Array<std::uint8_t> widths_;  // how many of them it has
   bool are_integers_ = true;
   bool have_alpha_ = false;
 };
