@@ -197,17 +197,20 @@ bool BinaryReader<kOrder>::read_face() {
 template <ByteOrder kOrder>
 bool BinaryReader<kOrder>::read_length(std::uint32_t& length, const char* what) {
   const std::size_t offset = bytes_.offset();
-  const std::string name = std::string(what) + " of face " + std::to_string(out_.face_count()) +
-                           " of " + std::to_string(header_.faces);
+  const auto name = [&] {
+    return std::string(what) + " of face " + std::to_string(out_.face_count()) + " of " +
+           std::to_string(header_.faces);
+  };
   if (bytes_.left() < kWord) {
-    error_ = error_at_byte(offset, "truncated", "expected " + name + ", found the end of the file");
+    error_ =
+        error_at_byte(offset, "truncated", "expected " + name() + ", found the end of the file");
     return false;
   }
   length = take();
   if (length <= bytes_.left() / kWord) return true;
   error_ = error_at_byte(
       offset, "truncated",
-      name + " is " + std::to_string(length) + ", more than the rest of the file can hold");
+      name() + " is " + std::to_string(length) + ", more than the rest of the file can hold");
   return false;
 }
 
