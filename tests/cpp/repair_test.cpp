@@ -361,6 +361,11 @@ TEST(Repair, LeavesOutIsolatedVerticesIfAsked) {
   EXPECT_EQ(dropped.report.vertex_map[0], kNone);
   EXPECT_EQ(dropped.report.vertex_map[4], 2U);
   EXPECT_EQ(dropped.report.problems[0].witness.vertices, (std::vector<Index>{0, 3, 5}));
+  EXPECT_EQ(dropped.messages(),
+            Strings{"isolated-vertex: 3 vertices have no faces, and were left out: 0, 3, 5."});
+  const Repaired single = repaired({"", 4, {{0, 1, 2}}}, {.drop_isolated = true});
+  EXPECT_EQ(single.messages(),
+            Strings{"isolated-vertex: 1 vertex has no faces, and was left out: 3."});
 }
 
 TEST(Repair, RefusesArraysThatCantBeRead) {

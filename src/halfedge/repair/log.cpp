@@ -2,6 +2,7 @@
 #include <halfedge/repair/log.h>
 
 #include <string>
+#include <utility>
 
 namespace halfedge {
 
@@ -39,11 +40,6 @@ namespace {
 
 using sentence::count_of;
 
-std::string with_first_letter_large(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
-  return text;
-}
-
 std::string summary_of(const RepairReport& report, const RepairOptions& options,
                        std::size_t dropped_as_repeated, std::size_t doubled_vertices) {
   std::string list;
@@ -69,7 +65,7 @@ std::string summary_of(const RepairReport& report, const RepairOptions& options,
   if (list.empty()) list = "nothing to repair";
   say(count(RepairCode::kIsolatedVertex), "vertex",
       options.drop_isolated ? "without faces left out" : "without faces kept");
-  return with_first_letter_large(list) + ".";
+  return sentence::complete(std::move(list));
 }
 
 }  // namespace

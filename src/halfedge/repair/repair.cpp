@@ -222,8 +222,11 @@ class Repair {
     log_.add(RepairCode::kIsolatedVertex, [&] {
       return Error{{},
                    count_of(isolated_, "vertex") + (isolated_ == 1 ? " has" : " have") +
-                       " no faces" + (options_.drop_isolated ? ", and were left out" : "") + ": " +
-                       sentence::list_of(first) + ".",
+                       " no faces" +
+                       (!options_.drop_isolated ? ""
+                        : isolated_ == 1        ? ", and was left out"
+                                                : ", and were left out") +
+                       ": " + sentence::list_of(first) + ".",
                    {.vertices = first}};
     });
     log_.add_more(RepairCode::kIsolatedVertex, isolated_ - 1);
