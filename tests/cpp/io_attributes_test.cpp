@@ -125,6 +125,29 @@ TEST(PlyAttributes, SaysWhatItCannotHold) {
   EXPECT_EQ(notes, Strings());
 }
 
+TEST(PlyAttributes, SaysWhatReadersTakeForSomethingElse) {
+  Mesh mesh = sample();
+  for (const char* name : {"nx", "ny", "nz", "s", "t", "f[0]", "texture_u", "red"}) {
+    add(mesh, ItemKind::kVertex, name, Scalar::kFloat32, 1, OnSplit::kCopy);
+  }
+  add(mesh, ItemKind::kFace, "s", Scalar::kFloat32, 1, OnSplit::kCopy);
+  add(mesh, ItemKind::kFace, "t", Scalar::kFloat32, 1, OnSplit::kCopy);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kPly, {.notes = &notes});
+  const auto taken_for = [](const char* name, const char* other) {
+    return std::string("wrote the vertex attribute \"") + name + "\" as what readers take for \"" +
+           other + "\"";
+  };
+  EXPECT_EQ(notes, (Strings{taken_for("nx", "normal"), taken_for("ny", "normal"),
+                            taken_for("nz", "normal"), taken_for("s", "uv"), taken_for("t", "uv"),
+                            taken_for("f[0]", "f")}));
+  EXPECT_EQ(describe_all(read_mesh(bytes.value().span()).mesh),
+            (Strings{"vertex normal float32 3 normalize", "vertex uv float32 2 interpolate",
+                     "vertex f float32 1 interpolate", "vertex texture_u float32 1 interpolate",
+                     "vertex red float32 1 interpolate", "face s float32 1 interpolate",
+                     "face t float32 1 interpolate"}));
+}
+
 const std::string kPlyTriangle = R"(ply
 format ascii 1.0
 element vertex 3
@@ -337,7 +360,56 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
           }() +
           "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak__2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
           "f 2/1/2 6/1/6 3/1/3\nf 6/1/6 7/1/7 3/1/3\n");
-  EXPECT_EQ(notes, Strings());
+  EXPECT_EQ(notes,
+            (Strings{"wrote the vertex attribute \"normal\" for the corners of faces, to which "
+                     "readers give it",
+                     "wrote the face attribute \"material\" as numbers that readers take for int32",
+                     "wrote the face attribute \"material\" with 1 of its 1 names changed: # and "
+                     "control characters become _, blanks at the ends are left out"}));
+}
+
+TEST(ObjAttributes, SaysWhichNamesDoNotComeBack) {
+  using Names = std::vector<std::string>;
+  const auto notes_of = [](const Names& names, const std::vector<int>& numbers) {
+    Mesh mesh = sample();
+    Attribute& group = add(mesh, ItemKind::kFace, "group", Scalar::kInt32, 1, OnSplit::kCopy);
+    for (Index f = 0; f < numbers.size(); ++f) group.set(f, 0, numbers[f], nullptr);
+    const std::vector<SoupNames> tables = {{"group", names}};
+    Strings notes;
+    EXPECT_TRUE(write(mesh, Format::kObj, {.names = tables, .notes = &notes}));
+    return notes;
+  };
+  const std::string wrote = "wrote the face attribute \"group\" with ";
+  const std::string changed =
+      " names changed: # and control characters become _, blanks at the ends are left out";
+  EXPECT_EQ(notes_of({"", "a", "b"}, {1, 2, 0, 1}), Strings());
+  EXPECT_EQ(notes_of({"", "a", "3"}, {1, 2, 0, 1}), Strings()) << "not all of them are numbers";
+  EXPECT_EQ(notes_of({"", "a", "#"}, {1, 1, 1, 1}), Strings()) << "is not used";
+  EXPECT_EQ(notes_of({"", "a#b", "a_b", " a\tb"}, {1, 2, 3, 0}),
+            Strings{wrote + "2 of its 3" + changed});
+  EXPECT_EQ(notes_of({"", "", "b"}, {1, 2, 1, 2}),
+            Strings{wrote + "1 of its 2 names left out, being empty"});
+  EXPECT_EQ(notes_of({"", "1", "0"}, {1, 2, 1, 2}),
+            Strings{wrote + "2 of its 2 names that are numbers, for which readers take them"});
+  EXPECT_EQ(notes_of({"", "a"}, {1, 7, 1, 0}),
+            Strings{wrote + "names that are the numbers of faces which have none"});
+}
+
+TEST(ObjAttributes, LeavesOutLabelsThatAreNoInt32) {
+  Mesh mesh = sample();
+  Attribute& group = add(mesh, ItemKind::kFace, "group", Scalar::kUint32, 1, OnSplit::kCopy);
+  Attribute& object = add(mesh, ItemKind::kFace, "object", Scalar::kUint32, 1, OnSplit::kCopy);
+  group.set(2, 0, 4294967295.0, nullptr);
+  object.set(2, 0, 2147483647, nullptr);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes,
+            (Strings{"wrote the face attribute \"object\" as numbers that readers take for int32",
+                     "left out the face attribute \"group\": readers of OBJ take numbers up "
+                     "to 2147483647"}));
+  const test::MeshFile read = read_mesh(bytes.value().span());
+  EXPECT_EQ(describe_all(read.mesh), Strings{"face object int32 1 copy"});
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "object"), (Doubles{0, 0, 2147483647, 0}));
 }
 
 TEST(ObjAttributes, SaysWhatItCannotHold) {

@@ -1,22 +1,42 @@
 #include <halfedge/io/distinct_rows.h>
 #include <halfedge/io/obj_writer.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halfedge::io {
 namespace {
 
 bool is_real(const Attribute& column) { return column.type() <= Scalar::kFloat64; }
 
-/// A word that reads back as one.
+/// A name that reads back as one.
 std::string spelt(std::string_view name) {
-  std::string text(name);
+  const std::size_t begin = std::min(name.find_first_not_of(' '), name.size());
+  std::string text(name.substr(begin, name.find_last_not_of(' ') + 1 - begin));
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || c == '#') c = '_';
   }
   return text;
+}
+
+/// Whether it is one that readers take for the number itself.
+bool is_number(const std::string& text) {
+  std::int32_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && std::to_string(number) == text;
+}
+
+bool fits_int32(const Attribute& column) {
+  if (column.type() != Scalar::kUint32) return true;
+  for (Index f = 0; f < column.slots(); ++f) {
+    if (column.get(f, 0) > INT32_MAX) return false;
+  }
+  return true;
 }
 
 class ObjWriter {
@@ -44,6 +64,8 @@ class ObjWriter {
   }
 
  private:
+  static constexpr std::string_view kSmoothing = "smoothing";  // whose groups have no names
+
   /// What a corner refers to: values of its vertex or its own.
   struct Reference {
     const Attribute* column = nullptr;
@@ -51,7 +73,7 @@ class ObjWriter {
   };
   /// A statement that holds for the faces behind it.
   struct Label {
-    const char* attribute;
+    std::string_view attribute;
     const char* statement;
     const Attribute* column = nullptr;
     const SoupNames* names = nullptr;
@@ -73,12 +95,66 @@ class ObjWriter {
         mesh_.note_change(*column, "as doubles, which readers take for floats");
       }
     }
-    for (Label& label : labels_) {
-      label.column = mesh_.take(ItemKind::kFace, label.attribute, [](const Attribute& column) {
-        return !is_real(column) && column.components() == 1;
-      });
-      label.names = names_of(label.attribute);
+    for (const Attribute* column : {texture_.column, normal_.column}) {
+      if (column != nullptr && column->kind() == ItemKind::kVertex) {
+        mesh_.note_change(*column, "for the corners of faces, to which readers give it");
+      }
     }
+    for (Label& label : labels_) choose(label);
+  }
+  void choose(Label& label) {
+    label.column = mesh_.take(ItemKind::kFace, label.attribute, [this](const Attribute& column) {
+      const bool is_label = !is_real(column) && column.components() == 1;
+      if (!is_label || fits_int32(column)) return is_label;
+      mesh_.leave_out(column, "readers of OBJ take numbers up to 2147483647");
+      return false;
+    });
+    if (label.column == nullptr) return;
+    if (label.column->type() != Scalar::kInt32) {
+      mesh_.note_change(*label.column, "as numbers that readers take for int32");
+    }
+    if (label.attribute != kSmoothing) label.names = names_of(label.attribute);
+    if (label.names != nullptr) note_names(label);
+  }
+  /// Says which names readers will not give back as they are.
+  void note_names(const Label& label) const {
+    const std::vector<std::string>& names = label.names->names;
+    std::vector<bool> is_used(names.size());
+    bool any_without = false;
+    mesh_.for_each_face([&](Index f, std::span<const Index>) {
+      const double value = label.column->get(f, 0);
+      if (has_name(label, value)) {
+        is_used[std::size_t(value)] = true;
+      } else {
+        any_without = true;
+      }
+    });
+    std::size_t changed = 0;
+    std::size_t empty = 0;
+    std::size_t numbers = 0;
+    std::size_t used = 0;
+    for (std::size_t i = 1; i < names.size(); ++i) {  // the first is that of no name
+      if (!is_used[i]) continue;
+      const std::string text = spelt(names[i]);
+      ++used;
+      changed += text != names[i] ? 1U : 0U;
+      empty += text.empty() ? 1U : 0U;
+      numbers += is_number(text) ? 1U : 0U;
+    }
+    const auto note = [&](std::size_t count, const char* verb, const char* what) {
+      if (count == 0) return;
+      mesh_.note_change(*label.column, std::string("with ") + std::to_string(count) + " of its " +
+                                           std::to_string(used) + " names " + verb + " " + what);
+    };
+    note(changed, "changed:", "# and control characters become _, blanks at the ends are left out");
+    note(empty, "left out,", "being empty");
+    if (numbers + empty == used) note(numbers, "that", "are numbers, for which readers take them");
+    if (any_without && numbers + empty < used) {
+      mesh_.note_change(*label.column, "with names that are the numbers of faces which have none");
+    }
+  }
+  [[nodiscard]] static bool has_name(const Label& label, double value) {
+    return label.names != nullptr && value >= 0 && value < double(label.names->names.size());
   }
   [[nodiscard]] const Attribute* take_reference(const char* name, Index components) {
     const auto fits = [components](const Attribute& column) {
@@ -148,10 +224,9 @@ class ObjWriter {
     const double value = label.column->get(face, 0);
     if (value == label.current) return;
     label.current = value;
-    const bool has_name =
-        label.names != nullptr && value >= 0 && value < double(label.names->names.size());
-    write_statement(label.statement, has_name ? spelt(label.names->names[std::size_t(value)])
-                                              : std::to_string(std::int64_t(value)));
+    write_statement(label.statement, has_name(label, value)
+                                         ? spelt(label.names->names[std::size_t(value)])
+                                         : std::to_string(std::int64_t(value)));
   }
 
   void write_face(Index f, std::span<const Index> corners) {
@@ -180,7 +255,8 @@ class ObjWriter {
   const Attribute* color_ = nullptr;
   Reference texture_;
   Reference normal_;
-  std::array<Label, 3> labels_ = {{{"object", "o"}, {"group", "g"}, {"material", "usemtl"}}};
+  std::array<Label, 4> labels_ = {
+      {{"object", "o"}, {"group", "g"}, {"material", "usemtl"}, {kSmoothing, "s"}}};
 };
 
 }  // namespace

@@ -1,7 +1,10 @@
+#include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_writer.h>
 #include <halfedge/io/text_scanner.h>
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +17,9 @@ const char* name_in_ply(Scalar type) {
                                     "short", "ushort", "int",  "uint"};
   return kNames[static_cast<std::size_t>(type)];
 }
+
+/// Float, double, and then the integers, which come first there.
+PlyType ply_type_of(Scalar type) { return static_cast<PlyType>((static_cast<int>(type) + 6) % 8); }
 
 /// What the components of an attribute are called.
 std::vector<std::string> property_names(const Attribute& attribute) {
@@ -108,6 +114,7 @@ class PlyWriter {
   [[nodiscard]] std::vector<const Attribute*> write_properties(ItemKind kind,
                                                                std::vector<std::string> names) {
     std::vector<const Attribute*> written;
+    const std::size_t others = names.size();
     for (const Attribute* column : mesh_.attributes(kind)) {
       const std::vector<std::string> own = property_names(*column);
       const auto taken = std::find_first_of(own.begin(), own.end(), names.begin(), names.end());
@@ -126,7 +133,34 @@ class PlyWriter {
         written.push_back(column);
       }
     }
+    note_other_names(kind, written, std::span(names).subspan(others));
     return written;
+  }
+  /// Asks the reader what it would make of the properties, one attribute after the other, with
+  /// these names.
+  void note_other_names(ItemKind kind, const std::vector<const Attribute*>& columns,
+                        std::span<const std::string> names) const {
+    PlyElement element;
+    for (const Attribute* column : columns) {
+      for (Index i = 0; i < column->components(); ++i) {
+        element.properties.push_back(
+            {names[element.properties.size()], ply_type_of(column->type()), std::nullopt});
+      }
+    }
+    std::vector<SoupAttribute> read;
+    const SoupItem item = kind == ItemKind::kFace ? SoupItem::kFace : SoupItem::kVertex;
+    const std::vector<PlyTarget> targets = choose_columns(element, item, {}, read);
+    std::size_t first = 0;
+    for (const Attribute* column : columns) {
+      const std::size_t target = targets[first].column;
+      first += column->components();
+      if (target == PlyTarget::kNowhere) {
+        mesh_.note_change(*column, "behind so many others that readers leave it out");
+      } else if (read[target].name != column->name() ||
+                 read[target].components != column->components()) {
+        mesh_.note_change(*column, "as what readers take for " + quoted(read[target].name));
+      }
+    }
   }
 
   void put_values(const Attribute& column, Index item) {
