@@ -1,0 +1,150 @@
+// Between the attributes of three.js's geometries and plain arrays.
+
+import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import { describe, newArray } from '../arguments.js';
+import { HalfedgeError } from '../errors.js';
+import type { CornerAttribute, CornerValues } from '../gltf/corners.js';
+
+export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** What a morph target moves: the attribute of the mesh that has its i-th one. */
+export const morphName = (name: string, i: number) => `morph ${name} ${i}`;
+
+/** An error of a geometry, with what was expected. */
+export const geometryError = (code: string, message: string) => new HalfedgeError(code, message);
+
+/** The attribute, if it is one with numbers in an array, as many rows as there are positions. */
+export function checkAttribute(name: string, attribute: unknown, rows?: number): AnyAttribute {
+  const { array, count, itemSize, data } = attribute as Partial<InterleavedBufferAttribute>;
+  const numbers: unknown = array ?? data?.array;
+  if (!ArrayBuffer.isView(numbers) || count === undefined || itemSize === undefined) {
+    throw geometryError(
+      'unsupported-attribute',
+      `geometry.attributes.${name} has no array (a GLBufferAttribute has its numbers on the graphics card alone); expected a BufferAttribute or an InterleavedBufferAttribute.`,
+    );
+  }
+  if (
+    'isInstancedBufferAttribute' in (attribute as object) ||
+    data?.['isInstancedInterleavedBuffer' as never]
+  ) {
+    throw geometryError(
+      'unsupported-attribute',
+      `geometry.attributes.${name} is one of instances, not of vertices; expected a geometry without instances.`,
+    );
+  }
+  if (rows !== undefined && count < rows) {
+    throw geometryError(
+      'truncated',
+      `geometry.attributes.${name} has ${count} rows; expected ${rows}, one for each position.`,
+    );
+  }
+  if (!(itemSize >= 1 && itemSize <= 16)) {
+    throw geometryError(
+      'unsupported-attribute',
+      `geometry.attributes.${name} has ${itemSize} components; expected 1 to 16.`,
+    );
+  }
+  return attribute as AnyAttribute;
+}
+
+const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const;
+
+/** A copy of the numbers as floats: normalised integers divided, interleaved ones put in a row. */
+export function floatsOf(
+  name: string,
+  attribute: AnyAttribute,
+  rows = attribute.count,
+): Float32Array {
+  const { itemSize, array } = attribute;
+  const length = rows * itemSize;
+  // Those that lie side by side as floats are copied bit for bit.
+  if (array instanceof Float32Array && !('isInterleavedBufferAttribute' in attribute)) {
+    return array.slice(0, length);
+  }
+  const values = newArray(name, Float32Array, length);
+  for (let i = 0; i < length; i++)
+    values[i] = component(name, attribute, Math.floor(i / itemSize), i % itemSize);
+  return values;
+}
+
+function component(name: string, attribute: AnyAttribute, row: number, k: number): number {
+  // Half floats are told by these only; matrices have more components than those.
+  if (k < GETTERS.length) return attribute[GETTERS[k]](row);
+  if (!('isFloat16BufferAttribute' in attribute)) return attribute.getComponent(row, k);
+  throw geometryError(
+    'unsupported-attribute',
+    `geometry.attributes.${name} has ${attribute.itemSize} components of half precision; expected at most 4.`,
+  );
+}
+
+const INTEGERS = [Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array];
+
+/** The column of an attribute: colours in bytes and integers that are no fractions stay as they are. */
+export function columnOf(name: string, attribute: AnyAttribute, rows: number): CornerAttribute {
+  const { array, normalized, itemSize: components } = attribute;
+  const isHalf = 'isFloat16BufferAttribute' in attribute;
+  const Kind = INTEGERS.find((kind) => array instanceof kind && !isHalf);
+  const isColor = name === 'color' && (Kind === Uint8Array || Kind === Uint16Array);
+  if (Kind === undefined || normalized !== isColor) {
+    return { name, components, values: floatsOf(name, attribute, rows) };
+  }
+  const values = newArray<CornerValues>(name, Kind, rows * components);
+  const scale = !normalized ? 1 : Kind === Uint8Array ? 255 : 65535;
+  for (let i = 0; i < values.length; i++) {
+    values[i] = Math.round(
+      scale * component(name, attribute, Math.floor(i / components), i % components),
+    );
+  }
+  return { name, components, values, ...(isColor ? {} : { onSplit: 'copy' }) };
+}
+
+/** By name, what the morph targets add to positions, normals and colours. */
+export function morphColumns(
+  geometry: BufferGeometry,
+  bases: readonly CornerAttribute[],
+  rows: number,
+): CornerAttribute[] {
+  return Object.entries(geometry.morphAttributes).flatMap(([name, targets = []]) => {
+    const base = bases.find((column) => column.name === name);
+    return targets.map((target, i) => {
+      const what = `${name} of the morph target ${i}`;
+      const attribute = checkAttribute(what, target, rows);
+      const values = floatsOf(what, attribute, rows);
+      if (!geometry.morphTargetsRelative) {
+        if (base?.components !== attribute.itemSize) {
+          throw geometryError(
+            'unsupported-attribute',
+            `geometry.morphAttributes.${name}[${i}] has ${attribute.itemSize} components; expected those of geometry.attributes.${name}, ${base?.components ?? 'which is missing'}.`,
+          );
+        }
+        const scale =
+          base.values instanceof Float32Array ? 1 : base.values instanceof Uint8Array ? 255 : 65535;
+        for (let k = 0; k < values.length; k++) values[k] -= base.values[k] / scale;
+      }
+      // Differences: they have no length to be kept.
+      return {
+        name: morphName(name, i),
+        components: attribute.itemSize,
+        values,
+        onSplit: 'interpolate' as const,
+      };
+    });
+  });
+}
+
+/** Throws unless it is a geometry of triangles that can be read. */
+export function checkGeometry(geometry: unknown): BufferGeometry {
+  const given = geometry as Partial<BufferGeometry> & { isInstancedBufferGeometry?: boolean };
+  if (given?.isBufferGeometry !== true) {
+    throw new TypeError(
+      `geometry is ${describe(geometry)}; expected a BufferGeometry of three.js.`,
+    );
+  }
+  if (given.isInstancedBufferGeometry) {
+    throw geometryError(
+      'unsupported-geometry',
+      'geometry is an InstancedBufferGeometry; expected one without instances, such as what is drawn of each.',
+    );
+  }
+  return geometry as BufferGeometry;
+}

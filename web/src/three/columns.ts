@@ -1,0 +1,87 @@
+// The attributes of a mesh that a geometry shows.
+
+import { describe } from '../arguments.js';
+import type { AttributeInfo } from '../attributes.js';
+import type { Column, CornerValues } from '../gltf/corners.js';
+import { HalfedgeMesh } from '../mesh.js';
+import { linksOf } from '../navigation.js';
+import { cornerNormals, vertexNormals } from './normals.js';
+
+/** How normals are made: see {@link GeometryOptions}. */
+export type NormalOption = 'smooth' | 'flat' | 'none';
+
+/** What a geometry shows of a mesh. */
+export interface GeometryOptions {
+  /**
+   * `'smooth'`: those of the attribute `normal`, or else by vertex, the mean of its faces by area;
+   * `'flat'`: those of the faces; `'none'`. Default: 'smooth'.
+   */
+  normals?: NormalOption;
+  /** The names of the attributes of vertices and halfedges to show. Default: all. */
+  attributes?: readonly string[];
+}
+
+const NORMALS: readonly unknown[] = ['smooth', 'flat', 'none'];
+
+/** Throws a sentence for what is no mesh that lives. */
+export function checkMesh(mesh: unknown): HalfedgeMesh {
+  if (!(mesh instanceof HalfedgeMesh)) {
+    throw new TypeError(`mesh is ${describe(mesh)}; expected a HalfedgeMesh.`);
+  }
+  linksOf(mesh).checkAlive();
+  return mesh;
+}
+
+/** Throws a sentence for what is no way to make normals. */
+export function checkNormals(normals: unknown = 'smooth'): NormalOption {
+  if (NORMALS.includes(normals)) return normals as NormalOption;
+  throw new TypeError(
+    `options.normals is ${describe(normals)}; expected 'smooth', 'flat' or 'none'.`,
+  );
+}
+
+/** The attributes to show, once each: those of halfedges are finer than those of vertices. */
+export function shownAttributes(
+  mesh: HalfedgeMesh,
+  { attributes: names, normals }: GeometryOptions,
+): AttributeInfo[] {
+  const shown = new Map<string, AttributeInfo>();
+  for (const info of mesh.attributes.list()) {
+    if (info.kind !== 'vertex' && info.kind !== 'halfedge') continue;
+    if (info.name === 'position' || (names !== undefined && !names.includes(info.name))) continue;
+    // Normals are shown as the option asks for them, whether named or not.
+    if (info.name === 'normal' && (info.components !== 3 || checkNormals(normals) !== 'smooth'))
+      continue;
+    if (info.kind === 'halfedge' || !shown.has(info.name)) shown.set(info.name, info);
+  }
+  const missing = names?.find((name) => name !== 'normal' && !shown.has(name));
+  if (missing === undefined) return [...shown.values()];
+  throw new RangeError(
+    `options.attributes names ${describe(missing)}; expected attributes of the vertices or halfedges of the mesh.`,
+  );
+}
+
+/** Whether its integers stand for numbers from 0 to 1. */
+export const isNormalized = ({ name, type }: AttributeInfo) =>
+  name === 'color' && (type === 'uint8' || type === 'uint16');
+
+/** A copy of the values, of a type that a graphics card takes. */
+export function valuesOf(mesh: HalfedgeMesh, { kind, name }: AttributeInfo): CornerValues {
+  const view = mesh.attributes.get(kind, name);
+  return view instanceof Float64Array ? new Float32Array(view) : view.slice();
+}
+
+/** Copies of all that is shown, normals included. */
+export function columnsToShow(mesh: HalfedgeMesh, options: GeometryOptions): Column[] {
+  const normals = checkNormals(options.normals);
+  const columns = shownAttributes(mesh, options).map((info): Column => {
+    const { kind, name, components } = info;
+    return { kind: kind as Column['kind'], name, components, values: valuesOf(mesh, info) };
+  });
+  if (normals === 'none' || columns.some(({ name }) => name === 'normal')) return columns;
+  const [kind, values] =
+    normals === 'flat'
+      ? (['halfedge', cornerNormals(mesh)] as const)
+      : (['vertex', vertexNormals(mesh)] as const);
+  return [{ kind, name: 'normal', components: 3, values }, ...columns];
+}

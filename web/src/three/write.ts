@@ -1,0 +1,102 @@
+import { BufferAttribute, BufferGeometry } from 'three';
+import { checkOptions, describe } from '../arguments.js';
+import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { checkMesh, columnsToShow, type GeometryOptions } from './columns.js';
+import { GROUP } from './read.js';
+import { type FaceTriangles, triangulateFaces } from './triangulate.js';
+
+/** How to make a geometry of a mesh. */
+export interface ToGeometryOptions extends GeometryOptions {
+  /** Whether the face attribute `group` becomes groups, which puts the triangles in its order. Default: true. */
+  groups?: boolean;
+}
+
+/** A geometry, and what of the mesh it shows where. */
+export interface MeshBuffers {
+  readonly geometry: BufferGeometry;
+  /** By triangle: its face. `faces[intersection.faceIndex]` is what a ray has hit. */
+  readonly faces: Uint32Array;
+  /** By vertex of the geometry: its vertex in the mesh. */
+  readonly vertices: Uint32Array;
+}
+
+/**
+ * An indexed geometry of three.js of a mesh as it is now. Polygons are cut into triangles as
+ * `mesh.triangulate()` cuts them; the mesh is not changed. Vertices come in the order of the mesh, then
+ * copies of those whose corners have different attributes. Attributes keep their names; the face attribute
+ * `group` becomes groups, `morph position 0` and so on morph targets, relative ones.
+ *
+ * ```ts
+ * const { geometry, faces } = toBufferGeometry(mesh, { normals: 'flat' });
+ * scene.add(new Mesh(geometry, material));
+ * ```
+ *
+ * @throws HalfedgeError `out-of-memory`; TypeError or RangeError for wrong options
+ */
+export function toBufferGeometry(
+  given: HalfedgeMesh,
+  options: ToGeometryOptions = {},
+): MeshBuffers {
+  const { groups = true } = checkOptions(options) as ToGeometryOptions;
+  if (typeof groups !== 'boolean') {
+    throw new TypeError(`options.groups is ${describe(groups)}; expected true or false.`);
+  }
+  const mesh = checkMesh(given);
+  const columns = columnsToShow(mesh, options);
+  const geometry = new BufferGeometry();
+  const info = mesh.attributes.list().find(({ kind, name }) => kind === 'face' && name === GROUP);
+  let triangles = triangulateFaces(mesh, mesh.faces());
+  if (groups && info?.components === 1) {
+    triangles = inGroups(triangles, mesh.attributes.get('face', GROUP), geometry);
+  }
+  const { positions, indices, attributes, vertexOf } = buffersOf(
+    mesh,
+    columns,
+    triangles.halfedges,
+  );
+  geometry.setAttribute('position', new BufferAttribute(positions, 3));
+  geometry.setIndex(new BufferAttribute(indices, 1));
+  for (const attribute of attributes) addTo(geometry, attribute);
+  return { geometry, faces: triangles.faces, vertices: Uint32Array.from(vertexOf) };
+}
+
+function addTo(geometry: BufferGeometry, { name, components, values }: CornerAttribute): void {
+  const isNormalized = name === 'color' && !(values instanceof Float32Array);
+  const attribute = new BufferAttribute(values, components, isNormalized);
+  const [, base, i] = /^morph (\w+) (\d+)$/.exec(name) ?? [];
+  if (base !== 'position' && base !== 'normal' && base !== 'color') {
+    geometry.setAttribute(name, attribute);
+    return;
+  }
+  geometry.morphTargetsRelative = true;
+  geometry.morphAttributes[base] ??= [];
+  geometry.morphAttributes[base][Number(i)] = attribute;
+}
+
+/** The triangles in the order of their groups, which are added; those in none come last. */
+function inGroups(
+  { halfedges, faces }: FaceTriangles,
+  groupOf: ArrayLike<number>,
+  geometry: BufferGeometry,
+): FaceTriangles {
+  const rank = (triangle: number) => {
+    const group = groupOf[faces[triangle]];
+    return group >= 0 ? group : Number.POSITIVE_INFINITY;
+  };
+  const order = Uint32Array.from(faces.keys());
+  // By group, and within it as they were.
+  order.sort((a, b) => (rank(a) === rank(b) ? a - b : rank(a) < rank(b) ? -1 : 1));
+  for (let from = 0; from < order.length; ) {
+    const group = rank(order[from]);
+    let to = from;
+    while (to < order.length && rank(order[to]) === group) to += 1;
+    if (group < Number.POSITIVE_INFINITY) geometry.addGroup(3 * from, 3 * (to - from), group);
+    from = to;
+  }
+  const sorted = new Uint32Array(halfedges.length);
+  order.forEach((triangle, i) => {
+    sorted.set(halfedges.subarray(3 * triangle, 3 * triangle + 3), 3 * i);
+  });
+  return { halfedges: sorted, faces: order.map((triangle) => faces[triangle]) };
+}
