@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
-import { bytesInUse } from './support/core.js';
+import { bytesInUse, giveCornerAttributes, withFullHeap } from './support/core.js';
 import { random } from './support/random.js';
 
 beforeAll(() => init());
@@ -239,8 +239,32 @@ describe('readGltf', () => {
     expect(report.counts).toEqual({ 'opposite-orientation': 1 });
     const before = bytesInUse();
     const error = await rejection(read(clashing, { repair: false }));
-    expect(error).toMatchObject({ code: 'opposite-orientation' });
+    expect(error).toMatchObject({
+      code: 'opposite-orientation',
+      problems: [{ code: 'opposite-orientation', severity: 'error' }],
+    });
     expect(bytesInUse()).toBe(before);
+    expect((await rejection(read(clashing, { repair: 'no' }))).message).toBe(
+      'options.repair is "no"; expected true or false.',
+    );
+  });
+
+  test('gives all attributes also where adding them lets the memory grow', () => {
+    const sphere = HalfedgeMesh.icoSphere(5);
+    const positions = sphere.positions.slice();
+    const { indices } = sphere.toTriangles();
+    const { mesh, report } = HalfedgeMesh.fromSoup(positions, indices);
+    const attributes = ['normal', 'color'].map((name) => ({
+      name,
+      components: 3,
+      values: positions.map((x) => x / 2),
+    }));
+    withFullHeap(() => giveCornerAttributes(mesh, report, indices, attributes));
+    for (const name of ['normal', 'color']) {
+      expect(mesh.attributes.get('vertex', name)).toEqual(positions.map((x) => x / 2));
+    }
+    mesh.dispose();
+    sphere.dispose();
   });
 
   test('keeps vertices apart where it is not to weld', async () => {
@@ -348,6 +372,26 @@ describe('writeGltf', () => {
     expect(corners(again)).toEqual(corners(mesh));
   });
 
+  test('keeps seams and colours also where making the buffers lets the memory grow', async () => {
+    const mesh = HalfedgeMesh.icoSphere(5);
+    const color = mesh.attributes.add('halfedge', 'color', { type: 'uint8', components: 4 });
+    color.forEach((_, i) => {
+      color[i] = (i >> 2) % 251;
+    });
+    const kept = color.slice();
+    const again = await readGltf(await withFullHeap(() => writeGltf(mesh)));
+    const read = again.mesh.attributes.get('halfedge', 'color');
+    expect(read.length).toBe(kept.length);
+    const corner = (of: HalfedgeMesh, values: ArrayLike<number>, a: number, b: number) =>
+      values[4 * of.findHalfedge(a, b)];
+    for (let h = 0; h < mesh.halfedgeSlots; h += 97) {
+      const [a, b] = [mesh.fromVertex(h), mesh.toVertex(h)];
+      expect(corner(again.mesh, read, a, b)).toBe(corner(mesh, kept, a, b));
+    }
+    again.mesh.dispose();
+    mesh.dispose();
+  });
+
   test('cuts polygons into triangles, and leaves the mesh as it is', async () => {
     const mesh = HalfedgeMesh.cube();
     const before = mesh.toBytes();
@@ -373,6 +417,54 @@ describe('writeGltf', () => {
     expect(written.map(({ length }) => length > 100)).toEqual([true, true]);
     expect(globalThis.FileReader).toBeUndefined();
   });
+
+  test('says what is not in the file', async () => {
+    const mesh = HalfedgeMesh.cube();
+    for (const { kind, name } of mesh.attributes.list()) mesh.attributes.remove(kind, name);
+    const notesOf = async () => {
+      const notes: string[] = [];
+      await writeGltf(mesh, { onNote: (note) => notes.push(note) });
+      return notes;
+    };
+    const cut = 'Cut 6 faces into 12 triangles: glTF has no polygons.';
+    expect(await notesOf()).toEqual([cut]);
+    mesh.attributes.add('vertex', 'uv', { components: 2, type: 'float64' });
+    mesh.attributes.add('vertex', 'color', { components: 3, type: 'int8' });
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    mesh.attributes.add('halfedge', 'color', { components: 1 });
+    mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' });
+    expect(await notesOf()).toEqual([
+      cut,
+      'Wrote the vertex attribute "uv" as 32-bit floats.',
+      'Left out the vertex attribute "color": in glTF it has no values of int8.',
+      'Left out the vertex attribute "uv": halfedges have it as well.',
+      'Left out the halfedge attribute "color": in glTF it has 3 or 4 components, not 1.',
+      'Left out the face attribute "material": glTF has no place for it.',
+    ]);
+    for (const f of [...mesh.faces()]) mesh.deleteFace(f);
+    mesh.addVertex([1, 2, 3]);
+    expect((await notesOf())[0]).toMatch(/^Left out \d+ vert(ex|ices): there are no faces\.$/);
+    mesh.dispose();
+  });
+
+  test.each(['glb', 'gltf'] as const)(
+    'fails where its own bytes can not be read back: %s',
+    async (format) => {
+      const mesh = HalfedgeMesh.cube();
+      const reading = import.meta.jest
+        .spyOn(Blob.prototype, 'arrayBuffer')
+        .mockRejectedValue(new Error('No memory left.'));
+      const error = await rejection(writeGltf(mesh, { format }));
+      reading.mockRestore();
+      expect(error).toMatchObject({
+        code: 'write-error',
+        message: "three.js can't write the mesh: No memory left.",
+      });
+      expect(globalThis.FileReader).toBeUndefined();
+      expect((await writeGltf(mesh, { format })).length).toBeGreaterThan(100);
+      mesh.dispose();
+    },
+  );
 
   test('refuses what is no mesh, and no format', async () => {
     expect((await rejection(writeGltf({} as HalfedgeMesh))).message).toMatch(/^mesh is an Object/);

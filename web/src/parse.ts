@@ -1,13 +1,13 @@
-import { bytesOf, checkOptions, describe, newArray } from './arguments.js';
+import { bytesOf, checkOptions, newArray } from './arguments.js';
 import { type Polygons, type StorageOptions, storesPrev } from './build.js';
+import { checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
-import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
 import { follow, type ProgressOptions } from './progress.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
-import { sentence, unwrap } from './reports.js';
+import { fileReport, sentence, unwrap } from './reports.js';
 import { take } from './rings.js';
 
 /** The file formats that can be read and written. */
@@ -69,8 +69,9 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
     ? repairReport(wasm, done as RawRepair)
     : untouched(links.vertexCount, links.faceCount);
   const notes = done.notes.map(sentence);
-  const report = reportOf(links, FORMATS[done.format], found, notes, done.names);
-  return { links, report };
+  const format = FORMATS[done.format];
+  const report = fileReport(format.toUpperCase(), links, found, notes);
+  return { links, report: { ...report, format, names: done.names } };
 }
 
 /** What a file holds before a mesh is made of it: its faces as they stand there, good or bad. */
@@ -108,8 +109,8 @@ export function parseSoup(data: unknown, options: unknown): FileSoup {
 
 function checkParseOptions(options: ParseOptions) {
   const { format, repair = true, attributes = true } = options;
-  checkFlag('repair', repair);
-  checkFlag('attributes', attributes);
+  checkFlag('options.repair', repair);
+  checkFlag('options.attributes', attributes);
   return { claimed: claimOf(format), repair, attributes };
 }
 
@@ -118,54 +119,14 @@ function claimOf(format: unknown): number {
   return format === undefined ? -1 : formatIndex('options.format', format);
 }
 
-/** Throws a sentence unless an option is true or false. */
-export function checkFlag(option: string, value: unknown): void {
-  if (typeof value === 'boolean') return;
-  throw new TypeError(`options.${option} is ${describe(value)}; expected true or false.`);
-}
-
 /** The value of the enum Format in C++. */
 export function formatIndex(argument: string, format: unknown): number {
-  const index = FORMATS.indexOf(format as FileFormat);
-  if (index >= 0) return index;
-  const sentence = `${argument} is ${describe(format)}; expected 'obj', 'off', 'ply' or 'stl'.`;
-  throw typeof format === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  return indexOfChoice(argument, format, FORMATS);
 }
 
 function contentOf(data: unknown): Uint8Array {
   if (typeof data === 'string') return new TextEncoder().encode(data);
   const bytes = bytesOf('data', data);
   if (bytes !== undefined) return bytes;
-  throw new TypeError(
-    `data is ${describe(data)}; expected the content of a file as a string, an ArrayBuffer or a Uint8Array.`,
-  );
+  refuse('data', data, 'the content of a file as a string, an ArrayBuffer or a Uint8Array');
 }
-
-function reportOf(
-  links: Links,
-  format: FileFormat,
-  found: RepairReport,
-  notes: string[],
-  names: AttributeNames,
-): ParseReport {
-  const ignored = notes.map((message): Problem => {
-    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
-  });
-  const counts = [
-    counted(links.vertexCount, 'vertex', 'vertices'),
-    counted(links.edgeCount, 'edge', 'edges'),
-    counted(links.faceCount, 'face', 'faces'),
-  ];
-  const content = `${format.toUpperCase()}: ${counts.join(', ')}.`;
-  const repairs = found.problems.length > 0 ? [found.summary] : [];
-  return {
-    ...found,
-    format,
-    names,
-    problems: [...found.problems, ...ignored],
-    summary: [content, ...repairs, ...notes].join(' '),
-  };
-}
-
-const counted = (count: number, one: string, many: string) =>
-  `${count} ${count === 1 ? one : many}`;

@@ -1,6 +1,5 @@
 import {
   checkOptions,
-  describe,
   indices,
   lengthOf,
   lengthOfArrayLike,
@@ -11,6 +10,7 @@ import {
   typedArrayName,
 } from './arguments.js';
 import { type Polygons, type StorageOptions, storesPrev } from './build.js';
+import { checkFlag, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
@@ -173,17 +173,13 @@ function verdictsOf(words: Uint32Array): FaceVerdict[] {
 }
 
 /** A tolerance, negative where vertices stay apart. */
-function soupOptions(options: unknown): { weld: number; dropIsolated: boolean } {
+export function soupOptions(options: unknown): { weld: number; dropIsolated: boolean } {
   const { weld = false, dropIsolated = false } = checkOptions(options) as SoupOptions;
-  if (typeof dropIsolated !== 'boolean') {
-    throw new TypeError(
-      `options.dropIsolated is ${describe(dropIsolated)}; expected true or false.`,
-    );
-  }
+  checkFlag('options.dropIsolated', dropIsolated);
   if (typeof weld === 'boolean') return { weld: weld ? 0 : -1, dropIsolated };
-  const sentence = `options.weld is ${describe(weld)}; expected true, false or a finite distance from 0.`;
-  if (typeof weld !== 'number') throw new TypeError(sentence);
-  if (!(weld >= 0 && weld < Number.POSITIVE_INFINITY)) throw new RangeError(sentence);
+  if (!(Number.isFinite(weld) && weld >= 0)) {
+    refuse('options.weld', weld, 'true, false or a finite distance from 0', 'number');
+  }
   return { weld, dropIsolated };
 }
 

@@ -35,6 +35,39 @@ function subjectOf({ faces, vertices }: Witness): Pick<Problem, 'kind' | 'index'
   return { kind: 'mesh', index: -1 };
 }
 
+/** The report of a file: what is in it, what was repaired, and what was ignored. */
+export function fileReport<Found extends FoundInFile>(
+  name: string,
+  mesh: { readonly vertexCount: number; readonly edgeCount: number; readonly faceCount: number },
+  found: Found,
+  notes: readonly string[],
+): Found {
+  const ignored = notes.map((message): Problem => {
+    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
+  });
+  const counts = [
+    counted(mesh.vertexCount, 'vertex', 'vertices'),
+    counted(mesh.edgeCount, 'edge', 'edges'),
+    counted(mesh.faceCount, 'face', 'faces'),
+  ];
+  const repairs = found.problems.length > 0 ? [found.summary] : [];
+  return {
+    ...found,
+    problems: [...found.problems, ...ignored],
+    summary: [`${name}: ${counts.join(', ')}.`, ...repairs, ...notes].join(' '),
+  };
+}
+
+interface FoundInFile {
+  readonly problems: readonly Problem[];
+  readonly summary: string;
+}
+
+/** "1 face", "12 faces". */
+export function counted(count: number, one: string, many: string): string {
+  return `${count} ${count === 1 ? one : many}`;
+}
+
 /** As a whole sentence: some parts of the core leave out the capital and the full stop. */
 export function sentence(text: string): string {
   const capital = text.charAt(0).toUpperCase() + text.slice(1);

@@ -1,8 +1,9 @@
-import { checkOptions, describe } from './arguments.js';
+import { checkOptions } from './arguments.js';
+import { checkCallback, checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
 import { outOfMemory, withInputs } from './memory.js';
-import { type AttributeNames, checkFlag, type FileFormat, formatIndex } from './parse.js';
+import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
 /** How the numbers of a file are written. */
@@ -65,24 +66,20 @@ function takeContent(
 
 function checkWriteOptions(options: unknown, format: FileFormat) {
   const { encoding, attributes = true, names = {}, onNote } = checkOptions(options) as WriteOptions;
-  checkFlag('attributes', attributes);
-  if (onNote !== undefined && typeof onNote !== 'function') {
-    throw new TypeError(`options.onNote is ${describe(onNote)}; expected a function.`);
-  }
+  checkFlag('options.attributes', attributes);
+  checkCallback('options.onNote', onNote);
   return { encoding: encodingOf(encoding, format), attributes, names: textOf(names), onNote };
 }
 
 /** Tables as the core reads them: lines, the name of the attribute first, and NUL at the end of each. */
 function textOf(names: unknown): Uint8Array {
   if (typeof names !== 'object' || names === null) {
-    throw new TypeError(
-      `options.names is ${describe(names)}; expected an object of lists of names.`,
-    );
+    refuse('options.names', names, 'an object of lists of names');
   }
   let text = '';
   for (const [attribute, list] of Object.entries(names)) {
     if (!Array.isArray(list) || !list.every((name) => typeof name === 'string')) {
-      throw new TypeError(`options.names.${attribute} is ${describe(list)}; expected strings.`);
+      refuse(`options.names.${attribute}`, list, 'strings');
     }
     const words = [attribute, ...list].map((word) => `${word.replace(/[\0\n]/g, '_')}\n`);
     text += `${words.join('')}\0`;
@@ -92,7 +89,5 @@ function textOf(names: unknown): Uint8Array {
 
 function encodingOf(encoding: FileEncoding | undefined, format: FileFormat): FileEncoding {
   if (encoding === undefined) return format === 'obj' || format === 'off' ? 'text' : 'binary';
-  if (ENCODINGS.includes(encoding)) return encoding;
-  const expected = `options.encoding is ${describe(encoding)}; expected 'text', 'binary' or 'binary-big-endian'.`;
-  throw typeof encoding === 'string' ? new RangeError(expected) : new TypeError(expected);
+  return ENCODINGS[indexOfChoice('options.encoding', encoding, ENCODINGS)];
 }

@@ -1,5 +1,6 @@
 // A private door, for tests only: what a user of the package can't and needn't see.
-import type { HalfedgeMesh } from 'halfedge';
+import type { HalfedgeMesh, RepairReport } from 'halfedge';
+import { addAttributes } from '../../../dist/gltf/corners.js';
 import { core } from '../../../dist/loader.js';
 import { linksOf } from '../../../dist/navigation.js';
 
@@ -14,6 +15,28 @@ export function growMemory(): void {
   const blocks: number[] = [];
   for (const size = memorySize(); size === memorySize(); ) blocks.push(core().allocate(2 ** 22));
   for (const address of blocks) core().free(address);
+}
+
+/**
+ * Runs `use` with a full heap: what is allocated next, if it is larger than the holes (128 KiB), makes the
+ * memory grow and detaches all views. Throws if it did not.
+ */
+export function withFullHeap<T>(use: () => T): T {
+  const piece = 2 ** 16;
+  const blocks: number[] = [];
+  let address = 0;
+  while (address + 2 * piece <= memorySize()) {
+    address = core().allocate(piece);
+    blocks.push(address);
+  }
+  const size = memorySize();
+  try {
+    const result = use();
+    if (memorySize() === size) throw new Error('The memory has not grown: nothing was tested.');
+    return result;
+  } finally {
+    for (const block of blocks) core().free(block);
+  }
 }
 
 /** Runs `use` while blocks of these sizes are taken. They are never written: they cost no memory. */
@@ -43,6 +66,14 @@ export function withLeft(bytes: number, use: () => void): void {
     for (const address of blocks) core().free(address);
   }
 }
+
+/** Gives attributes by corner to a mesh, as readGltf does. */
+export const giveCornerAttributes = addAttributes as unknown as (
+  mesh: HalfedgeMesh,
+  report: RepairReport,
+  indices: Uint32Array,
+  attributes: readonly { name: string; components: number; values: Float32Array }[],
+) => void;
 
 /** What every change of connectivity does to circulators, without a change. */
 export function changeConnectivity(mesh: HalfedgeMesh): void {

@@ -1,8 +1,8 @@
 // Attributes by corner: between buffers, whose vertices are doubled where values differ, and meshes,
 // whose vertices are not.
 
-import { newArray } from '../arguments.js';
-import type { OnSplit } from '../attributes.js';
+import { describe, newArray } from '../arguments.js';
+import type { AttributeInfo, OnSplit } from '../attributes.js';
 import type { ItemKind } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import type { RepairReport } from '../repair.js';
@@ -129,21 +129,44 @@ export interface Column extends CornerAttribute {
 
 const SIZES: Record<string, readonly number[]> = { normal: [3], uv: [2], color: [3, 4] };
 
-/** The attributes that glTF has a name for. */
-function columnsOf(mesh: HalfedgeMesh): Column[] {
+/** Told, in sentences, what of a mesh isn't in a file, or not as it was. */
+export type Note = (sentence: string) => void;
+
+/** Copies of the attributes that glTF has a name for: the memory under live views may grow. */
+export function columnsOf(mesh: HalfedgeMesh, note: Note = () => {}): Column[] {
   const found = new Map<string, Column>();
-  for (const { kind, name, components, type } of mesh.attributes.list()) {
-    if (kind !== 'vertex' && kind !== 'halfedge') continue;
-    if (!SIZES[name]?.includes(components)) continue;
-    const isColor = name === 'color' && (type === 'uint8' || type === 'uint16');
-    if (!isColor && !type.startsWith('float')) continue;
+  for (const info of mesh.attributes.list()) {
+    const { kind, name, components, type } = info;
+    const title = (of: string) => `the ${of} attribute ${describe(name)}`;
+    const why = reasonAgainst(info);
+    if (why !== undefined) {
+      note(`Left out ${title(kind)}: ${why}.`);
+      continue;
+    }
+    // Where both have it, corners are the finer; the list has vertices first.
+    if (found.has(name)) note(`Left out ${title('vertex')}: halfedges have it as well.`);
+    if (type === 'float64') note(`Wrote ${title(kind)} as 32-bit floats.`);
     const view = mesh.attributes.get(kind, name);
-    const values = isColor ? (view as Uint8Array) : new Float32Array(view);
-    // Where both have it, corners are the finer.
-    if (kind === 'halfedge' || !found.has(name))
-      found.set(name, { kind, name, components, values });
+    const Kind = type.startsWith('float') ? Float32Array : view.constructor;
+    const values = newArray(title(kind), Kind as new (length: number) => CornerValues, view.length);
+    values.set(view);
+    found.set(name, { kind: kind as Column['kind'], name, components, values });
   }
   return [...found.values()];
+}
+
+/** Why an attribute can't be in a glTF file, if that is so. */
+function reasonAgainst({ kind, name, components, type }: AttributeInfo): string | undefined {
+  const sizes = Object.hasOwn(SIZES, name) ? SIZES[name] : undefined;
+  if (sizes === undefined || (kind !== 'vertex' && kind !== 'halfedge')) {
+    return 'glTF has no place for it';
+  }
+  if (!sizes.includes(components)) {
+    return `in glTF it has ${sizes.join(' or ')} components, not ${components}`;
+  }
+  if (type.startsWith('float')) return undefined;
+  if (name === 'color' && (type === 'uint8' || type === 'uint16')) return undefined;
+  return `in glTF it has no values of ${type}`;
 }
 
 /** What a mesh is to a graphics card. */

@@ -31,9 +31,11 @@ export type { WriteGltfOptions } from './write.js';
  *
  * @param data the content of the file, or its address. Buffers in other files are found by `baseUrl` or
  * `resource`
- * @throws HalfedgeError with what was expected where: `unknown-format`, `parse-error`, `truncated`,
+ * @throws HalfedgeError with what was expected where: `unknown-format`, `not-text`, `parse-error`, `truncated`,
  * `unsupported-format` (compressed geometry without a decoder in the options, ...), `missing-resource`,
- * `too-large`, `missing-dependency` (three.js is not installed); with `repair: false` what a strict build throws
+ * `too-large`, `missing-dependency` (three.js is not installed), `out-of-memory`, `not-initialised`; with
+ * `repair: false` what a strict build throws. TypeError or RangeError for wrong arguments, and whatever
+ * `options.resource` throws
  */
 export function readGltf(
   data: URL | string | ArrayBuffer | ArrayBufferView,
@@ -42,7 +44,11 @@ export function readGltf(
   return readWhole(data, options);
 }
 
-/** As {@link readGltf}, with a mesh for each primitive of each node. */
+/**
+ * As {@link readGltf}, with a mesh for each primitive of each node.
+ *
+ * @throws what {@link readGltf} throws; no mesh is left behind then
+ */
 export function readGltfParts(
   data: URL | string | ArrayBuffer | ArrayBufferView,
   options: ReadGltfOptions = {},
@@ -53,10 +59,12 @@ export function readGltfParts(
 /**
  * A GLB file of a mesh, or a glTF file with its buffers in it. Positions keep all their bits. Polygons are
  * cut into triangles, as `mesh.triangulate()` does; vertices are doubled where the corners at them have
- * different attributes. `normal`, `uv` and `color` are written, of vertices or of halfedges. A mesh without
- * faces becomes an empty scene.
+ * different attributes. `normal`, `uv` and `color` are written, of vertices or of halfedges; `onNote` tells
+ * what is left out. A mesh without faces becomes an empty scene.
  *
- * @throws HalfedgeError `missing-dependency` (three.js is not installed), `out-of-memory`
+ * @throws HalfedgeError `missing-dependency` (three.js is not installed), `out-of-memory`, `disposed`,
+ * `no-triangulation` and the like where `mesh.triangulate()` fails, `write-error` where three.js does; TypeError
+ * or RangeError for wrong arguments
  */
 export function writeGltf(
   mesh: HalfedgeMesh,

@@ -1,9 +1,12 @@
 import type { InstancedMesh, Mesh } from 'three';
-import { bytesOf, checkOptions, describe } from '../arguments.js';
+import { bytesOf, checkOptions } from '../arguments.js';
+import { storesPrev } from '../build.js';
+import { checkFlag, refuse } from '../checks.js';
 import { HalfedgeError, type Problem } from '../errors.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
-import type { RepairReport, SoupOptions } from '../repair.js';
+import { type RepairReport, type SoupOptions, soupOptions } from '../repair.js';
+import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
@@ -70,7 +73,7 @@ interface Loaded {
 }
 
 async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loaded> {
-  checkOptions(options);
+  checkReadOptions(options);
   const isUrl = Object.prototype.toString.call(data) === '[object URL]';
   const bytes = isUrl ? await load(data as URL) : contentOf(data);
   const file = openGltf(bytes);
@@ -96,6 +99,14 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   return { format: file.format, parts, notes };
 }
 
+/** Before anything is fetched; `HalfedgeMesh.fromSoup` checks them once more. */
+function checkReadOptions(options: ReadGltfOptions): void {
+  const { repair = true } = checkOptions(options) as ReadGltfOptions;
+  checkFlag('options.repair', repair);
+  storesPrev(options);
+  soupOptions(options);
+}
+
 /** The scene, as three.js's own loader makes it. */
 async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: ReadGltfOptions) {
   const { GLTFLoader } = await loadLoader();
@@ -116,8 +127,10 @@ function contentOf(data: unknown): Uint8Array {
   if (typeof data === 'string') return new TextEncoder().encode(data);
   const bytes = bytesOf('data', data);
   if (bytes !== undefined) return bytes;
-  throw new TypeError(
-    `data is ${describe(data)}; expected a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array.`,
+  refuse(
+    'data',
+    data,
+    'a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array',
   );
 }
 
@@ -130,35 +143,22 @@ function meshOf(
   const settings = { weld, dropIsolated, storePrev };
   const { mesh, report } = HalfedgeMesh.fromSoup(positions, indices, settings);
   try {
-    const mended = report.problems.filter(({ severity }) => severity !== 'info');
-    if (!repair && mended.length > 0) {
-      const [{ code, message, witness }] = mended;
-      throw new HalfedgeError(code, message, { problems: mended, ...(witness && { witness }) });
-    }
+    if (!repair) refuseRepaired(report);
     addAttributes(mesh, report, indices, attributes);
   } catch (error) {
     mesh.dispose();
     throw error;
   }
-  return { mesh, report: reportOf(mesh, report, format, notes) };
+  const name = format === 'glb' ? 'GLB' : 'glTF';
+  return { mesh, report: { ...fileReport(name, mesh, report, notes), format } };
 }
 
-function reportOf(
-  { vertexCount, edgeCount, faceCount }: HalfedgeMesh,
-  report: RepairReport,
-  format: GltfReport['format'],
-  notes: string[],
-): GltfReport {
-  const ignored = notes.map((message): Problem => {
-    return { code: 'note', severity: 'info', kind: 'mesh', index: -1, message };
-  });
-  const name = format === 'glb' ? 'GLB' : 'glTF';
-  const content = `${name}: ${vertexCount} vertices, ${edgeCount} edges, ${faceCount} faces.`;
-  const repairs = report.problems.length > 0 ? [report.summary] : [];
-  return {
-    ...report,
-    format,
-    problems: [...report.problems, ...ignored],
-    summary: [content, ...repairs, ...notes].join(' '),
-  };
+/** Throws if anything was mended, as a strict build does. */
+function refuseRepaired({ problems }: RepairReport): void {
+  const errors = problems
+    .filter(({ severity }) => severity !== 'info')
+    .map((problem): Problem => ({ ...problem, severity: 'error' }));
+  if (errors.length === 0) return;
+  const [{ code, message, witness }] = errors;
+  throw new HalfedgeError(code, message, { problems: errors, ...(witness && { witness }) });
 }

@@ -1,15 +1,19 @@
-import { checkOptions, describe } from '../arguments.js';
+import { checkOptions } from '../arguments.js';
+import { checkCallback, indexOfChoice, refuse } from '../checks.js';
 import { HalfedgeError } from '../errors.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
-import { buffersOf } from './corners.js';
+import { counted } from '../reports.js';
+import { type Buffers, buffersOf, columnsOf, type Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 
 /** How to write a glTF file. */
 export interface WriteGltfOptions {
   /** `'glb'`, or `'gltf'` for JSON with the buffers in it. Default: 'glb'. */
   format?: 'glb' | 'gltf';
+  /** Called with a sentence for each thing that isn't in the file, or not as it was. */
+  onNote?: (sentence: string) => void;
 }
 
 /** The bytes of a GLB file, or the text of a glTF file. */
@@ -17,37 +21,48 @@ export async function writeMesh(
   mesh: unknown,
   options: WriteGltfOptions,
 ): Promise<Uint8Array | string> {
-  const { format = 'glb' } = checkOptions(options) as WriteGltfOptions;
-  if (format !== 'glb' && format !== 'gltf') {
-    throw new TypeError(`options.format is ${describe(format)}; expected 'glb' or 'gltf'.`);
-  }
-  if (!(mesh instanceof HalfedgeMesh)) {
-    throw new TypeError(`mesh is ${describe(mesh)}; expected a HalfedgeMesh.`);
-  }
+  if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
   linksOf(mesh).checkAlive();
-  const triangles = mesh.isTriangleMesh() ? mesh : mesh.clone();
-  let buffers: ReturnType<typeof buffersOf>;
-  try {
-    if (triangles !== mesh) triangles.triangulate();
-    buffers = buffersOf(triangles); // now: the mesh may change while three.js is loaded
-  } finally {
-    if (triangles !== mesh) triangles.dispose();
-  }
-  const scene = await sceneOf(buffers);
+  const { format = 'glb', onNote } = checkOptions(options) as WriteGltfOptions;
+  indexOfChoice('options.format', format, ['glb', 'gltf']);
+  checkCallback('options.onNote', onNote);
+  const notes: string[] = [];
+  // Now: the mesh may change while three.js is loaded.
+  const scene = await sceneOf(triangleBuffers(mesh, (note) => notes.push(note)));
   const { GLTFExporter } = await loadExporter();
+  let content: Uint8Array | string;
   try {
     const written = await withFileReader(() =>
       new GLTFExporter().parseAsync(scene, { binary: format === 'glb', onlyVisible: false }),
     );
-    return written instanceof ArrayBuffer ? new Uint8Array(written) : JSON.stringify(written);
+    content = written instanceof ArrayBuffer ? new Uint8Array(written) : JSON.stringify(written);
   } catch (cause) {
     throw new HalfedgeError('write-error', `three.js can't write the mesh: ${messageOf(cause)}.`, {
       cause,
     });
   }
+  for (const note of notes) onNote?.(note);
+  return content;
 }
 
-async function sceneOf({ positions, indices, attributes }: ReturnType<typeof buffersOf>) {
+/** The buffers of a mesh, cut into triangles. */
+function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
+  if (mesh.faceCount === 0 && mesh.vertexCount > 0) {
+    note(`Left out ${counted(mesh.vertexCount, 'vertex', 'vertices')}: there are no faces.`);
+  }
+  if (mesh.isTriangleMesh()) return buffersOf(mesh, columnsOf(mesh, note));
+  const triangles = mesh.clone();
+  try {
+    triangles.triangulate();
+    const faces = counted(mesh.faceCount, 'face', 'faces');
+    note(`Cut ${faces} into ${triangles.faceCount} triangles: glTF has no polygons.`);
+    return buffersOf(triangles, columnsOf(triangles, note));
+  } finally {
+    triangles.dispose();
+  }
+}
+
+async function sceneOf({ positions, indices, attributes }: Buffers) {
   const { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial, Scene } = await loadThree();
   const scene = new Scene();
   if (indices.length === 0) return scene;
@@ -61,20 +76,24 @@ async function sceneOf({ positions, indices, attributes }: ReturnType<typeof buf
   return scene.add(new Mesh(geometry, new MeshStandardMaterial()));
 }
 
-let writing = 0;
+/** Ends each call that goes on now with what its file couldn't be read for. */
+const running = new Set<(cause: unknown) => void>();
 
 /** three.js's exporter reads blobs by a class that Node doesn't have: there it gets one meanwhile. */
 async function withFileReader<T>(use: () => Promise<T>): Promise<T> {
   const scope = globalThis as { FileReader?: unknown };
-  if (writing === 0 && scope.FileReader !== undefined && scope.FileReader !== BlobReader)
-    return use();
+  if (running.size === 0 && scope.FileReader !== undefined) return use();
+  let fail: (cause: unknown) => void = () => {};
+  const failure = new Promise<never>((_, reject) => {
+    fail = reject;
+  });
   scope.FileReader = BlobReader;
-  writing += 1;
+  running.add(fail);
   try {
-    return await use();
+    return await Promise.race([use(), failure]);
   } finally {
-    writing -= 1;
-    if (writing === 0) delete scope.FileReader;
+    running.delete(fail);
+    if (running.size === 0) delete scope.FileReader;
   }
 }
 
@@ -84,22 +103,33 @@ class BlobReader {
   onloadend: (() => void) | null = null;
 
   readAsArrayBuffer(blob: Blob): void {
-    void blob.arrayBuffer().then((buffer) => this.#end(buffer));
+    this.#read(blob, (buffer) => buffer);
   }
 
   readAsDataURL(blob: Blob): void {
-    void blob.arrayBuffer().then((buffer) => {
+    this.#read(blob, (buffer) => {
       const bytes = new Uint8Array(buffer);
       let text = '';
       for (let i = 0; i < bytes.length; i += 0x8000) {
         text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
       }
-      this.#end(`data:${blob.type};base64,${btoa(text)}`);
+      return `data:${blob.type};base64,${btoa(text)}`;
     });
   }
 
-  #end(result: ArrayBuffer | string): void {
-    this.result = result;
-    this.onloadend?.();
+  /**
+   * The exporter asks for no errors, and throws out of `onloadend` where it has no memory: its promise
+   * would never settle. Whose blob it was isn't known here, so all that is being written fails.
+   */
+  #read(blob: Blob, as: (buffer: ArrayBuffer) => ArrayBuffer | string): void {
+    blob
+      .arrayBuffer()
+      .then((buffer) => {
+        this.result = as(buffer);
+        this.onloadend?.();
+      })
+      .catch((cause) => {
+        for (const fail of running) fail(cause);
+      });
   }
 }
