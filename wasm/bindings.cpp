@@ -109,6 +109,8 @@ bool tell(void* callback, Stage stage, double fraction) {
   return (*static_cast<const val*>(callback))(static_cast<int>(stage), fraction).as<bool>();
 }
 
+Error was_cancelled() { return {"cancelled", "The build was cancelled."}; }
+
 /// `callback` is null, or a function that gets a stage and a fraction, and must not throw; false
 /// cancels.
 val parse_file(Address address, std::size_t count, int claimed, bool repair, bool attributes,
@@ -126,9 +128,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   RepairReport repaired;
   std::vector<Error>& problems = repair ? repaired.problems : strict.problems;
   const Polygons polygons = file.value().soup.view();
-  if (!repair && !progress(Stage::kBuild, 0)) {
-    return failure(Error{"cancelled", "The build was cancelled."});
-  }
+  if (!repair && !progress(Stage::kBuild, 0)) return failure(was_cancelled());
   const bool is_built = repair
                             ? build_any_from_soup(*mesh, polygons, {.progress = progress}, repaired)
                             : build_any(*mesh, polygons, strict);
@@ -142,6 +142,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   if (!has_attributes) return failure(has_attributes.error());
   if (!file.value().binary) add_lines(problems, bytes, format);
   if (!is_built) return failure(problems, repair ? problems.size() : strict.problem_count);
+  if (!progress(Stage::kBuild, 1)) return failure(was_cancelled());
   const RoomForReport room;
   val result = success("mesh", val(mesh.release()));
   result.set("format", static_cast<int>(format));
@@ -152,7 +153,6 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   }
   result.set("names", names);
   if (repair) add_repair(result, repaired);
-  (void)progress(Stage::kBuild, 1);
   return result;
 }
 

@@ -132,6 +132,40 @@ describe('onProgress', () => {
     expect(bytesInUse()).toBe(before);
   });
 
+  test('is heard at each call, the last one as well, with repair and without', () => {
+    const before = bytesInUse();
+    const file = sphere.write('stl') as Uint8Array;
+    for (const repair of [true, false]) {
+      let calls = 0;
+      const count = () => {
+        calls += 1;
+      };
+      HalfedgeMesh.parse(file, { repair, onProgress: count }).mesh.dispose();
+      expect(calls).toBeGreaterThan(3);
+      for (let ended = 0; ended < calls; ended++) {
+        const at = (index: number, end: () => unknown) => {
+          let call = 0;
+          return () => (call++ === index ? end() : undefined);
+        };
+        const parse = (end: () => unknown, signal?: AbortSignal) => () =>
+          HalfedgeMesh.parse(file, {
+            repair,
+            onProgress: at(ended, end),
+            ...(signal ? { signal } : {}),
+          });
+        const mine = new Error(`Mine, in call ${ended} of ${calls}.`);
+        const throwing = () => {
+          throw mine;
+        };
+        const controller = new AbortController();
+        expect(parse(throwing)).toThrow(mine);
+        expect(parse(() => false)).toThrow('Reading was cancelled');
+        expect(parse(() => controller.abort(mine), controller.signal)).toThrow(mine);
+      }
+    }
+    expect(bytesInUse()).toBe(before);
+  });
+
   test('may use the library meanwhile', () => {
     const { mesh } = HalfedgeMesh.parse(files['binary PLY'], {
       onProgress: () => HalfedgeMesh.icoSphere(5).dispose(),
