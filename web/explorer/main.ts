@@ -9,6 +9,7 @@ import './styles/circulator.css';
 import './styles/edit.css';
 import './styles/mesh.css';
 import './styles/problems.css';
+import './styles/records.css';
 import './styles/sheet.css';
 import './styles/overlays.css';
 import './styles/narrow.css';

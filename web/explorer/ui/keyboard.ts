@@ -47,7 +47,7 @@ export function listenToKeys(
       else explorer.select(null);
     },
   };
-  ['circulate', 'edit', 'mesh', 'problems'].forEach((id, i) => {
+  ['circulate', 'edit', 'mesh', 'records', 'problems'].forEach((id, i) => {
     actions[i + 1] = () => {
       const button = document.querySelector<HTMLElement>(`[data-tab-button=${id}]`);
       if (!button?.hidden) tab.value = id as Tab;

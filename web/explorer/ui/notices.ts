@@ -106,7 +106,7 @@ const KEYS: readonly [string[], string][] = [
   [['Del'], 'delete the selected vertex, edge or face'],
   [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
   [['R'], 'show the original file, or the repaired mesh'],
-  [['1', '2', '3', '4'], 'show the circulator, the operations, the mesh, the problems'],
+  [['1', '…', '5'], 'show the circulator, the operations, the mesh, its records, the problems'],
   [['Esc'], 'close, or select nothing'],
 ];
 

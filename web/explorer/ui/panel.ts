@@ -7,16 +7,18 @@ import { historyBar } from './history-bar.js';
 import { inspector } from './inspector.js';
 import { type GoTo, meshPanel } from './mesh-panel.js';
 import { problemsPanel } from './problems-panel.js';
+import { recordsPanel } from './records-panel.js';
 
 /** The parts of the panel of which one is shown at a time. */
-export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh' | 'problems';
+export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh' | 'records' | 'problems';
 
 const TABS: readonly [Tab, string, string?][] = [
   ['inspect', 'Inspect'],
   ['circulate', 'Circulate', '1'],
   ['edit', 'Edit', '2'],
   ['mesh', 'Mesh', '3'],
-  ['problems', 'Problems', '4'],
+  ['records', 'Records', '4'],
+  ['problems', 'Problems', '5'],
 ];
 const SHEETS = ['low', 'half', 'tall'] as const;
 
@@ -28,7 +30,7 @@ export interface Flights {
 }
 
 /**
- * The inspector, and below it one of circulator, operations, mesh and problems of the file; in narrow
+ * The inspector, and below it one of circulator, operations, mesh, records and problems of the file; in narrow
  * windows a sheet at the bottom, with the inspector as one more tab, that can be pulled up or down.
  */
 export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): HTMLElement {
@@ -45,6 +47,7 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
       circulatorPanel(explorer),
       editPanel(explorer),
       meshPanel(explorer, flights.goTo),
+      recordsPanel(explorer, tab),
       problemsPanel(explorer, flights.toProblem),
     ),
     historyBar(explorer),

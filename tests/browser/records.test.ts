@@ -1,0 +1,174 @@
+import { type HalfedgeMesh, init } from 'halfedge';
+import { disconnect, ExplorerPage, sampleMesh } from './support/explorer.js';
+
+let explorer: ExplorerPage;
+let mesh: HalfedgeMesh;
+beforeAll(async () => {
+  await init();
+  mesh = sampleMesh('bunny.off');
+  explorer = await ExplorerPage.open();
+  await explorer.page.click('[data-tab-button=records]');
+});
+afterEach(() => expect(explorer.complaints).toEqual([]));
+afterAll(async () => {
+  await explorer.close();
+  await disconnect();
+});
+
+/** The texts of the row of a record; null if it isn't in sight. */
+const row = (index: number) =>
+  explorer.page.evaluate((i) => {
+    const element = document.querySelector(`.record[data-row="${i}"]:not([hidden])`);
+    return element && [...element.children].map((cell) => cell.textContent);
+  }, index);
+const kind = () => explorer.page.getAttribute('[role=grid]', 'data-records');
+/** The cells that are lit as read: `h12 prev`. */
+const read = () =>
+  explorer.page.$$eval('.record:not([hidden]) .read', (cells) =>
+    cells.map((cell) => {
+      const record = cell.parentElement?.firstElementChild?.textContent;
+      return `${record} ${(cell as HTMLElement).dataset.name}`;
+    }),
+  );
+
+describe('The records', () => {
+  test('are the arrays of the mesh, at the selection', async () => {
+    await explorer.goTo('h700');
+    expect(await kind()).toBe('halfedge');
+    const { toVertex, next, face } = mesh.connectivity;
+    for (const h of [698, 700, 702]) {
+      expect(await row(h)).toEqual([
+        `h${h}`,
+        `v${toVertex[h]}`,
+        `h${next[h]}`,
+        `h${mesh.prev(h)}`,
+        `f${face[h]}`,
+        `h${mesh.opposite(h)}`,
+      ]);
+    }
+    await explorer.goTo('f33');
+    expect(await row(33)).toEqual(['f33', `h${mesh.faceHalfedge(33)}`]);
+    await explorer.goTo('v9');
+    const [, anchor, x] = (await row(9)) ?? [];
+    expect(anchor).toBe(`h${mesh.vertexHalfedge(9)}`);
+    expect(Number(x)).toBeCloseTo(mesh.position(9)[0], 4);
+    expect(await row(2000)).toBeNull();
+  });
+
+  test('light what is pointed at, and are lit by it', async () => {
+    await explorer.goTo('h700');
+    await explorer.page.hover('.record[data-row="701"] [data-name=next]');
+    await explorer.until('hovered', `h${mesh.next(701)}`);
+    await explorer.page.hover('.record[data-row="701"] [data-name=to]');
+    await explorer.until('hovered', `v${mesh.toVertex(701)}`);
+    await explorer.page.hover('.record[data-row="701"] [role=rowheader]');
+    await explorer.until('hovered', 'h701');
+    const at = await explorer.projection();
+    await explorer.goTo('v1224');
+    await explorer.page.mouse.move(...at(mesh.position(1224)));
+    await explorer.until('hovered', 'v1224');
+    expect(await explorer.page.textContent('.record.hovered [role=rowheader]')).toBe('v1224');
+  });
+
+  test('are walked along by clicks', async () => {
+    await explorer.goTo('h700');
+    await explorer.page.click('.record[data-row="700"] [data-name=face]');
+    expect(await explorer.state('selected')).toBe(`f${mesh.face(700)}`);
+    expect(await kind()).toBe('face');
+    expect(await explorer.page.textContent('.record.selected')).toBe(
+      `f${mesh.face(700)}h${mesh.faceHalfedge(mesh.face(700))}`,
+    );
+  });
+
+  test('light the cells that a step of the circulator has read', async () => {
+    await explorer.goTo('v1224');
+    await explorer.press('.');
+    expect(await kind()).toBe('halfedge');
+    await explorer.press('.');
+    const [first, second] = mesh.vertexOutgoingHalfedges(1224);
+    const cells = [`h${first} prev`, `h${mesh.prev(first)} opposite`, `h${second} to`];
+    // A cell far from the others is out of sight.
+    const sight = [];
+    for (const cell of cells) if (await row(Number(/\d+/.exec(cell)?.[0]))) sight.push(cell);
+    expect(sight).toContain(cells[2]);
+    expect((await read()).sort()).toEqual(sight.sort());
+    expect(await explorer.page.textContent('.record.at [role=rowheader]')).toBe(`h${second}`);
+    await explorer.screenshot('records-1280-light');
+  });
+
+  test('can be read and walked by keys alone, as a grid', async () => {
+    await explorer.goTo('h700');
+    await explorer.page.focus('[role=grid]');
+    const active = () =>
+      explorer.page.evaluate(() => {
+        const id = document.querySelector('[role=grid]')?.getAttribute('aria-activedescendant');
+        const cell = document.getElementById(id ?? '');
+        return `${cell?.getAttribute('role')} ${cell?.textContent}`;
+      });
+    expect(await active()).toBe('rowheader h700');
+    await explorer.press('ArrowDown', 'ArrowRight', 'ArrowRight');
+    expect(await active()).toBe(`gridcell h${mesh.next(701)}`);
+    expect(await explorer.state('hovered')).toBe(`h${mesh.next(701)}`);
+    await explorer.press('Enter');
+    expect(await explorer.state('selected')).toBe(`h${mesh.next(701)}`);
+    await explorer.press('Control+End');
+    expect(await active()).toBe(`gridcell h${(mesh.halfedgeSlots - 1) ^ 1}`);
+    await explorer.press('Control+Home', 'PageDown', 'Home');
+    expect(await active()).not.toBe('rowheader h0');
+    const rows = await explorer.page.getAttribute('[role=grid]', 'aria-rowcount');
+    expect(rows).toBe(String(mesh.halfedgeSlots + 1));
+  });
+
+  test('follow an edit, and show what was deleted', async () => {
+    await explorer.goTo('f33');
+    await explorer.page.focus('main.stage canvas');
+    await explorer.press('Delete');
+    await explorer.until('undo', '1');
+    await explorer.page.check('[name=records][value=face]');
+    await explorer.page.focus('[role=grid]');
+    await explorer.press('Control+Home', 'PageDown', 'PageDown');
+    while ((await row(33)) === null) await explorer.press('ArrowDown');
+    expect(await row(33)).toEqual(['f33', 'deleted']);
+    await explorer.press('Control+z');
+    await explorer.until('undo', '0');
+    expect(await row(33)).toEqual(['f33', `h${mesh.faceHalfedge(33)}`]);
+  });
+});
+
+test('A large mesh has a few rows in the page, and all of them in reach', async () => {
+  const [width, height] = [320, 160];
+  const lines: string[] = [];
+  for (let y = 0; y <= height; y++) {
+    for (let x = 0; x <= width; x++) lines.push(`v ${x} ${y} 0`);
+  }
+  const corner = (x: number, y: number) => 1 + x + y * (width + 1);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      lines.push(
+        `f ${corner(x, y)} ${corner(x + 1, y)} ${corner(x + 1, y + 1)} ${corner(x, y + 1)}`,
+      );
+    }
+  }
+  await explorer.drop('wide.obj', lines.join('\n'));
+  await explorer.ready('wide.obj');
+  const halfedges = 2 * (width * (height + 1) + height * (width + 1));
+  await explorer.page.check('[name=records][value=halfedge]');
+  expect(await explorer.page.getAttribute('[role=grid]', 'aria-rowcount')).toBe(
+    String(halfedges + 1),
+  );
+  expect(await explorer.page.locator('.record').count()).toBeLessThan(40);
+  await explorer.page.focus('[role=grid]');
+  await explorer.press('Control+End');
+  expect(await row(halfedges - 1)).not.toBeNull();
+  // The wheel moves by what it says, however long the table is.
+  await explorer.press('Control+Home');
+  await explorer.page.hover('.record[data-row="2"] [role=rowheader]');
+  await explorer.page.mouse.wheel(0, 52);
+  await explorer.page.waitForSelector('.rows-window > :first-child[data-row="2"]');
+  // The scrollbar goes through all of them.
+  await explorer.page.evaluate(() => {
+    const rows = document.querySelector('.rows') as HTMLElement;
+    rows.scrollTop = rows.scrollHeight;
+  });
+  await explorer.page.waitForSelector(`.record[data-row="${halfedges - 1}"]:not([hidden])`);
+});

@@ -1,0 +1,245 @@
+import type { Explorer } from '../app/explorer.js';
+import { type Item, isLive, itemName, sameItem } from '../app/items.js';
+import {
+  type Cell,
+  cellKey,
+  cellOf,
+  columns,
+  type Reading,
+  type RecordKind,
+  readingOf,
+  rowCount,
+  rowsOf,
+} from '../app/records.js';
+import type { Signal } from '../app/signal.js';
+import { fill, h, setAttribute } from './dom.js';
+import type { Tab } from './panel.js';
+import { VirtualRows } from './virtual-rows.js';
+
+const ROW_PX = 26;
+
+const KINDS: readonly [RecordKind, string][] = [
+  ['vertex', 'Vertices'],
+  ['halfedge', 'Halfedges'],
+  ['face', 'Faces'],
+];
+
+/**
+ * The arrays of the mesh as they are: a grid of links that lead from record to record. It follows the
+ * selection and the player, and lights what is pointed at in the picture.
+ */
+export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement {
+  let kind: RecordKind = 'vertex';
+  /** The cell of the keyboard; column 0 is the record itself. */
+  let active = { row: 0, column: 0 };
+  let reading: Reading = { cells: new Set(), at: null };
+
+  const kinds = kindSegments((chosen) => {
+    show(chosen);
+    active = { row: 0, column: 0 };
+    reveal();
+  });
+  const head = h('div', { class: 'record head', role: 'row', 'aria-rowindex': 1 });
+  const rows = new VirtualRows(ROW_PX, () => h('div', { class: 'record', role: 'row' }), showRow);
+  const grid = h(
+    'div',
+    { class: 'records-grid', role: 'grid', tabindex: 0, 'aria-label': 'Records' },
+    h('div', { role: 'rowgroup' }, head),
+    rows.element,
+  );
+  const section = h(
+    'section',
+    { class: 'records', 'aria-labelledby': 'records-title' },
+    h('h2', { id: 'records-title', class: 'visually-hidden' }, 'Records'),
+    kinds.element,
+    grid,
+  );
+
+  const meshNow = () => explorer.document.value?.mesh;
+  const isShown = () => tab.value === 'records';
+
+  /** What a cell stands for: its record, or where its link leads. */
+  function itemAt(row: number, column: number): Item | null {
+    const mesh = meshNow();
+    if (!mesh || !isLive(mesh, { kind, index: row })) return null;
+    if (column === 0) return { kind, index: row };
+    const cell = columns[kind][column - 1];
+    return cell ? cellOf(mesh, row, cell).target : null;
+  }
+
+  function show(next: RecordKind): void {
+    const mesh = meshNow();
+    if (!mesh) return;
+    kind = next;
+    kinds.choose(kind);
+    grid.dataset.records = kind;
+    grid.style.setProperty('--columns', String(columns[kind].length));
+    setAttribute(grid, 'aria-rowcount', rowCount(mesh, kind) + 1);
+    setAttribute(grid, 'aria-colcount', columns[kind].length + 1);
+    const heads = [{ name: kind, meaning: 'its index' }, ...columns[kind]].map(
+      ({ name, meaning }) => h('span', { role: 'columnheader', title: meaning }, name),
+    );
+    fill(head, ...heads);
+    rows.setCount(rowCount(mesh, kind));
+  }
+
+  function showRow(row: number, element: HTMLElement): void {
+    const mesh = meshNow();
+    if (!mesh) return;
+    const { selected, hovered } = explorer;
+    const live = isLive(mesh, { kind, index: row });
+    const cells: Cell[] = live ? columns[kind].map((column) => cellOf(mesh, row, column)) : [];
+    const shown = [
+      { text: itemName({ kind, index: row }), target: { kind, index: row } },
+      ...cells,
+    ];
+    while (element.childElementCount > shown.length) element.lastElementChild?.remove();
+    while (element.childElementCount < shown.length) element.append(h('span'));
+    setAttribute(element, 'aria-rowindex', row + 2);
+    element.dataset.row = String(row);
+    element.classList.toggle('deleted', !live);
+    element.classList.toggle('selected', rowsOf(selected.value, kind).includes(row));
+    element.classList.toggle('hovered', rowsOf(hovered.value, kind).includes(row));
+    element.classList.toggle('at', kind === 'halfedge' && reading.at === row);
+    shown.forEach(({ text, target }, column) => {
+      const cell = element.children[column] as HTMLElement;
+      const isActive = row === active.row && column === active.column;
+      const name = columns[kind][column - 1]?.name ?? '';
+      cell.id = `record-${row}-${column}`;
+      setAttribute(cell, 'role', column === 0 ? 'rowheader' : 'gridcell');
+      cell.dataset.column = String(column);
+      cell.dataset.name = name;
+      if (cell.textContent !== text) cell.textContent = text;
+      const points = column > 0 && target !== null;
+      cell.classList.toggle('link', live && target !== null);
+      cell.classList.toggle('active', isActive);
+      cell.classList.toggle('read', reading.cells.has(cellKey(kind, row, name)));
+      cell.classList.toggle('to-selected', points && sameItem(target, selected.value));
+      cell.classList.toggle('to-hovered', points && sameItem(target, hovered.value));
+      if (isActive) grid.setAttribute('aria-activedescendant', cell.id);
+    });
+    if (!live) element.append(h('span', { role: 'gridcell', class: 'gone' }, 'deleted'));
+  }
+
+  function reveal(): void {
+    rows.reveal(active.row);
+    rows.render();
+  }
+
+  /** Goes where the selection is: to its record, or the first of its two. */
+  function follow(): void {
+    const mesh = meshNow();
+    if (!mesh || !isShown()) return;
+    const { value: selected } = explorer.selected;
+    reading = readingOf(mesh, explorer.play.value);
+    const at = reading.at;
+    if (at !== null && explorer.play.value?.position) {
+      show('halfedge');
+      active = { row: at, column: 0 };
+    } else if (selected) {
+      const next = selected.kind === 'edge' ? 'halfedge' : selected.kind;
+      show(next);
+      active = { row: rowsOf(selected, next)[0] ?? 0, column: 0 };
+    } else {
+      show(kind);
+    }
+    reveal();
+  }
+
+  function point(row: number, column: number): void {
+    const item = itemAt(row, column);
+    if (!sameItem(item, explorer.hovered.value)) explorer.hovered.value = item;
+  }
+
+  function cellOfEvent(event: Event): [row: number, column: number] | null {
+    const cell = (event.target as HTMLElement).closest<HTMLElement>('[data-column]');
+    const row = cell?.parentElement?.dataset.row;
+    return cell && row !== undefined ? [Number(row), Number(cell.dataset.column)] : null;
+  }
+
+  function enter(row: number, column: number): void {
+    active = { row, column };
+    const item = itemAt(row, column);
+    if (item) explorer.pick(item);
+    rows.render();
+  }
+
+  rows.element.addEventListener('mouseover', (event) => {
+    const at = cellOfEvent(event);
+    if (at) point(...at);
+  });
+  rows.element.addEventListener('mouseleave', () => {
+    explorer.hovered.value = null;
+  });
+  rows.element.addEventListener('click', (event) => {
+    const at = cellOfEvent(event);
+    grid.focus({ preventScroll: true });
+    if (at) enter(...at);
+  });
+  grid.addEventListener('blur', () => {
+    explorer.hovered.value = null;
+  });
+  grid.addEventListener('keydown', (event) => {
+    const mesh = meshNow();
+    if (!mesh) return;
+    const last = { row: rowCount(mesh, kind) - 1, column: columns[kind].length };
+    const { row, column } = active;
+    const far = event.ctrlKey || event.metaKey;
+    const moves: Record<string, () => typeof active> = {
+      ArrowUp: () => ({ row: row - 1, column }),
+      ArrowDown: () => ({ row: row + 1, column }),
+      ArrowLeft: () => ({ row, column: column - 1 }),
+      ArrowRight: () => ({ row, column: column + 1 }),
+      PageUp: () => ({ row: row - rows.page, column }),
+      PageDown: () => ({ row: row + rows.page, column }),
+      Home: () => ({ row: far ? 0 : row, column: 0 }),
+      End: () => ({ row: far ? last.row : row, column: last.column }),
+    };
+    const move = moves[event.key];
+    if (event.key === 'Enter') enter(row, column);
+    else if (!move) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (!move) return;
+    const to = move();
+    active = {
+      row: Math.max(0, Math.min(last.row, to.row)),
+      column: Math.max(0, Math.min(last.column, to.column)),
+    };
+    rows.nudge(active.row);
+    rows.render();
+    point(active.row, active.column);
+  });
+
+  for (const signal of [tab, explorer.document, explorer.selected, explorer.play]) {
+    (signal as Signal<unknown>).subscribe(follow);
+  }
+  explorer.editor.edit.subscribe(() => queueMicrotask(follow));
+  explorer.hovered.subscribe(() => {
+    if (isShown()) rows.render();
+  });
+  return section;
+}
+
+function kindSegments(choose: (kind: RecordKind) => void) {
+  const inputs = new Map<RecordKind, HTMLInputElement>();
+  const element = h('div', {
+    class: 'segments',
+    role: 'radiogroup',
+    'aria-label': 'Records of',
+  });
+  for (const [kind, text] of KINDS) {
+    const input = h('input', {
+      type: 'radio',
+      name: 'records',
+      value: kind,
+      onchange: () => choose(kind),
+    });
+    inputs.set(kind, input);
+    element.append(h('label', {}, input, text));
+  }
+  const mark = (kind: RecordKind) => {
+    for (const [each, input] of inputs) input.checked = each === kind;
+  };
+  return { element, choose: mark };
+}
