@@ -1,12 +1,15 @@
 // Polygons of every ugly kind, cut into triangles: as many as there must be, none folded over.
 
 #include <gtest/gtest.h>
+#include <halfedge/algorithms/point_tree.h>
 #include <halfedge/algorithms/triangulate_polygon.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
+#include <functional>
 #include <random>
 #include <set>
 #include <string>
@@ -374,6 +377,71 @@ TEST(TriangulatePolygon, TenThousandCornersTakeNoMinute) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     std::cout << polygon.size() << " corners: " << took.count() << " s\n";
     EXPECT_LT(took.count(), 60);
+  }
+}
+
+// CPU time, which other programs lengthen little.
+double seconds_to_cut(const Polygon& polygon) {
+  PolygonTriangulator triangulator;
+  Array<Index> ears;
+  const std::clock_t start = std::clock();
+  EXPECT_EQ(triangulator.run(polygon, {}, ears), Outcome::kDone);
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// Four times as many corners: 16 times as long if each were compared with each.
+TEST(TriangulatePolygon, TimeGrowsLittleFasterThanTheCorners) {
+  const std::pair<const char*, std::function<Polygon(std::size_t)>> kinds[] = {
+      {"star", [](std::size_t n) { return star(n / 2); }},
+      {"comb", [](std::size_t n) { return comb(n / 4); }},
+      {"spiral", [](std::size_t n) { return spiral(n / 2); }},
+      {"random", [](std::size_t n) { return random_star_shaped(1, n); }}};
+  for (const auto& [name, make] : kinds) {
+    const double few = seconds_to_cut(make(25'000));
+    const double many = seconds_to_cut(make(100'000));
+    std::cout << name << ": " << few << " s, " << many << " s\n";
+    EXPECT_LT(many, 0.05 + 10 * few) << name;
+  }
+}
+
+TEST(PointTree, FindsWhatLiesInATriangle) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    // Many in the same place or on a line with others.
+    const auto number = [&] { return float(random() % (seed % 3 == 0 ? 5 : 300)); };
+    std::vector<PlanarPoint> points;
+    for (std::size_t n = random() % 400; points.size() < n;) points.push_back({number(), number()});
+    if (seed == 7 && !points.empty()) points[0] = {NAN, INFINITY};
+    PointTree tree;
+    ASSERT_TRUE(tree.build(points));
+    std::vector<bool> is_in(points.size());
+    for (int round = 0; round < 200; ++round) {
+      for (int changes = 0; changes < 20 && !points.empty(); ++changes) {
+        const auto i = Index(random() % points.size());
+        is_in[i] ? tree.erase(i) : tree.insert(i);
+        is_in[i] = !is_in[i];
+      }
+      PlanarPoint t[3] = {{number(), number()}, {number(), number()}, {number(), number()}};
+      const int turns = turn_of(t[0], t[1], t[2]);
+      if (turns == 0) continue;
+      if (turns < 0) std::swap(t[1], t[2]);
+      std::set<Index> expected;
+      for (Index i = 0; i < points.size(); ++i) {
+        EXPECT_EQ(tree.contains(i), is_in[i]);
+        const PlanarPoint& p = points[i];
+        const bool lies_inside = turn_of(t[0], t[1], p) >= 0 && turn_of(t[1], t[2], p) >= 0 &&
+                                 turn_of(t[2], t[0], p) >= 0;
+        if (is_in[i] && lies_inside) expected.insert(i);
+      }
+      std::set<Index> found;
+      EXPECT_FALSE(tree.any_in(t, [&](Index i) {
+        EXPECT_TRUE(found.insert(i).second);
+        return false;
+      }));
+      EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+      EXPECT_EQ(tree.any_in(t, [&](Index i) { return expected.count(i) > 0; }), !expected.empty());
+    }
   }
 }
 

@@ -3,45 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace halfedge {
-
-namespace {
-
-/// The sign of a sum, exactly: of its parts, none of which overlaps another, the largest decides.
-/// (Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997: grow-expansion)
-int sign_of_sum(const double (&terms)[6]) {
-  double parts[6] = {};
-  int count = 0;
-  for (const double term : terms) {
-    double carried = term;
-    for (int i = 0; i < count; ++i) {
-      const double sum = carried + parts[i];
-      const double of_part = sum - carried;
-      parts[i] = (carried - (sum - of_part)) + (parts[i] - of_part);
-      carried = sum;
-    }
-    parts[count++] = carried;
-  }
-  for (int i = count; i-- > 0;) {
-    if (parts[i] != 0) return parts[i] > 0 ? 1 : -1;
-  }
-  return 0;
-}
-
-/// 1 if a, b, c turn left, -1 if right, 0 on a line: exactly. Products of two floats are exact in
-/// double precision.
-int turn_of(float ax, float ay, float bx, float by, float cx, float cy) {
-  const double left = (double{ax} - double{cx}) * (double{by} - double{cy});
-  const double right = (double{ay} - double{cy}) * (double{bx} - double{cx});
-  const double area = left - right;
-  constexpr double kError = 4 * std::numeric_limits<double>::epsilon();
-  if (std::abs(area) > kError * (std::abs(left) + std::abs(right))) return area > 0 ? 1 : -1;
-  return sign_of_sum({double{ax} * double{by}, -double{ax} * double{cy}, -double{cx} * double{by},
-                      -double{ay} * double{bx}, double{ay} * double{cx}, double{cy} * double{bx}});
-}
-
-}  // namespace
 
 bool PolygonTriangulator::Cost::operator<(const Cost& other) const {
   if (flips != other.flips) return flips < other.flips;
@@ -83,7 +47,9 @@ bool PolygonTriangulator::project() {
   const bool is_reversed = normal[axis] < 0;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Point& p = points_[i];
-    Planar planar = axis == 2 ? Planar{p.x, p.y} : axis == 0 ? Planar{p.y, p.z} : Planar{p.z, p.x};
+    PlanarPoint planar = axis == 2   ? PlanarPoint{p.x, p.y}
+                         : axis == 0 ? PlanarPoint{p.y, p.z}
+                                     : PlanarPoint{p.z, p.x};
     if (is_reversed) std::swap(planar.u, planar.v);
     planar_[i] = planar;
   }
@@ -91,10 +57,7 @@ bool PolygonTriangulator::project() {
 }
 
 int PolygonTriangulator::turn(Index a, Index b, Index c) const {
-  const Planar& p = planar_[a];
-  const Planar& q = planar_[b];
-  const Planar& r = planar_[c];
-  return turn_of(p.u, p.v, q.u, q.v, r.u, r.v);
+  return turn_of(planar_[a], planar_[b], planar_[c]);
 }
 
 double PolygonTriangulator::distance(Index a, Index b) const {
@@ -213,10 +176,10 @@ void PolygonTriangulator::find_blocked(std::size_t i, std::size_t j) {
 
 bool PolygonTriangulator::begin_cutting() {
   const std::size_t n = points_.size();
-  if (!next_.recreate(n) || !prev_.recreate(n) || !stamp_.recreate(n) || !is_concave_.recreate(n)) {
+  if (!next_.recreate(n) || !prev_.recreate(n) || !stamp_.recreate(n) ||
+      !concave_.build(std::as_const(planar_).span())) {
     return false;
   }
-  concave_.clear();
   ears_.clear();
   start_ = 0;
   blocked_ = {};
@@ -224,11 +187,9 @@ bool PolygonTriangulator::begin_cutting() {
     next_[i] = Index(i + 1 == n ? 0 : i + 1);
     prev_[i] = Index(i == 0 ? n - 1 : i - 1);
     stamp_[i] = 0;
-    is_concave_[i] = false;
   }
   for (Index i = 0; i < n; ++i) {
-    is_concave_[i] = turn(prev_[i], i, next_[i]) <= 0;
-    if (is_concave_[i] && !concave_.push_back(i)) return false;
+    if (turn(prev_[i], i, next_[i]) <= 0) concave_.insert(i);
   }
   for (Index i = 0; i < n; ++i) {
     if (!look_at(i)) return false;
@@ -268,24 +229,9 @@ bool PolygonTriangulator::is_ear(Index corner) {
   const Index a = prev_[corner];
   const Index c = next_[corner];
   if (turn(a, corner, c) <= 0) return false;
-  const Planar p[3] = {planar_[a], planar_[corner], planar_[c]};
-  const float min_u = std::min({p[0].u, p[1].u, p[2].u});
-  const float max_u = std::max({p[0].u, p[1].u, p[2].u});
-  const float min_v = std::min({p[0].v, p[1].v, p[2].v});
-  const float max_v = std::max({p[0].v, p[1].v, p[2].v});
-  for (std::size_t i = 0; i < concave_.size();) {
-    const Index w = concave_[i];
-    if (!is_concave_[w]) {
-      concave_[i] = concave_[concave_.size() - 1];
-      concave_.pop_back();
-      continue;
-    }
-    ++i;
-    const Planar q = planar_[w];
-    if (q.u < min_u || q.u > max_u || q.v < min_v || q.v > max_v) continue;
-    if (w != a && w != corner && w != c && lies_inside(w, a, corner, c)) return false;
-  }
-  return true;
+  return !concave_.any_in({planar_[a], planar_[corner], planar_[c]}, [&](Index w) {
+    return w != a && w != corner && w != c && lies_inside(w, a, corner, c);
+  });
 }
 
 // Puts a corner among the ears if it is one now. False when memory is exhausted.
@@ -345,13 +291,13 @@ bool PolygonTriangulator::cut_off(Index corner) {
   next_[a] = b;
   prev_[b] = a;
   ++stamp_[corner];
-  is_concave_[corner] = false;
+  if (concave_.contains(corner)) concave_.erase(corner);
   start_ = b;
   for (const Index neighbour : {a, b}) {
     ++stamp_[neighbour];
-    const bool was_concave = is_concave_[neighbour];
-    is_concave_[neighbour] = turn(prev_[neighbour], neighbour, next_[neighbour]) <= 0;
-    if (is_concave_[neighbour] && !was_concave && !concave_.push_back(neighbour)) return false;
+    const bool is_concave = turn(prev_[neighbour], neighbour, next_[neighbour]) <= 0;
+    if (is_concave == concave_.contains(neighbour)) continue;
+    is_concave ? concave_.insert(neighbour) : concave_.erase(neighbour);
   }
   return look_at(a) && look_at(b);
 }
