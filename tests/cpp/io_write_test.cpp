@@ -91,12 +91,40 @@ TEST(Write, ReadsBackTheSamePolygons) {
     SCOPED_TRACE(name_of(format));
     const Parsed file = read_back(mesh, format, encoding);
     EXPECT_EQ(file.error, "");
-    if (format == Format::kStl) {  // a fan, over vertices in the order in which they come
-      EXPECT_EQ(file.faces, (Faces{{0, 1, 2}, {0, 2, 3}, {1, 0, 4}}));
+    if (format == Format::kStl) {  // triangles, over vertices in the order in which they come
+      EXPECT_EQ(file.faces, (Faces{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
       continue;
     }
     EXPECT_EQ(file.faces, kFaces);
     EXPECT_EQ(file.positions, kPositions);
+  }
+}
+
+TEST(Write, CutsConcaveFacesWithoutFoldsForStl) {
+  // Seen from the corner at which the face starts, another one is hidden.
+  const Mesh mesh =
+      built({0, 0, 0, 2, 0, 0, 2, 1, 0, 1, 1, 0, 1, 2, 0, 0, 2, 0}, {{1, 2, 3, 4, 5, 0}});
+  const std::string text = written(mesh, Format::kStl, Encoding::kText);
+  std::size_t facets = 0;
+  std::size_t upwards = 0;
+  for (std::size_t at = 0; (at = text.find("facet normal ", at)) != std::string::npos; ++at) {
+    ++facets;
+    upwards += text.substr(at, 18) == "facet normal 0 0 1" ? 1U : 0U;
+  }
+  EXPECT_EQ(facets, 4U);
+  EXPECT_EQ(upwards, 4U);
+  for (const Encoding encoding : {Encoding::kText, Encoding::kBinary}) {
+    const Parsed file = read_back(mesh, Format::kStl, encoding);
+    double area = 0;
+    for (const auto& face : file.faces) {
+      const auto x = [&](std::size_t i) { return double{file.positions[3 * face[i]]}; };
+      const auto y = [&](std::size_t i) { return double{file.positions[3 * face[i] + 1]}; };
+      const double part = ((x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0))) / 2;
+      EXPECT_GT(part, 0);
+      area += part;
+    }
+    EXPECT_EQ(file.faces.size(), 4U);
+    EXPECT_EQ(area, 3);
   }
 }
 

@@ -49,7 +49,7 @@ describe('write', () => {
     again.dispose();
   });
 
-  test('writes fans of triangles in STL', () => {
+  test('cuts polygons into triangles for STL', () => {
     const bytes = mesh.write('stl', { encoding: 'binary' });
     expect(bytes).toBeInstanceOf(Uint8Array);
     expect(bytes).toHaveLength(84 + 3 * 50);

@@ -48,8 +48,8 @@ struct WriteSource {
 /// and the same bits of each position, also from text; and the same attributes, where the format
 /// has a place for them.
 ///
-/// Polygons stay polygons, but in STL, which has only triangles: there a polygon becomes a fan
-/// around its first vertex, right for convex ones, and isolated vertices are left out.
+/// Polygons stay polygons, but in STL, which has only triangles: there they are cut as
+/// PolygonTriangulator does, also concave ones, and isolated vertices are left out.
 ///
 /// cost: one pass; the file, and 8 bytes for each corner of a face
 /// errors: corrupt-connectivity, out-of-memory, unsupported-format (an encoding that the format
