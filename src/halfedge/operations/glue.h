@@ -72,6 +72,13 @@ void glue_edges(Mesh& mesh, Halfedge h, Halfedge g) {
   for (const int i : {0, 1}) {
     if (gone[i] != kept[i]) mesh.release(gone[i]);
   }
+  // Where the gap stays open its other side is on the boundary: nothing to be searched for.
+  if (at_begin.after[0].valid()) {
+    decorator::internal::replace_anchor(mesh, kept[0], h, at_begin.after[0]);
+  }
+  if (at_end.after[0].valid()) {
+    decorator::internal::replace_anchor(mesh, kept[1], g, at_end.after[0]);
+  }
   decorator::internal::mend_anchor(mesh, h);
   decorator::internal::mend_anchor(mesh, mesh.opposite(h));
 }
@@ -109,7 +116,7 @@ template <class Mesh>
 
 template <class Mesh>
 [[nodiscard]] Result<void> check_glue(const Mesh& mesh, Halfedge h, Halfedge g, std::size_t n,
-                                      std::span<Merge> merges, std::span<Vertex> scratch) {
+                                      std::span<Merge> merges, std::span<Index> scratch) {
   Halfedge last_h = h;
   Halfedge last_g = g;
   for (std::size_t i = 1; i < n; ++i) {
@@ -145,7 +152,7 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_glue(const Mesh& mesh, Halfedge h, Halfedge g) {
   if (Result<void> can = internal::check_boundary_halfedges(mesh, h, g); !can) return can;
   std::array<internal::Merge, 2> merges;
-  std::array<Vertex, 2> scratch;
+  std::array<Index, 2> scratch;
   return internal::check_glue(mesh, h, g, 1, merges, scratch);
 }
 
@@ -180,7 +187,7 @@ template <EditableSurface Mesh>
   if (Result<void> can = internal::check_boundary_halfedges(mesh, h, g); !can) return can;
   if (n == 0) return empty_path();
   Array<internal::Merge> merges;
-  Array<Vertex> scratch;
+  Array<Index> scratch;
   if (n > mesh.halfedge_count()) return repeated_on_seam(mesh.to_vertex(h));
   if (!merges.resize(n + 1, internal::Merge{}) || !scratch.resize(n + 1)) {
     return decorator::internal::no_memory("the vertices to be glued");

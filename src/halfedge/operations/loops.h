@@ -52,7 +52,7 @@ template <EditableSurface Mesh>
     }
     on_g = before_g;
   }
-  Array<Vertex> scratch;
+  Array<Index> scratch;
   if (!scratch.resize(merges.size())) {
     return decorator::internal::no_memory("the vertices of the loops");
   }

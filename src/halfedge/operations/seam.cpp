@@ -15,12 +15,12 @@ class SeamCheck {
   SeamCheck(const Links& links, std::span<Merge> merges, Face removed_0, Face removed_1)
       : links_(links), merges_(merges), removed_{removed_0, removed_1} {}
 
-  [[nodiscard]] Result<void> run(std::span<Vertex> scratch) {
+  [[nodiscard]] Result<void> run(std::span<Index> scratch) {
     introsort(merges_, [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
     if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
       return repeated_on_seam(repeated);
     }
-    kept_ = scratch.first(merges_.size());  // sorted by now
+    by_kept_ = scratch.first(merges_.size());  // sorted by now
     for (const bool of_faces : {false, true}) {
       for (const Merge& merge : merges_) {
         const Halfedge first = anchor(merge.gone);
@@ -45,16 +45,19 @@ class SeamCheck {
   [[nodiscard]] static Edge edge(Halfedge h) { return Edge(h.index() / 2); }
 
   /// A vertex that is in more than one merge, or empty. pre: merges are sorted
-  [[nodiscard]] Vertex find_repeated(std::span<Vertex> scratch) const {
+  [[nodiscard]] Vertex find_repeated(std::span<Index> scratch) const {
     for (std::size_t i = 0; i < merges_.size(); ++i) {
-      scratch[i] = merges_[i].kept;
-      if (merge_of(scratch[i]) != nullptr) return scratch[i];
+      scratch[i] = Index(i);
+      if (merge_of(merges_[i].kept) != nullptr) return merges_[i].kept;
       if (i > 0 && merges_[i].gone == merges_[i - 1].gone) return merges_[i].gone;
     }
-    const auto kept = scratch.first(merges_.size());
-    introsort(kept);
-    const auto found = std::adjacent_find(kept.begin(), kept.end());
-    return found == kept.end() ? Vertex{} : *found;
+    const auto by_kept = scratch.first(merges_.size());
+    introsort(by_kept, [&](Index a, Index b) { return merges_[a].kept < merges_[b].kept; });
+    for (std::size_t i = 1; i < by_kept.size(); ++i) {
+      const Vertex kept = merges_[by_kept[i]].kept;
+      if (kept == merges_[by_kept[i - 1]].kept) return kept;
+    }
+    return {};
   }
 
   /// The merge in which `v` goes, or null.
@@ -64,48 +67,45 @@ class SeamCheck {
                          [](const Merge& merge, Vertex gone) { return merge.gone < gone; });
     return found != merges_.end() && found->gone == v ? &*found : nullptr;
   }
-  /// What `v` will be.
-  [[nodiscard]] Vertex merged(Vertex v) const {
-    const Merge* const merge = merge_of(v);
-    return merge == nullptr ? v : merge->kept;
+  /// The merge in which `v` is kept, or null.
+  [[nodiscard]] const Merge* merge_into(Vertex v) const {
+    const auto found =
+        std::lower_bound(by_kept_.begin(), by_kept_.end(), v,
+                         [&](Index merge, Vertex kept) { return merges_[merge].kept < kept; });
+    return found != by_kept_.end() && merges_[*found].kept == v ? &merges_[*found] : nullptr;
   }
 
   /// h leaves merge.gone: no edge of merge.kept but the one it is glued to may lead to where it
   /// leads.
   [[nodiscard]] Result<void> check_edge(const Merge& merge, Halfedge h) const {
-    const Vertex end = merged(to_vertex(h));
-    if (end == merge.kept) return edge_exists(merge.kept, merge.gone, edge(h));
+    const Vertex end = to_vertex(h);
+    const Merge* at_end = merge_of(end);
+    if (at_end == nullptr) at_end = merge_into(end);
+    if (at_end == &merge) return edge_exists(merge.kept, merge.gone, edge(h));
     Edge partner;
     for (const int i : {0, 1}) {
       if (merge.gone_edges[i] == edge(h)) partner = merge.kept_edges[i];
     }
-    if (end == to_vertex(h) && !std::binary_search(kept_.begin(), kept_.end(), end)) {
-      return check_ends(merge.kept, end, partner, edge(h));
-    }
-    const Halfedge first = anchor(merge.kept);
-    Halfedge g = first;
-    do {
-      if (edge(g) != partner && merged(to_vertex(g)) == end) {
-        return would_be_duplicate(edge(g), edge(h), merge.kept, end);
-      }
-      g = rotate_cw(g);
-    } while (g != first);
-    return {};
+    if (at_end == nullptr) return check_ends(merge.kept, end, end, partner, edge(h));
+    // Either of the two vertices that become that end.
+    Result<void> can = check_ends(merge.kept, at_end->kept, at_end->kept, partner, edge(h));
+    return can ? check_ends(merge.kept, at_end->gone, at_end->kept, partner, edge(h)) : can;
   }
 
-  /// No edge but `partner` may join these two, of which none is another vertex before. Around both
-  /// in step: the smaller valence ends the search.
-  [[nodiscard]] Result<void> check_ends(Vertex a, Vertex b, Edge partner, Edge other) const {
+  /// No edge but `partner` may join a and b, which becomes `end`. Around both in step: the smaller
+  /// valence ends the search.
+  [[nodiscard]] Result<void> check_ends(Vertex a, Vertex b, Vertex end, Edge partner,
+                                        Edge other) const {
     const Halfedge first_of_a = anchor(a);
     const Halfedge first_of_b = anchor(b);
     Halfedge at_a = first_of_a;
     Halfedge at_b = first_of_b;
     do {
       if (to_vertex(at_a) == b && edge(at_a) != partner) {
-        return would_be_duplicate(edge(at_a), other, a, b);
+        return would_be_duplicate(edge(at_a), other, a, end);
       }
       if (to_vertex(at_b) == a && edge(at_b) != partner) {
-        return would_be_duplicate(edge(at_b), other, a, b);
+        return would_be_duplicate(edge(at_b), other, a, end);
       }
       at_a = rotate_cw(at_a);
       at_b = rotate_cw(at_b);
@@ -127,13 +127,13 @@ class SeamCheck {
 
   const Links& links_;
   std::span<Merge> merges_;
-  std::span<const Vertex> kept_;
+  std::span<const Index> by_kept_;  // merges
   Face removed_[2];
 };
 
 }  // namespace
 
-Result<void> check_merges(const Links& links, std::span<Merge> merges, std::span<Vertex> scratch,
+Result<void> check_merges(const Links& links, std::span<Merge> merges, std::span<Index> scratch,
                           Face removed_0, Face removed_1) {
   return SeamCheck(links, merges, removed_0, removed_1).run(scratch);
 }

@@ -24,12 +24,12 @@ struct Merge {
 /// and the one that goes; edge-exists, if the two are joined; duplicate-edge, if there would be two
 /// edges between two vertices. Faces `removed` are not looked at.
 ///
-/// pre: level 4; room for as many vertices as there are merges in `scratch`
-/// cost: O(sum over the merges of the valences, or of the product of the two where a neighbour is
-///       in a merge itself, and of the degrees of the faces at the vertex that goes), times log n
-///       for n merges, which are sorted by `gone`
+/// pre: level 4; room for as many numbers as there are merges in `scratch`
+/// cost: O(sum over the merges of the product of the valences of the vertex that goes and of the
+///       one that stays, or of the neighbours of the first where those have fewer; and of the
+///       degrees of the faces there), times log n for n merges, which are sorted by `gone`
 [[nodiscard]] Result<void> check_merges(const Links& links, std::span<Merge> merges,
-                                        std::span<Vertex> scratch, Face removed_0 = {},
+                                        std::span<Index> scratch, Face removed_0 = {},
                                         Face removed_1 = {});
 
 }  // namespace halfedge::operations::internal
