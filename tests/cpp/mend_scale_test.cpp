@@ -5,6 +5,8 @@
 #include <halfedge/operations/append.h>
 
 #include <cmath>
+#include <initializer_list>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,59 @@ TEST(MendScale, APoleThatIsNotMerged) {
   expect_no_quadratic_step(20'000, strip, [](Mesh& mesh) {
     const std::string edges = std::to_string(mesh.face_count());
     expect_summary(mend::remove_degenerate_faces(mesh), edges + " edges collapsed.");
+  });
+}
+
+// Triangles around one centre, of which no two share a vertex.
+TEST(MendScale, AFanInPieces) {
+  const auto fan = [](Index n) {
+    std::vector<Point> points;
+    Lists faces;
+    const auto on_circle = [&](Index i) {
+      const double angle = 2 * std::numbers::pi * (i % n) / n;
+      return Point{float(std::cos(angle)), float(std::sin(angle)), 0};
+    };
+    for (Index i = 0; i < n; ++i) {
+      points.insert(points.end(), {Point{0, 0, 0}, on_circle(i), on_circle(i + 1)});
+      faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    return mesh_of(points, faces);
+  };
+  expect_no_quadratic_step(30'000, fan, [](Mesh& mesh) {
+    const std::string edges = std::to_string(mesh.face_count());
+    expect_summary(mend::stitch_boundaries(mesh), edges + " edges stitched.");
+    EXPECT_EQ(mesh.vertex_count(), mesh.face_count() + 1);
+  });
+}
+
+// A slit that several others lie along: each edge waits for the one beside it.
+TEST(MendScale, BoxesAlongALongRowOfEdges) {
+  const auto boxes = [](Index n) {
+    std::vector<Point> points;
+    Lists faces;
+    const auto add = [&](std::initializer_list<Point> corners) {
+      faces.emplace_back();
+      for (const Point& p : corners) {
+        faces.back().push_back(Index(points.size()));
+        points.push_back(p);
+      }
+    };
+    // Two ridges of two slopes each, which meet along the x axis.
+    for (const float side : {1.0F, -1.0F}) {
+      for (Index i = 0; i < n; ++i) {
+        const float x = float(i);
+        add({{x, 0, 0}, {x + 1, 0, 0}, {x + 1, side, side}, {x, side, side}});
+        add({{x + 1, 0, 0}, {x, 0, 0}, {x, 2 * side, side}, {x + 1, 2 * side, side}});
+      }
+      add({{0, 0, 0}, {0, side, side}, {0, 2 * side, side}});
+    }
+    return mesh_of(points, faces);
+  };
+  expect_no_quadratic_step(10'000, boxes, [](Mesh& mesh) {
+    const Index n = mesh.face_count() / 4;
+    const Result<mend::Report> report = mend::stitch_boundaries(mesh);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report.value().summary, std::to_string(6 * n) + " edges stitched.");
   });
 }
 

@@ -30,8 +30,8 @@ struct StitchOptions {
 /// touch; those stay that are reached first, from face to face, with position and attributes.
 /// (CGAL: stitch_borders)
 ///
-/// Of more than two edges that lie together those are glued that close a gap at a vertex, the
-/// others are left (ambiguous-edge); so is what runs the same way (opposite-orientation), and what
+/// Of more than two edges that lie together those are glued that close a gap at a vertex, and the
+/// two that are left of four; others are left (ambiguous-edge). So is what runs the same way (opposite-orientation), and what
 /// no valid mesh allows, such as a second edge between two vertices (unstitchable-edge).
 ///
 /// report: edges: those that were glued and stay
