@@ -1,7 +1,7 @@
 #include <halfedge/build/sentence.h>
 
-#include <cmath>
 #include <cstddef>
+#include <cstdio>
 
 namespace halfedge::sentence {
 
@@ -35,32 +35,9 @@ std::string list_of(std::span<const Index> items) {
 }
 
 std::string number(double value) {
-  constexpr int kDigits = 6;
-  std::string text = std::signbit(value) ? "-" : "";
-  if (std::isnan(value)) return text + "nan";
-  if (std::isinf(value)) return text + "inf";
-  if (value == 0) return text + "0";
-
-  // value = 0.digits * 10^point
-  double scaled = std::fabs(value);
-  int point = 0;
-  for (; scaled >= 1; scaled /= 10) ++point;
-  for (; scaled < 0.1; scaled *= 10) --point;
-  std::string digits = std::to_string(std::llround(scaled * 1e6));
-  if (digits.size() > kDigits) ++point;  // rounded up to the next power of ten
-  digits.erase(digits.find_last_not_of('0') + 1);
-
-  const int count = int(digits.size());
-  if (point < -3 || point > kDigits) {
-    if (count > 1) digits.insert(1, ".");
-    const int exponent = point - 1;
-    const int size = exponent < 0 ? -exponent : exponent;
-    return text + digits + (exponent < 0 ? "e-" : "e+") + (size < 10 ? "0" : "") +
-           std::to_string(size);
-  }
-  if (point <= 0) return text + "0." + std::string(std::size_t(-point), '0') + digits;
-  if (count > point) return text + digits.insert(std::size_t(point), ".");
-  return text + digits + std::string(std::size_t(point - count), '0');
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
 }
 
 }  // namespace halfedge::sentence

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <halfedge/connectivity/handle.h>
-#include <halfedge/inlining.h>
 
 #include <cstdint>
 #include <span>
@@ -11,16 +10,15 @@
 namespace halfedge::sentence {
 
 /// With a capital and a full stop.
-[[nodiscard]] HALFEDGE_COLD std::string complete(std::string text);
+[[nodiscard]] std::string complete(std::string text);
 
 /// "1 corner", "2 corners"; knows the plurals that occur.
-[[nodiscard]] HALFEDGE_COLD std::string count_of(std::uint64_t count, std::string noun);
+[[nodiscard]] std::string count_of(std::uint64_t count, std::string noun);
 
 /// "3, 5, 9"; of a long list the first few and "...".
-[[nodiscard]] HALFEDGE_COLD std::string list_of(std::span<const Index> items);
+[[nodiscard]] std::string list_of(std::span<const Index> items);
 
-/// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30". At most
-/// six, as printf's %g, which would bring a lot of code with it.
-[[nodiscard]] HALFEDGE_COLD std::string number(double value);
+/// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30".
+[[nodiscard]] std::string number(double value);
 
 }  // namespace halfedge::sentence
