@@ -193,8 +193,8 @@ export class HalfedgeMesh extends Shapes {
    * A file of this mesh: its live vertices and faces, each in the order of their indices. Reading it
    * gives the same polygons and the same bits of each position, also from text, whose numbers have
    * as many digits as that takes; and the same attributes, where the format has a place for them (`normal`,
-   * `color` and `uv` by their usual names; PLY has one for most). In STL, which has triangles alone, a polygon becomes a fan around its
-   * first vertex, and isolated vertices are left out.
+   * `color` and `uv` by their usual names; PLY has one for most). In STL, which has triangles alone, polygons are
+   * cut as `triangulate` does, and isolated vertices are left out.
    *
    * @returns text where the encoding is `'text'`, as by default that of OBJ and OFF; else the bytes
    * @throws HalfedgeError `unsupported-format` (an encoding that the format doesn't have),
