@@ -161,7 +161,8 @@ TEST(Stl, ExplainsWrongBytes) {
             "truncated: the file has 80 bytes, expected at least the 84 bytes that start a binary "
             "STL file");
   EXPECT_EQ(stl_error(binary({kFirst}, "solid", 4)),
-            "truncated: byte 80: the header promises 5 triangles, but what follows has room for 1");
+            "truncated: byte 134: the bytes of this binary STL file of 5 triangles end after 1 of "
+            "them");
   Triangle bad = kSecond;
   bad[8] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(stl_error(binary({kFirst, bad})),
@@ -172,6 +173,24 @@ TEST(Stl, ExplainsWrongBytes) {
   EXPECT_EQ(file.error().message,
             "byte 134: x of vertex 0 of triangle 1 is -inf, expected a finite number");
   EXPECT_EQ(file.error().witness.faces, std::vector<Index>{1});
+}
+
+TEST(Stl, TellsABinaryFileThatIsCut) {
+  const auto error_of = [](const std::string& bytes) {
+    const Result<ParsedFile> file = parse(bytes_of(bytes));
+    return file ? "none" : file.error().code + ": " + file.error().message;
+  };
+  const std::string whole = binary({kFirst, kSecond}, "made by\0us"s);
+  EXPECT_EQ(error_of(whole), "none");
+  EXPECT_EQ(error_of(whole.substr(0, whole.size() - 7)),
+            "truncated: byte 177: the bytes of this binary STL file of 2 triangles end after 1 of "
+            "them and 43 bytes of the next one (read as STL)");
+  // Whose numbers are none of triangles, or too few to tell.
+  EXPECT_EQ(error_of(whole.substr(0, 130)).substr(0, 15), "not-text: byte ");
+  std::string other = whole.substr(0, whole.size() - 7);
+  other[84 + 2] = 'x';  // a normal of another length
+  other[84 + 3] = 'y';
+  EXPECT_EQ(error_of(other).substr(0, 15), "not-text: byte ");
 }
 
 TEST(Stl, FindsTheLinesOfTrianglesInTextOnly) {

@@ -49,8 +49,9 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
     return Error{"unsupported-format",
                  std::string("this is ") + name + ", expected an OBJ, OFF, PLY or STL file"};
   }
-  const bool binary_stl = claimed == Format::kStl && raw.find('\0') != std::string_view::npos;
-  if (binary_stl) return Format::kStl;  // of the wrong size
+  const bool has_nul = raw.find('\0') != std::string_view::npos;
+  const bool is_cut_stl = stl == io::StlKind::kCutBinary || claimed == Format::kStl;
+  if (has_nul && is_cut_stl) return Format::kStl;  // of the wrong size
   if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
     return Error{"not-text", "byte " + std::to_string(nul) + " is 0, which no text has: this is " +
                                  "no OBJ, OFF, PLY or STL file in text form"};

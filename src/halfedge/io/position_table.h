@@ -21,31 +21,41 @@ class PositionTable {
   /// Room for so many, so that the table need not grow. False when memory is exhausted.
   [[nodiscard]] bool reserve(std::size_t count) { return grow({}, count); }
 
-  /// The index of `xyz` among `positions`, or kNone, where `positions.size() / 3` is then its index
-  /// if the caller appends it. False when memory is exhausted.
-  [[nodiscard]] bool find_or_claim(const float* xyz, std::span<const float> positions,
-                                   Index& found) {
-    const std::size_t count = positions.size() / 3;
-    if (2 * (count + 1) > slots_.size() && !grow(positions, 2 * count)) return false;
+  /// Gives each of `count` positions at `xyz` its index in `positions`, to which those are appended
+  /// that aren't there yet. False when memory is exhausted. Quickest where there are many at once.
+  [[nodiscard]] bool weld(const float* xyz, std::size_t count, Array<float>& positions,
+                          Index* indices) {
+    const std::size_t before = positions.size() / 3;
+    if (2 * (before + count) > slots_.size() && !grow(positions.span(), 2 * (before + count))) {
+      return false;
+    }
     // That many steps have paid for a new table.
     if (steps_ > 8 * slots_.size()) {
       seed_ = seed_ * 0x9E37'79B9'7F4A'7C15U + Key(xyz).hash(seed_);
       seed_ += reinterpret_cast<std::uintptr_t>(slots_.data());  // which no file knows
-      if (!grow(positions, slots_.size() / 2 - 1)) return false;
+      if (!grow(positions.span(), slots_.size() / 2 - 1)) return false;
     }
-    const Key key(xyz);
-    for (std::size_t i = key.hash(seed_) & mask();; i = (i + 1) & mask(), ++steps_) {
-      const Index v = slots_[i];
-      if (v == kNone) {
-        slots_[i] = static_cast<Index>(count);
-        found = kNone;
-        return true;
-      }
-      if (Key(&positions[3 * std::size_t{v}]) == key) {
-        found = v;
-        return true;
-      }
+    if (!positions.reserve_more(3 * count)) return false;
+    // Where to look first is computed far ahead of the look, so that memory isn't waited for.
+    constexpr std::size_t kAhead = 32;
+    std::size_t home[kAhead];
+    const auto aim = [&](std::size_t i) {
+      home[i % kAhead] = Key(xyz + 3 * i).hash(seed_) & mask();
+      __builtin_prefetch(&slots_[home[i % kAhead]]);
+    };
+    for (std::size_t i = 0; i < std::min(kAhead, count); ++i) aim(i);
+    Index end = static_cast<Index>(before);
+    float* const known = positions.data();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t slot = home[i % kAhead];
+      if (i + kAhead < count) aim(i + kAhead);
+      indices[i] = find_or_claim(xyz + 3 * i, slot, known, end);
+      if (indices[i] != end) continue;
+      std::memcpy(&known[3 * std::size_t{end}], xyz + 3 * i, 3 * sizeof(float));
+      ++end;
     }
+    positions.grow_to(3 * std::size_t{end});
+    return true;
   }
 
  private:
@@ -67,6 +77,17 @@ class PositionTable {
     std::uint32_t bits[3];
   };
 
+  /// The index of `xyz` among the positions `known`, looked for from `slot` on; or `end`, which is
+  /// its index from then on.
+  [[nodiscard]] Index find_or_claim(const float* xyz, std::size_t slot, const float* known,
+                                    Index end) {
+    const Key key(xyz);
+    for (;; slot = (slot + 1) & mask(), ++steps_) {
+      const Index v = slots_[slot];
+      if (v == kNone) return slots_[slot] = end;
+      if (Key(&known[3 * std::size_t{v}]) == key) return v;
+    }
+  }
   [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
   [[nodiscard]] bool grow(std::span<const float> positions, std::size_t count) {
     std::size_t slots = 1024;

@@ -109,6 +109,15 @@ class SoupWriter {
     }
     end_face();
   }
+  /// Room for so many triangles, three corners each, for the caller to fill in; or null.
+  /// pre: all faces are triangles, and nobody asks for the largest index
+  [[nodiscard]] Index* add_triangles(std::size_t count) {
+    Index* const corners = append(soup_.corners, 3 * count);
+    if (corners == nullptr) return nullptr;
+    faces_ += count;
+    face_start_ = soup_.corners.size();
+    return corners;
+  }
   /// Sizes are kept from the first face on that is no triangle.
   void end_face() {
     const std::size_t size = corners_of_face();

@@ -2,10 +2,12 @@
 #include <halfedge/io/position_table.h>
 #include <halfedge/io/readers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +19,8 @@ namespace {
 constexpr std::size_t kHeader = 80;
 constexpr std::size_t kStart = kHeader + 4;  // the number of triangles comes between
 constexpr std::size_t kTriangle = 50;        // normal, three corners, two bytes of attributes
+constexpr std::size_t kCorners = 12;         // behind the normal
+constexpr std::size_t kBlock = 256;          // so many triangles are read at once
 
 using Triangle = std::array<float, 9>;
 
@@ -45,20 +49,12 @@ class TriangleWriter {
     out_.reserve(triangles / 2, 3 * triangles);
     if (!table_.reserve(triangles / 2)) out_.set_out_of_memory();
   }
-  void add(const Triangle& triangle) {
-    std::array<Index, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const float* const p = &triangle[3 * i];
-      if (!table_.find_or_claim(p, out_.soup().positions.span(), corners[i])) {
-        out_.set_out_of_memory();
-        return;
-      }
-      if (corners[i] != kNone) continue;
-      corners[i] = static_cast<Index>(out_.vertex_count());
-      out_.add_vertex(p[0], p[1], p[2]);
-      if (out_.out_of_memory()) return;
+  void add(std::span<const float> triangles) {
+    Index* const corners = out_.add_triangles(triangles.size() / 9);
+    if (corners == nullptr) return;
+    if (!table_.weld(triangles.data(), triangles.size() / 3, out_.soup().positions, corners)) {
+      out_.set_out_of_memory();
     }
-    out_.add_triangle(corners[0], corners[1], corners[2]);
   }
 
  private:
@@ -72,14 +68,18 @@ std::string name_of_number(std::size_t number, std::size_t triangle) {
          " of triangle " + std::to_string(triangle);
 }
 
-bool is_finite(const Triangle& triangle) {
-  float sum = 0;  // of zeros, but for NaN
-  for (const float number : triangle) sum += number * 0;
-  return sum == 0;
+/// By the exponents, which are compared in one go.
+bool are_finite(std::span<const float> numbers) {
+  constexpr std::uint32_t kExponent = 0x7F80'0000;
+  bool are = true;
+  for (const float& number : numbers) {
+    are &= (__builtin_bit_cast(std::uint32_t, number) & kExponent) != kExponent;
+  }
+  return are;
 }
 
 /// pre: the triangle is not finite
-Error not_finite(Error at, const Triangle& triangle, std::size_t face) {
+Error not_finite(Error at, std::span<const float> triangle, std::size_t face) {
   std::size_t i = 0;
   while (std::isfinite(triangle[i])) ++i;
   at.message +=
@@ -103,11 +103,27 @@ SoupAttribute face_attribute() {
   column.on_split = OnSplit::kCopy;
   return column;
 }
-/// Makes room for all at the first value. False when memory is exhausted.
-bool set_value(SoupAttribute& column, std::size_t face, std::size_t faces, std::uint16_t value) {
-  if (!column.values.resize(sizeof(value) * faces, std::byte{})) return false;
-  std::memcpy(&column.values[sizeof(value) * face], &value, sizeof(value));
+/// Reads those of the triangles `at`, of which the first is `face`. Makes room for all at the first
+/// one that isn't 0. False when memory is exhausted.
+bool read_values(const std::uint8_t* at, std::size_t face, std::size_t count, std::size_t faces,
+                 SoupAttribute& column) {
+  for (std::size_t i = 0; i < count; ++i, at += kTriangle) {
+    const auto value = load<std::uint16_t, ByteOrder::kLittle>(at + 48);
+    if (value == 0) continue;
+    if (!column.values.resize(sizeof(value) * faces, std::byte{})) return false;
+    std::memcpy(&column.values[sizeof(value) * (face + i)], &value, sizeof(value));
+  }
   return true;
+}
+
+/// pre: one of the triangles, of which the first is `face`, is not finite
+Error first_not_finite(std::size_t face, std::span<const float> triangles) {
+  while (are_finite(triangles.first(9))) {
+    triangles = triangles.subspan(9);
+    ++face;
+  }
+  Error at = error_at_byte(kStart + kTriangle * face, "non-finite-position", "");
+  return not_finite(std::move(at), triangles.first(9), face);
 }
 
 Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
@@ -119,9 +135,12 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
   const std::uint64_t count = announced(bytes);
   const std::uint64_t room = (bytes.size() - kStart) / kTriangle;
   if (count > room) {
-    return error_at_byte(kHeader, "truncated",
-                         "the header promises " + std::to_string(count) +
-                             " triangles, but what follows has room for " + std::to_string(room));
+    const std::size_t rest = (bytes.size() - kStart) % kTriangle;
+    return error_at_byte(
+        bytes.size(), "truncated",
+        "the bytes of this binary STL file of " + std::to_string(count) + " triangles end after " +
+            std::to_string(room) + " of them" +
+            (rest == 0 ? "" : " and " + std::to_string(rest) + " bytes of the next one"));
   }
 
   TriangleWriter writer(bytes, {options});
@@ -129,22 +148,23 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
   writer.reserve(static_cast<std::size_t>(count));
   const std::uint8_t* at = bytes.data() + kStart;
   SoupAttribute attribute = face_attribute();
-  for (std::size_t face = 0; face < count && !out.out_of_memory(); ++face, at += kTriangle) {
+  const auto faces = static_cast<std::size_t>(count);
+  std::array<float, 9 * kBlock> numbers;
+  for (std::size_t face = 0; face < faces && !out.out_of_memory(); face += kBlock) {
     out.reached(at);
-    Triangle triangle;
-    for (std::size_t i = 0; i < 9; ++i) {
-      triangle[i] = load<float, ByteOrder::kLittle>(at + 12 + 4 * i);
+    const std::size_t block = std::min(kBlock, faces - face);
+    for (std::size_t i = 0; i < block; ++i) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        numbers[9 * i + k] = load<float, ByteOrder::kLittle>(at + kTriangle * i + kCorners + 4 * k);
+      }
     }
-    if (!options.for_repair && !is_finite(triangle)) {
-      const auto offset = static_cast<std::size_t>(at - bytes.data());
-      return not_finite(error_at_byte(offset, "non-finite-position", ""), triangle, face);
-    }
-    writer.add(triangle);
-    const auto value = load<std::uint16_t, ByteOrder::kLittle>(at + 48);
-    if (value == 0 || !options.attributes) continue;
-    if (!set_value(attribute, face, static_cast<std::size_t>(count), value)) {
+    const std::span<const float> read = std::span(numbers).first(9 * block);
+    if (!options.for_repair && !are_finite(read)) return first_not_finite(face, read);
+    writer.add(read);
+    if (options.attributes && !read_values(at, face, block, faces, attribute)) {
       out.set_out_of_memory();
     }
+    at += kTriangle * block;
   }
   if (std::optional<Error> error = check_size(out)) return *std::move(error);
 
@@ -226,7 +246,7 @@ bool TextReader::read_facet() {
     if (text_.read_float(triangle[i])) continue;
     return fail(unexpected(text_, "a number for " + name_of_number(i, out().face_count())));
   }
-  if (!options_.for_repair && !is_finite(triangle)) {
+  if (!options_.for_repair && !are_finite(triangle)) {
     TextScanner first = start;
     first.skip_to_token();
     return fail(
@@ -234,6 +254,26 @@ bool TextReader::read_facet() {
   }
   if (!expect("endloop") || !expect("endfacet")) return false;
   writer_.add(triangle);
+  return true;
+}
+
+/// Whether this is what is left of a binary file: fewer triangles than it announces, but the first
+/// of them, which have finite numbers, and normals of unit length or none.
+bool looks_cut(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kLooked = 16;
+  if (bytes.size() < kStart + kTriangle) return false;
+  const std::size_t room = (bytes.size() - kStart) / kTriangle;
+  if (announced(bytes) <= room) return false;
+  const std::uint8_t* at = bytes.data() + kStart;
+  for (std::size_t i = 0; i < std::min(kLooked, room); ++i, at += kTriangle) {
+    std::array<float, 12> numbers;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      numbers[k] = load<float, ByteOrder::kLittle>(at + 4 * k);
+    }
+    if (!are_finite(numbers)) return false;
+    const float length = std::hypot(numbers[0], numbers[1], numbers[2]);
+    if (length > 0.01F && std::abs(length - 1) > 0.01F) return false;
+  }
   return true;
 }
 
@@ -254,13 +294,14 @@ StlKind kind_of_stl(std::span<const std::uint8_t> bytes) {
   if (is_word(text.token().substr(0, 5), "solid")) {
     return has_nul(text.rest()) ? StlKind::kBinary : StlKind::kText;
   }
-  return is_word(text.token(), "facet") ? StlKind::kText : StlKind::kUnknown;
+  if (is_word(text.token(), "facet")) return StlKind::kText;
+  return looks_cut(bytes) ? StlKind::kCutBinary : StlKind::kUnknown;
 }
 
 Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const Request& request) {
   const StlKind kind = kind_of_stl(bytes);
-  const bool binary =
-      kind == StlKind::kBinary || (kind == StlKind::kUnknown && has_nul(TextScanner(bytes).rest()));
+  const bool binary = kind == StlKind::kBinary || kind == StlKind::kCutBinary ||
+                      (kind == StlKind::kUnknown && has_nul(TextScanner(bytes).rest()));
   if (binary) return read_binary(bytes, request.options);
   TextReader reader(bytes, request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);
