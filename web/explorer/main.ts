@@ -15,6 +15,7 @@ import './styles/overlays.css';
 import './styles/narrow.css';
 import { init } from 'halfedge';
 import { Explorer } from './app/explorer.js';
+import { follow } from './app/share.js';
 import { Signal } from './app/signal.js';
 import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
@@ -25,6 +26,7 @@ import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
 import { listenToPointer } from './ui/pointer.js';
+import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { Theme } from './ui/theme.js';
 import { topBar } from './ui/top-bar.js';
@@ -53,8 +55,9 @@ async function start(): Promise<void> {
     },
     toProblem: () => view.focus(),
   });
+  const share = shareButton(explorer, view);
   app.append(
-    topBar(explorer, theme, openHelp),
+    topBar(explorer, theme, share.button, openHelp),
     pickBar(explorer, () => view.focus()),
     pictureSwitch(explorer),
     side,
@@ -62,6 +65,7 @@ async function start(): Promise<void> {
     refusalNotice(explorer),
     pendingNotice(explorer),
     busyNotice(explorer),
+    share.outcome,
     dropTarget(explorer),
     help,
   );
@@ -70,7 +74,20 @@ async function start(): Promise<void> {
   listenToPointer(explorer, view, canvas);
   publishState(explorer, view, stage);
   await init();
-  await explorer.openFirstSample();
+  if (location.hash.length > 1) await followLink(view);
+  if (!explorer.document.value) await explorer.openFirstSample();
+  window.addEventListener('hashchange', () => void followLink(view));
+}
+
+/** Goes where the address leads; what is wrong with it is told in a sentence. */
+async function followLink(view: View): Promise<void> {
+  try {
+    await follow(location.hash.slice(1), explorer, view);
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error);
+    if (!explorer.document.value) await explorer.openFirstSample();
+    explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
+  }
 }
 
 start().catch((error: unknown) => {

@@ -12,7 +12,10 @@ export default defineConfig({
     // The package as it is shipped: `npm run build` makes it.
     alias: [
       { find: /^halfedge$/, replacement: fromHere('../../dist/index.js') },
-      { find: /^halfedge\/(dialects|gltf|three)$/, replacement: fromHere('../../dist/$1/index.js') },
+      {
+        find: /^halfedge\/(dialects|gltf|three)$/,
+        replacement: fromHere('../../dist/$1/index.js'),
+      },
       { find: /^halfedge\/(worker)$/, replacement: fromHere('../../dist/$1.js') },
     ],
   },

@@ -18,6 +18,10 @@ export interface Settings {
   /** A telephone: touch, and two device pixels to the CSS pixel. */
   readonly phone?: boolean;
   readonly motion?: boolean;
+  /** What the address has after `#`. */
+  readonly link?: string;
+  /** The mesh that is shown first; the first sample if left out. */
+  readonly mesh?: string;
 }
 
 export type Point = readonly [x: number, y: number];
@@ -51,9 +55,10 @@ export class ExplorerPage {
       reducedMotion: motion ? 'no-preference' : 'reduce',
       ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
     });
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const explorer = new ExplorerPage(context, await context.newPage());
-    await explorer.page.goto(shared.address);
-    await explorer.ready('Bunny');
+    await explorer.page.goto(shared.address + (settings.link ? `#${settings.link}` : ''));
+    await explorer.ready(settings.mesh ?? 'Bunny');
     return explorer;
   }
 

@@ -37,6 +37,8 @@ export interface Pending {
 /** A step of history: what it is called, how it moved, and what was selected around it. */
 interface Step {
   readonly title: string;
+  /** What was done to what, by the names in the API: `insertEdge h3 h9`. */
+  readonly deed: string;
   readonly edit: Edit;
   readonly before: Item | null;
   readonly after: Item | null;
@@ -71,6 +73,8 @@ export class Editor {
   readonly #explorer: Explorer;
   #done: Step[] = [];
   #undone: Step[] = [];
+  /** Whether there were steps that are forgotten. */
+  #forgot = false;
   #keepsRefusal = false;
   #pickModeBefore: PickMode = 'auto';
 
@@ -85,6 +89,7 @@ export class Editor {
     mesh.history.enabled = true;
     this.#done = [];
     this.#undone = [];
+    this.#forgot = false;
     this.edit.value = null;
     this.#wait(null);
     this.refused.value = null;
@@ -163,6 +168,11 @@ export class Editor {
     }
   }
 
+  /** All that was done since the mesh was opened; null if not all of it is known any more. */
+  get deeds(): readonly string[] | null {
+    return this.#forgot ? null : this.#done.map(({ deed }) => deed);
+  }
+
   get #mesh(): HalfedgeMesh | undefined {
     return this.#explorer.document.value?.mesh;
   }
@@ -204,9 +214,13 @@ export class Editor {
     }
     const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
     const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
-    this.#done.push({ title, edit, before: first, after });
+    const deed = deedOf(operation, first, operands.second);
+    this.#done.push({ title, deed, edit, before: first, after });
     this.#undone = [];
-    while (this.#done.length > mesh.history.undoCount) this.#done.shift();
+    while (this.#done.length > mesh.history.undoCount) {
+      this.#done.shift();
+      this.#forgot = true;
+    }
     this.#finish(told('Done'), { ...edit }, after, report);
   }
 
@@ -273,6 +287,7 @@ export class Editor {
   #forget(): void {
     this.#done = [];
     this.#undone = [];
+    this.#forgot = true;
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
   }
@@ -291,6 +306,11 @@ function titleOf({ label, on }: Operation, first: Item | null, second: Item | nu
   const name = label.toLowerCase();
   if (on === 'mesh') return name;
   return [`${name} ${itemName(first)}`, ...(second ? [itemName(second)] : [])].join(', ');
+}
+
+function deedOf({ stem, on }: Operation, first: Item | null, second: Item | null): string {
+  const items = on === 'mesh' ? [] : [first, second].filter((item) => item !== null);
+  return [stem, ...items.map(itemName)].join(' ');
 }
 
 /** What the operation returned, if it is an item; else the first of `candidates` that is left. */

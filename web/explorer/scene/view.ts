@@ -145,6 +145,28 @@ export class View {
     return matrix.elements.map((x) => Number(x.toPrecision(8))).join(' ');
   }
 
+  /** Where the camera stands, and the middle of the picture, in the coordinates of the mesh. */
+  viewpoint(): number[] | null {
+    if (!this.#shown) return null;
+    const { camera, controls } = this.stage;
+    const toMesh = this.#shown.surface.placement.clone().invert();
+    return [camera.position, controls.target].flatMap((point) =>
+      point.clone().applyMatrix4(toMesh).toArray(),
+    );
+  }
+
+  /** Takes the camera to where `viewpoint` told. */
+  lookFrom(viewpoint: readonly number[]): void {
+    if (!this.#shown) return;
+    const [position, target] = [0, 3].map((at) =>
+      new Vector3()
+        .fromArray(viewpoint, at)
+        .applyMatrix4(this.#shown?.surface.placement as Matrix4),
+    );
+    const offset = position.sub(target);
+    if (offset.lengthSq() > 0) this.stage.look(target, offset.clone(), offset.length());
+  }
+
   #show(opened: MeshDocument | null): void {
     this.#morph.stop();
     this.#shown = this.travel.shown = null;

@@ -4,8 +4,13 @@ import { samples } from '../samples/index.js';
 import { fill, h, icon } from './dom.js';
 import type { Theme } from './theme.js';
 
-/** Brand, the menu of meshes, the button that opens a file, the theme and the list of keys. */
-export function topBar(explorer: Explorer, theme: Theme, openHelp: () => void): HTMLElement {
+/** Brand, the menu of meshes, the buttons for files and links, the theme and the list of keys. */
+export function topBar(
+  explorer: Explorer,
+  theme: Theme,
+  share: HTMLElement,
+  openHelp: () => void,
+): HTMLElement {
   const input = h('input', {
     type: 'file',
     accept: '.obj,.off,.ply,.stl',
@@ -55,15 +60,22 @@ export function topBar(explorer: Explorer, theme: Theme, openHelp: () => void): 
       menu,
       h(
         'button',
-        { type: 'button', class: 'button quiet', 'data-open': true, onclick: () => input.click() },
+        {
+          type: 'button',
+          class: 'button quiet',
+          'data-open': true,
+          'aria-label': 'Open file',
+          onclick: () => input.click(),
+        },
         icon('open'),
-        'Open file',
+        h('span', {}, 'Open file'),
       ),
       input,
     ),
     h(
       'div',
       { class: 'end' },
+      share,
       themeButton,
       h(
         'button',

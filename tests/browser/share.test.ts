@@ -1,0 +1,143 @@
+import { disconnect, ExplorerPage } from './support/explorer.js';
+
+afterAll(disconnect);
+
+/** Copies the link to the state of a page. */
+async function share({ page }: ExplorerPage): Promise<string> {
+  await page.click('[data-share]');
+  await page.waitForSelector('[data-toast]:has-text("Link copied")');
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toBe(await page.evaluate(() => location.href));
+  return new URL(copied).hash.slice(1);
+}
+
+const STATES = ['mesh', 'digest', 'selected', 'position', 'count', 'undo', 'picture'];
+
+async function stateOf(explorer: ExplorerPage) {
+  await explorer.rest();
+  await explorer.page.waitForSelector('main.stage[data-digest]');
+  const states = await Promise.all(STATES.map((name) => explorer.state(name)));
+  const listing = await explorer.page.$$eval('.listing li', (all) =>
+    all.map((li) => li.textContent),
+  );
+  const camera = (await explorer.state('camera'))?.split(' ').map((x) => Number(x).toFixed(2));
+  return { states, listing, camera, visited: await explorer.visited() };
+}
+
+/** Opens the link of a page in another one, and expects the same there. */
+async function expectSame(explorer: ExplorerPage): Promise<ExplorerPage> {
+  const expected = await stateOf(explorer);
+  const link = await share(explorer);
+  const mesh = (await explorer.state('mesh')) ?? '';
+  const other = await ExplorerPage.open({ link, mesh });
+  expect(await stateOf(other)).toEqual(expected);
+  return other;
+}
+
+async function closeAll(...explorers: ExplorerPage[]): Promise<void> {
+  for (const explorer of explorers) {
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  }
+}
+
+test('A link leads to the same mesh, selection, circulator, step, names and view', async () => {
+  const explorer = await ExplorerPage.open();
+  await explorer.sample('suzanne', 'Suzanne');
+  await explorer.goTo('h500');
+  await explorer.page.check('[name=around][value="1"]');
+  await explorer.page.check('[value=vertexFaces]');
+  await explorer.page.selectOption('[name=dialect]', 'cgal');
+  await explorer.press('c', '.', '.', 'ArrowLeft', 'ArrowUp', '+');
+  const other = await expectSame(explorer);
+  expect(await other.page.inputValue('[name=dialect]')).toBe('cgal');
+  await closeAll(explorer, other);
+});
+
+test('Edits of a sample are done again, and can be undone', async () => {
+  const explorer = await ExplorerPage.open();
+  await explorer.sample('cube', 'Cube');
+  await explorer.goTo('f2');
+  await explorer.press('Shift+E');
+  await explorer.until('undo', '1');
+  await explorer.goTo('e3');
+  await explorer.press('Shift+V');
+  await explorer.until('undo', '2');
+  const other = await expectSame(explorer);
+  expect(await other.page.evaluate(() => location.hash)).toContain('extrudeFace');
+  await other.press('Control+z', 'Control+z');
+  await other.until('undo', '0');
+  await closeAll(explorer, other);
+});
+
+test('A small mesh of a file is in the link itself', async () => {
+  const explorer = await ExplorerPage.open();
+  const text = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 1\nf 1 2 3 4\nf 2 5 3\n';
+  await explorer.drop('two faces.obj', text);
+  await explorer.ready('two faces.obj');
+  await explorer.goTo('f1');
+  const other = await expectSame(explorer);
+  expect(await other.state('mesh')).toBe('two faces.obj');
+  await closeAll(explorer, other);
+});
+
+test('A link that is pasted into the address of an open page is followed', async () => {
+  const explorer = await ExplorerPage.open();
+  await explorer.page.evaluate(() => {
+    location.hash = 'sample=torus&select=v7&query=vertexFaces&at=2';
+  });
+  await explorer.ready('Torus');
+  await explorer.until('selected', 'v7');
+  await explorer.until('position', '2');
+  await closeAll(explorer);
+});
+
+const BROKEN = [
+  ['sample=teapot', 'It names the sample “teapot”, which this page does not have.'],
+  ['select=v3', 'It names no mesh: it has neither “sample” nor “mesh”.'],
+  ['mesh=AAAA', 'The mesh in it is cut off or changed: copy the whole link again.'],
+  ['sample=bunny&camera=1,2,x,4,5,6', 'The camera in it is “1,2,x,4,5,6”; expected six numbers.'],
+  ['sample=bunny&select=q3', '“q3” in it is no item: expected such as v12, h31, e15 or f7.'],
+  ['sample=bunny&select=v3&query=faceFaces', 'v3 has no circulator “faceFaces”.'],
+  ['sample=bunny&edits=paint f3', 'It has the edit “paint f3”, which this page does not know.'],
+  ['sample=bunny&names=latin', 'It asks for the names of “latin”, which this page does not know.'],
+] as const;
+
+test('A broken link is told in a sentence and leaves a mesh to work with', async () => {
+  const told = () => explorer.page.textContent('.notice [data-message]');
+  const explorer = await ExplorerPage.open({ link: BROKEN[0][0] });
+  expect(await explorer.page.textContent('.notice h2')).toBe('The link could not be followed');
+  for (const [link, why] of BROKEN) {
+    await explorer.page.evaluate((hash) => {
+      location.hash = hash;
+    }, link);
+    await explorer.page.waitForSelector(`.notice:has-text("${why}")`);
+    expect(await told()).toBe(why);
+    expect(await explorer.state('mesh')).toBe('Bunny');
+  }
+  await closeAll(explorer);
+});
+
+test('An edit in a link that is refused tells why', async () => {
+  const link = 'sample=grid&edits=removeVertexOnEdge v24';
+  const explorer = await ExplorerPage.open({ link, mesh: 'Open grid' });
+  const told = await explorer.page.textContent('.notice [data-message]');
+  expect(told).toMatch(/^The edit “removeVertexOnEdge v24” in it could not be done\. .{20,}\.$/);
+  await closeAll(explorer);
+});
+
+test('A mesh that is too large for a link is told of', async () => {
+  const explorer = await ExplorerPage.open();
+  const lines: string[] = [];
+  for (let i = 0; i < 1200; i++) {
+    const [x, y, z] = [i % 40, Math.floor(i / 40), Math.sin(i)];
+    lines.push(`v ${x} ${y} ${z / 7}`, `v ${x + z / 3} ${y} 0`, `v ${x} ${y + z / 5} ${z}`);
+    lines.push(`f ${3 * i + 1} ${3 * i + 2} ${3 * i + 3}`);
+  }
+  await explorer.drop('much.obj', lines.join('\n'));
+  await explorer.ready('much.obj');
+  await explorer.page.click('[data-share]');
+  const told = await explorer.page.textContent('[data-toast] p');
+  expect(told).toMatch(/^much\.obj is too large for a link: it would be \d+ kB long, 32 kB/);
+  await closeAll(explorer);
+});

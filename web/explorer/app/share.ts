@@ -1,0 +1,177 @@
+import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
+import { type Direction, HalfedgeMesh } from 'halfedge';
+import { brokenSamples } from '../samples/broken.js';
+import { samples } from '../samples/index.js';
+import { type DialectId, dialects } from './dialects.js';
+import type { Explorer } from './explorer.js';
+import { type Item, itemName, parseItemName } from './items.js';
+import { operations } from './operations.js';
+
+/** Where the camera stands and what it looks at, in the coordinates of the mesh. */
+export type Viewpoint = readonly number[];
+
+/** What takes the camera to a viewpoint, and tells where it is. */
+export interface Sight {
+  viewpoint(): Viewpoint | null;
+  lookFrom(viewpoint: Viewpoint): void;
+}
+
+/** Longer links break in mails and messengers. */
+const MOST_LETTERS = 32_000;
+/** What is longer is not even tried to be read: it could unfold without end. */
+const MOST_LETTERS_READ = 200_000;
+
+/**
+ * The state of the page as the part of an address after `#`: sample or mesh, edits, selection,
+ * circulator, names and camera, each a word that can be read and changed by hand.
+ *
+ * @throws Error with a sentence where the mesh is too large for a link
+ */
+export function linkOf(explorer: Explorer, sight: Sight): string {
+  const opened = explorer.document.value;
+  if (!opened) throw new Error('There is no mesh yet.');
+  const link = new URLSearchParams();
+  const deeds = opened.sample === null ? null : explorer.editor.deeds;
+  if (opened.sample !== null && deeds) {
+    link.set('sample', opened.sample);
+    if (deeds.length > 0) link.set('edits', deeds.join(','));
+  } else {
+    link.set('name', opened.name);
+    link.set('mesh', packed(opened.mesh.toBytes()));
+  }
+  const { value: selected } = explorer.selected;
+  link.set('select', selected ? itemName(selected) : 'nothing');
+  const { value: choice } = explorer.choice;
+  const { value: play } = explorer.play;
+  if (choice && play) {
+    link.set('query', choice.circulator.name);
+    if (choice.group > 0) link.set('around', String(choice.group));
+    if (explorer.direction.value !== 'ccw') link.set('direction', explorer.direction.value);
+    if (play.position > 0) link.set('at', String(play.position));
+  }
+  if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
+  if (explorer.showsFile.value) link.set('picture', 'original');
+  const viewpoint = sight.viewpoint();
+  if (viewpoint) link.set('camera', viewpoint.map((x) => Number(x.toPrecision(5))).join(','));
+  // These read better as they are, and are allowed there.
+  const text = link.toString().replaceAll('%2C', ',').replaceAll('+', '%20');
+  if (text.length > MOST_LETTERS) {
+    throw new Error(
+      `${opened.name} is too large for a link: it would be ${kilobytes(text.length)} long, ${kilobytes(MOST_LETTERS)} are sure to arrive. Download the mesh and send the file.`,
+    );
+  }
+  return text;
+}
+
+/** Shows the state that a link tells of. Throws a sentence for a link that can't be followed. */
+export async function follow(text: string, explorer: Explorer, sight: Sight): Promise<void> {
+  if (text.length > MOST_LETTERS_READ) {
+    throw new Error(
+      `It is ${kilobytes(text.length)} long; the longest that is made is ${kilobytes(MOST_LETTERS)}.`,
+    );
+  }
+  const link = new URLSearchParams(text);
+  await openMeshOf(link, explorer);
+  repeatEdits(link.get('edits'), explorer);
+  const selected = link.get('select');
+  if (selected !== null) explorer.select(selected === 'nothing' ? null : itemOf(selected));
+  setQuery(link, explorer);
+  if (link.get('picture') === 'original') explorer.showFile(true);
+  const camera = link.get('camera');
+  if (camera !== null) sight.lookFrom(viewpointOf(camera));
+}
+
+async function openMeshOf(link: URLSearchParams, explorer: Explorer): Promise<void> {
+  const id = link.get('sample');
+  const mesh = link.get('mesh');
+  if (mesh !== null) {
+    explorer.openMesh(link.get('name') ?? 'Shared mesh', meshOf(mesh));
+    return;
+  }
+  if (id === null) throw new Error('It names no mesh: it has neither “sample” nor “mesh”.');
+  const sample = [...samples, ...brokenSamples].find((candidate) => candidate.id === id);
+  if (!sample) throw new Error(`It names the sample “${id}”, which this page does not have.`);
+  await explorer.open(sample);
+}
+
+function meshOf(text: string): HalfedgeMesh {
+  let bytes: Uint8Array;
+  try {
+    bytes = unpacked(text);
+  } catch {
+    throw new Error('The mesh in it is cut off or changed: copy the whole link again.');
+  }
+  return HalfedgeMesh.fromBytes(bytes);
+}
+
+/** Does the edits again, so that they can be undone. */
+function repeatEdits(text: string | null, explorer: Explorer): void {
+  const { editor } = explorer;
+  for (const deed of text ? text.split(',') : []) {
+    const [stem, first, second] = deed.split(' ');
+    const item = first === undefined ? null : itemOf(first);
+    const on = item?.kind ?? 'mesh';
+    const operation = operations.find((known) => known.stem === stem && known.on === on);
+    if (!operation) throw new Error(`It has the edit “${deed}”, which this page does not know.`);
+    const before = editor.past.value.undoCount;
+    if (item) explorer.select(item);
+    editor.run(operation);
+    if (second !== undefined) editor.complete(itemOf(second));
+    if (editor.past.value.undoCount === before) {
+      const why = editor.refused.value?.refusal.message ?? '';
+      throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
+    }
+  }
+}
+
+function setQuery(link: URLSearchParams, explorer: Explorer): void {
+  const names = link.get('names');
+  if (names !== null) {
+    if (!dialects.some(({ id }) => id === names)) {
+      throw new Error(`It asks for the names of “${names}”, which this page does not know.`);
+    }
+    explorer.setDialect(names as DialectId);
+  }
+  const direction = link.get('direction') ?? 'ccw';
+  if (direction !== 'ccw' && direction !== 'cw') {
+    throw new Error(`It has the direction “${direction}”; there are ccw and cw.`);
+  }
+  explorer.setDirection(direction satisfies Direction);
+  const query = link.get('query');
+  if (query === null || !explorer.selected.value) return;
+  const group = Number(link.get('around') ?? 0);
+  const offered = explorer.groups.value[group]?.circulators;
+  const circulator = offered?.find(({ name }) => name === query);
+  if (!circulator) {
+    throw new Error(`${itemName(explorer.selected.value)} has no circulator “${query}”.`);
+  }
+  explorer.choose({ group, circulator });
+  const at = Number(link.get('at') ?? 0);
+  if (Number.isInteger(at) && at > 0) explorer.seek(at);
+}
+
+function itemOf(name: string): Item {
+  const item = parseItemName(name);
+  if (!item) throw new Error(`“${name}” in it is no item: expected such as v12, h31, e15 or f7.`);
+  return item;
+}
+
+function viewpointOf(text: string): Viewpoint {
+  const numbers = text.split(',').map(Number);
+  if (numbers.length !== 6 || !numbers.every(Number.isFinite)) {
+    throw new Error(`The camera in it is “${text}”; expected six numbers.`);
+  }
+  return numbers;
+}
+
+const kilobytes = (letters: number) => `${Math.ceil(letters / 1000)} kB`;
+
+/** Compressed, in letters that an address can have. */
+function packed(bytes: Uint8Array): string {
+  const text = btoa(strFromU8(deflateSync(bytes, { level: 9 }), true));
+  return text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+}
+
+function unpacked(text: string): Uint8Array {
+  return inflateSync(strToU8(atob(text.replaceAll('-', '+').replaceAll('_', '/')), true));
+}

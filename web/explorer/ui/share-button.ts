@@ -1,0 +1,71 @@
+import type { Explorer } from '../app/explorer.js';
+import { linkOf, type Sight } from '../app/share.js';
+import { h, icon } from './dom.js';
+
+/** How long the outcome is shown. */
+const SHOWN_MS = 6000;
+
+/** A button that copies a link to the page as it is, and what came of it. */
+export function shareButton(explorer: Explorer, sight: Sight) {
+  const said = h('p');
+  const field = h('input', {
+    type: 'text',
+    readonly: true,
+    hidden: true,
+    'aria-label': 'Link to this state',
+    onfocus: () => field.select(),
+  });
+  const outcome = h(
+    'div',
+    { class: 'toast card', role: 'status', 'data-toast': true, hidden: true },
+    said,
+    field,
+  );
+  let hiding: ReturnType<typeof setTimeout> | undefined;
+  const tell = (text: string, link: string | null) => {
+    clearTimeout(hiding);
+    said.textContent = text;
+    field.hidden = link === null;
+    field.value = link ?? '';
+    outcome.hidden = false;
+    if (link === null) {
+      hiding = setTimeout(() => {
+        outcome.hidden = true;
+      }, SHOWN_MS);
+    }
+  };
+  const share = async () => {
+    let address: string;
+    try {
+      const url = new URL(location.href);
+      url.hash = linkOf(explorer, sight);
+      address = url.href;
+    } catch (error) {
+      tell(error instanceof Error ? error.message : String(error), null);
+      return;
+    }
+    history.replaceState(null, '', address);
+    try {
+      await navigator.clipboard.writeText(address);
+      tell('Link copied: it leads to this mesh, selection, circulator and view.', null);
+    } catch {
+      tell('The browser did not let the page copy. Here is the link:', address);
+    }
+  };
+  const button = h(
+    'button',
+    {
+      type: 'button',
+      class: 'button square card',
+      'data-share': true,
+      'aria-label': 'Copy a link to this state',
+      title: 'Copy a link to this state',
+      onclick: () => void share(),
+    },
+    icon('link'),
+  );
+  outcome.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') outcome.hidden = true;
+  });
+  return { button, outcome };
+}
