@@ -163,6 +163,47 @@ TEST(FillHoles, LeavesTheOutlineOfASheetAndALoneTriangle) {
   EXPECT_EQ(counts_of(single), (std::array<Index, 3>{3, 3, 2}));
 }
 
+// Of a loop of four the one diagonal folds by 165 degrees, the other by 151: in steps of 30 alike.
+TEST(FillHoles, FillsWhateverItCanWithinTheAngle) {
+  const Mesh open = mesh_of({{-1, -2, -3},
+                             {-4, -2, 1},
+                             {-3, 4, 4},
+                             {0, -1, 2},
+                             {-4, 4, 0},
+                             {1, 0, 4},
+                             {2, 2, 4},
+                             {4, 4, 3}},
+                            {{1, 0, 4}, {2, 1, 5}, {3, 2, 6}, {0, 3, 7}});
+  for (const double max_angle : {150.0, 152.0, 160.0, 164.0, 170.0}) {
+    SCOPED_TRACE(max_angle);
+    Mesh mesh = copy_of(open);
+    const mend::Report report = mended(mesh, fill_with({.max_edges = 4, .max_angle = max_angle}));
+    EXPECT_EQ(report.count(Code::kFilledHole), max_angle > 151 ? 1U : 0U) << report.summary;
+    if (report.count(Code::kFilledHole) == 0) continue;
+    EXPECT_LE(sharpest_at(mesh, report.faces), max_angle);
+  }
+}
+
+// Not valid at level 4, but what can be read from bytes.
+TEST(FillHoles, LeavesLoopsOfOneAndTwoEdges) {
+  for (const std::size_t edges : {1U, 2U}) {
+    Mesh mesh = loop_complex();
+    if (edges == 2) {
+      ASSERT_TRUE(decorator::split_edge(mesh, Halfedge(0)));
+    }
+    ASSERT_TRUE(decorator::make_hole(mesh, Halfedge(1)));
+    const std::array<Index, 3> before = counts_of(mesh);
+    const Result<mend::Report> report = mend::fill_holes(mesh);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report.value().summary, "1 hole left that can't be filled.");
+    EXPECT_EQ(report.value().problems[0].message,
+              "The boundary loop of halfedge 1, of " +
+                  std::string(edges == 1 ? "1 edge" : "2 edges") +
+                  ", can't be filled: a face has three corners at least.");
+    EXPECT_EQ(counts_of(mesh), before);
+  }
+}
+
 TEST(FillHoles, LeavesLargerHolesThanAskedFor) {
   Mesh mesh = shapes::mesh_of(shapes::cylinder(8, 1, shapes::Caps::kOpen)).value();
   const mend::Report report = mended(mesh, fill_with({.max_edges = 7}));
@@ -219,6 +260,10 @@ TEST(FillHoles, FillsWhatAPinchedVertexDivides) {
   Mesh mesh = shapes::mesh_of(shapes::torus(8, 6)).value();
   ASSERT_TRUE(operations::delete_face(mesh, Face(9)));
   ASSERT_TRUE(operations::delete_face(mesh, Face(16)));
+  std::size_t pinched = 0;
+  for (const Vertex v : mesh.vertices()) pinched += mesh.is_manifold(v) ? 0 : 1;
+  EXPECT_EQ(pinched, 1U);
+  EXPECT_EQ(count_loops(mesh), 2U);
   const mend::Report report = mended(mesh, fill);
   EXPECT_EQ(report.problems.size(), 0U);
   EXPECT_TRUE(is_closed(mesh));

@@ -64,6 +64,28 @@ TEST(MendScale, AFanInPieces) {
   });
 }
 
+// A polygon with a hole all around it, of which every other side has a triangle in between.
+TEST(MendScale, AHugePolygonAtTheBoundary) {
+  const auto polygon = [](Index n) {
+    std::vector<Point> points;
+    Lists faces(1);
+    for (Index i = 0; i < n; ++i) {
+      const double angle = 2 * std::numbers::pi * i / n;
+      points.push_back({float(std::cos(angle)), float(std::sin(angle)), 0});
+      faces[0].push_back(i);
+    }
+    for (Index i = 0; i < n; i += 2) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / n;
+      faces.push_back({i + 1, i, Index(points.size())});
+      points.push_back({float(2 * std::cos(angle)), float(2 * std::sin(angle)), 0});
+    }
+    return mesh_of(points, faces);
+  };
+  expect_no_quadratic_step(60'000, polygon, [](Mesh& mesh) {
+    expect_summary(mend::fill_holes(mesh), "1 hole left whose filling would fold over.");
+  });
+}
+
 // A slit that several others lie along: each edge waits for the one beside it.
 TEST(MendScale, BoxesAlongALongRowOfEdges) {
   const auto boxes = [](Index n) {

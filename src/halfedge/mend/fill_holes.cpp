@@ -20,14 +20,14 @@ Failure no_memory() { return decorator::internal::no_memory("the triangles of a 
 Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
   return refusal("",
                  "the boundary loop of halfedge " + number(h.index()) + ", of " +
-                     std::to_string(edges) + " edges, " + why,
+                     std::to_string(edges) + (edges == 1 ? " edge, " : " edges, ") + why,
                  {.halfedges = {h.index()}});
 }
 
 class Filler {
  public:
   Filler(Surface& surface, const FillOptions& options, Report& report)
-      : surface_(surface), options_(options), report_(report) {}
+      : surface_(surface), options_(options), report_(report), plan_(surface, options.max_angle) {}
 
   [[nodiscard]] Result<void> fill(Halfedge first) {
     std::size_t edges = 0;
@@ -48,6 +48,12 @@ class Filler {
       });
       return {};
     }
+    if (edges < 3) {
+      report_.leave(Code::kUnfillableHole, [&] {
+        return left_open(first, edges, "can't be filled: a face has three corners at least");
+      });
+      return {};
+    }
     if (!is_finite) {
       report_.leave(Code::kUnfillableHole, [&] {
         return left_open(first, edges, "has a position that is no finite number");
@@ -59,7 +65,7 @@ class Filler {
 
  private:
   [[nodiscard]] Result<void> fill(Halfedge first, std::size_t edges) {
-    const HolePlan::Outcome outcome = plan_.run(surface_, first);
+    const HolePlan::Outcome outcome = plan_.run(first);
     if (outcome == HolePlan::Outcome::kOutOfMemory) return no_memory();
     if (outcome == HolePlan::Outcome::kBlocked) {
       report_.leave(Code::kUnfillableHole, [&] {

@@ -3,20 +3,24 @@
 #include <halfedge/algorithms/triangulate_polygon.h>
 #include <halfedge/mend/measure.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
 namespace halfedge::mend {
 
-/// Which triangles fill boundary loops, one after another: it keeps its memory in between.
+/// Which triangles fill the boundary loops of a surface, one after another: it keeps its memory,
+/// and what it knows of the faces around, in between.
 ///
 /// Up to kExact corners the largest angle between the normals of neighbouring triangles, those of
-/// the mesh around included, is the smallest there is, in steps of 30 degrees; among those of one
-/// step, diagonals are short and edges flat (dynamic programming over the pairs of corners, as
-/// Barequet and Sharir 1995, with the weights of Liepa 2003). Of more corners, the best ear by the
-/// same measure is cut off until so many are left; and of those near a plane, the triangulation of
-/// the polygon is tried too, and the flatter of the two taken.
+/// the mesh around included, is a small one, in steps of 30 degrees and one at the angle that is
+/// allowed; among those of one step, diagonals are short and edges flat. This is dynamic
+/// programming over the pairs of corners (Barequet and Sharir 1995, with the weights of Liepa
+/// 2003), which keeps one triangle for each diagonal: the best on its own side, not always the one
+/// that suits the other side best. Of more corners, the best ear by the same measure is cut off
+/// until so many are left; and of those near a plane, the triangulation of the polygon is tried
+/// too, and the flatter of the two taken.
 ///
 /// No diagonal joins two vertices that are joined already, or twice.
 class HolePlan {
@@ -26,10 +30,14 @@ class HolePlan {
 
   enum class Outcome : std::uint8_t { kDone, kBlocked, kOutOfMemory };
 
+  /// Plans so that no fold is sharper than `max_angle`, in degrees, where it can be helped.
+  HolePlan(const Surface& surface, double max_angle);
+
   /// Plans the loop of `first`.
-  /// pre: finite positions. cost: O(n^3) of n <= kExact corners, else O(n log n + kExact^3) and,
+  /// pre: finite positions, three edges at least; faces beside it are as they were for the loops
+  /// before. cost: O(n^3) of n <= kExact corners, else O(n log n + kExact^3) and,
   /// up to kPlanar, that of PolygonTriangulator
-  [[nodiscard]] Outcome run(const Surface& surface, Halfedge first);
+  [[nodiscard]] Outcome run(Halfedge first);
 
   /// The corners in the order in which they are cut off, of which corner 0 is where `first` leads.
   [[nodiscard]] std::span<const Index> ears() const { return ears_.span(); }
@@ -58,10 +66,12 @@ class HolePlan {
 
   [[nodiscard]] static bool is_less(const Cost& a, const Cost& b);
   [[nodiscard]] static double cosine(const Vector& a, const Vector& b);
+  [[nodiscard]] int steps_to(double cosine) const;
   void add_edge(Cost& cost, const Vector& a, const Vector& b, double edge_length) const;
 
-  [[nodiscard]] bool read_loop(const Surface& surface, Halfedge first);
-  [[nodiscard]] bool list_forbidden(const Surface& surface);
+  [[nodiscard]] bool find_normal(Halfedge h, Vector& normal);
+  [[nodiscard]] bool read_loop(Halfedge first);
+  [[nodiscard]] bool list_forbidden();
   [[nodiscard]] bool is_forbidden(Index a, Index b) const;
   [[nodiscard]] Vector normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
                                  const Vector& beyond_bc, Cost& cost) const;
@@ -82,7 +92,11 @@ class HolePlan {
   [[nodiscard]] double worst_of(std::span<const Index> ears);
   [[nodiscard]] Outcome forbid_repeated(bool& is_repeated);
 
+  const Surface& surface_;
+  std::array<double, 6> steps_{};  // cosines, from the smallest angle on
   PolygonTriangulator triangulator_;
+  Array<Index> known_;  // by face: where its normal is
+  Array<Vector> normals_;
   Array<Vertex> vertices_;
   Array<Vector> points_;
   Array<Vector> beyond_;  // by corner: the normal beyond the side from it to the next

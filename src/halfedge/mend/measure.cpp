@@ -31,6 +31,12 @@ void add_triangle(const Vector& a, const Vector& b, const Vector& c, Extent& ext
 
 double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
+Vector unit_vector(const Vector& a, double least) {
+  const double size = length(a);
+  if (!(size > least)) return {};
+  return {a[0] / size, a[1] / size, a[2] / size};
+}
+
 bool measure(const Surface& surface, const Components& components, Array<Extent>& extents) {
   Array<Sums> all;
   if (!extents.resize(components.list.size(), Extent{}) || !all.resize(extents.size(), Sums{})) {

@@ -23,6 +23,8 @@ using Vector = std::array<double, 3>;
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 [[nodiscard]] double length(const Vector& a);
+/// Of length 1, or 0 if `a` is no longer than `least`.
+[[nodiscard]] Vector unit_vector(const Vector& a, double least);
 [[nodiscard]] inline Vector point_of(const Surface& surface, Vertex v) {
   const Point p = surface.position(v);
   return {double{p.x}, double{p.y}, double{p.z}};

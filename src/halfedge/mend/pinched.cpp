@@ -1,5 +1,6 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/operations/fans.h>
 
 namespace halfedge::mend {
 
@@ -16,8 +17,7 @@ bool list_fans(const Surface& surface, Vertex v, Array<Fan>& fans) {
   const Halfedge anchor = surface.halfedge(v);
   Halfedge first = anchor;
   do {
-    Halfedge end = Surface::opposite(first);
-    while (!surface.is_boundary(end)) end = Surface::opposite(surface.next(end));
+    const Halfedge end = operations::internal::end_of_fan(surface, first);
     if (!fans.push_back({first, end})) return false;
     first = surface.next(end);
   } while (first != anchor);

@@ -31,8 +31,9 @@ struct StitchOptions {
 /// (CGAL: stitch_borders)
 ///
 /// Of more than two edges that lie together those are glued that close a gap at a vertex, and the
-/// two that are left of four; others are left (ambiguous-edge). So is what runs the same way (opposite-orientation), and what
-/// no valid mesh allows, such as a second edge between two vertices (unstitchable-edge).
+/// two that are left of four; others are left (ambiguous-edge). So is what runs the same way
+/// (opposite-orientation), and what no valid mesh allows, such as a second edge between two
+/// vertices (unstitchable-edge).
 ///
 /// report: edges: those that were glued and stay
 /// cost: O(n log n) of n boundary edges, and the valences of the vertices that go
@@ -111,11 +112,11 @@ struct FillOptions {
   double max_angle = 160;
 };
 
-/// Fills boundary loops with triangles, without new vertices, so that they fold as little as can be
-/// against each other and the faces around: HolePlan tells how. (CGAL: triangulate_hole)
+/// Fills boundary loops with triangles, without new vertices, so that they fold little against
+/// each other and the faces around: HolePlan tells how. (CGAL: triangulate_hole)
 ///
 /// Left is what has too many edges (large-hole), what would fold over (folding-hole), and what
-/// would join vertices that are joined already (unfillable-hole).
+/// would join vertices that are joined already, or has fewer than three edges (unfillable-hole).
 ///
 /// attributes: new faces and edges have the defaults; corners what the boundary halfedges had
 /// report: faces: the new ones

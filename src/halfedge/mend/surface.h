@@ -48,6 +48,7 @@ class Surface {
     return Halfedge(links_.face_halfedge[f.index()]);
   }
   [[nodiscard]] Halfedge rotate_cw(Halfedge h) const { return next(opposite(h)); }
+  [[nodiscard]] Halfedge next_on_vertex(Halfedge h) const { return opposite(next(h)); }
   /// pre: live
   [[nodiscard]] bool is_boundary(Halfedge h) const { return !face(h).valid(); }
   [[nodiscard]] bool is_boundary(Vertex v) const {
