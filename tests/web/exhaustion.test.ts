@@ -20,6 +20,32 @@ function expectOutOfMemory(call: () => unknown): void {
   });
 }
 
+/** One face of a large soup. */
+const FEW = new Uint32Array([0, 1, 2]);
+
+/** Runs `use` while JavaScript makes no typed array of more than 100 links that isn't a view. */
+function withoutRoomForCopies(use: () => void): void {
+  const scope = globalThis as unknown as Record<string, unknown>;
+  const kinds = { Uint32Array, Int32Array };
+  for (const [name, Kind] of Object.entries(kinds)) {
+    scope[name] = new Proxy(Kind, {
+      construct(target, given, newTarget) {
+        const [source] = given as [unknown];
+        const length = ArrayBuffer.isView(source) ? (source as Uint8Array).length : source;
+        if (typeof length === 'number' && length > 100) {
+          throw new RangeError('Array buffer allocation failed');
+        }
+        return Reflect.construct(target, given, newTarget);
+      },
+    });
+  }
+  try {
+    use();
+  } finally {
+    Object.assign(scope, kinds);
+  }
+}
+
 /** The module still works, and has lost nothing. */
 function expectSound(bytesBefore: number): void {
   expect(bytesInUse()).toBe(bytesBefore);
@@ -99,6 +125,28 @@ describe('A mesh too large for memory', () => {
       });
     }
     expect(refused).toBeGreaterThan(8);
+    whole.dispose();
+    expectSound(before);
+  });
+
+  test('because JavaScript has no room for a report is an error, and frees the mesh', () => {
+    const before = bytesInUse();
+    const grid = quadGrid(20, 20);
+    const text = `OFF\n${grid.positions.length / 3} ${grid.faces.length} 0\n${[
+      ...Array.from({ length: grid.positions.length / 3 }, (_, v) =>
+        grid.positions.slice(3 * v, 3 * v + 3).join(' '),
+      ),
+      ...grid.faces.map((face) => `4 ${face.join(' ')}`),
+    ].join('\n')}\n`;
+    const whole = HalfedgeMesh.fromPolygons(grid.positions, grid.faces);
+    withoutRoomForCopies(() => {
+      expectOutOfMemory(() => HalfedgeMesh.parse(text));
+      expectOutOfMemory(() => HalfedgeMesh.parse(text, { repair: false }));
+      expectOutOfMemory(() => HalfedgeMesh.fromSoup(Float32Array.from(grid.positions), FEW));
+      expectOutOfMemory(() => whole.allVertexVertices());
+      expectOutOfMemory(() => whole.components());
+      expectOutOfMemory(() => whole.compact());
+    });
     whole.dispose();
     expectSound(before);
   });

@@ -4,6 +4,8 @@ import { bytesInUse } from './support/core.js';
 
 beforeAll(() => init());
 
+const threadScript = new URL('../../dist/worker-thread.js', import.meta.url).href;
+
 const SQUARE = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
 /** The second face runs along the common edge in the same direction as the first. */
 const CLASHING = SQUARE.replace('3 0 2 3', '3 0 3 2');
@@ -88,6 +90,55 @@ describe('parseInWorker', () => {
     expect(bytes.buffer.byteLength).toBe(0);
   });
 
+  test('takes nothing, and starts nothing, where it refuses', async () => {
+    let started = 0;
+    const worker = () => {
+      started += 1;
+      throw new Error('Not allowed.');
+    };
+    const reason = new Error('Too late.');
+    const bytes = new Uint8Array(Buffer.from(SQUARE)).slice();
+    for (const [options, sentence] of [
+      [{ signal: AbortSignal.abort(reason) }, 'Too late.'],
+      [{ repair: 'yes' }, 'options.repair is "yes"'],
+      [{ format: 'doc' }, 'options.format is "doc"'],
+      [{ onProgress: 7 }, 'options.onProgress is 7'],
+      [{ storePrev: 7 }, 'options.storePrev is 7'],
+    ] as const) {
+      const all = { ...options, worker, transfer: true } as object;
+      expect((await rejection(parseInWorker(bytes, all))).message).toContain(sentence);
+      expect(bytes.length).toBe(SQUARE.length);
+    }
+    expect((await rejection(parseInWorker(7 as never, { worker }))).message).toContain('source is');
+    expect(started).toBe(0);
+  });
+
+  test('copies shared memory, also where it is to be handed over', async () => {
+    const bytes = new Uint8Array(new SharedArrayBuffer(SQUARE.length));
+    bytes.set(Buffer.from(SQUARE));
+    const { mesh } = await parseInWorker(bytes, { transfer: true });
+    expect(mesh.faceCount).toBe(2);
+    expect(bytes.length).toBe(SQUARE.length);
+    mesh.dispose();
+  });
+
+  test('throws what a Blob can not be read for, with its name and its cause', async () => {
+    const worker = () => {
+      const { Worker } = process.getBuiltinModule('node:worker_threads');
+      const script = `
+        Blob.prototype.arrayBuffer = async () => {
+          const cause = new RangeError('Bad sector.');
+          throw Object.assign(new Error('Unreadable.', { cause }), { name: 'NotReadableError' });
+        };
+        import(${JSON.stringify(threadScript)});`;
+      return new Worker(script, { eval: true });
+    };
+    const error = await rejection(parseInWorker(new Blob([SQUARE]), { worker }));
+    expect(error).toMatchObject({ name: 'NotReadableError', message: 'Unreadable.' });
+    expect(error.cause).toBeInstanceOf(RangeError);
+    expect(error.cause).toMatchObject({ message: 'Bad sector.' });
+  });
+
   test('is cancelled by a signal, before and while it works', async () => {
     const reason = new Error('The user went away.');
     expect(await rejection(parseInWorker(SQUARE, { signal: AbortSignal.abort(reason) }))).toBe(
@@ -142,6 +193,37 @@ describe('A mesh worker', () => {
     expect([positions.length, corners.length]).toEqual([0, 0]);
   });
 
+  test('takes two views of one buffer over together', async () => {
+    const buffer = new ArrayBuffer(4 * (12 + 6));
+    const positions = new Float32Array(buffer, 0, 12);
+    const corners = new Uint32Array(buffer, 48, 6);
+    positions.set([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
+    corners.set([0, 1, 2, 0, 2, 3]);
+    const { mesh } = await worker.fromSoup(positions, corners, { transfer: true });
+    expect([mesh.vertexCount, mesh.faceCount]).toEqual([4, 2]);
+    expect([...mesh.positions.subarray(3, 6)]).toEqual([1, 0, 0]);
+    expect(buffer.byteLength).toBe(0);
+    mesh.dispose();
+  });
+
+  test('takes nothing where it refuses a soup, or is terminated', async () => {
+    const positions = new Float32Array(12);
+    const faces = new Uint32Array(6);
+    const soup = (given: unknown, options: object = {}) =>
+      rejection(worker.fromSoup(positions, given as Uint32Array, { transfer: true, ...options }));
+    expect((await soup(7)).message).toContain('faces is 7');
+    expect((await soup(new Uint32Array(5))).message).toContain('faces has 5 numbers');
+    expect((await soup({ sizes: [], corners: faces })).message).toContain('faces.sizes is empty');
+    expect((await soup(faces, { weld: -1 })).message).toContain('options.weld is -1');
+    const reason = new Error('Too late.');
+    expect(await soup(faces, { signal: AbortSignal.abort(reason) })).toBe(reason);
+    worker.terminate();
+    expect(await soup(faces)).toMatchObject({ code: 'worker-terminated' });
+    const bytes = new Uint8Array(Buffer.from(SQUARE)).slice();
+    await rejection(worker.parse(bytes, { transfer: true }));
+    expect([positions.length, faces.length, bytes.length]).toEqual([12, 6, SQUARE.length]);
+  });
+
   test('takes what it is given at that moment', async () => {
     const bytes = new Uint8Array(Buffer.from(SQUARE));
     const before = worker.parse(HalfedgeMesh.icoSphere(5).write('obj'));
@@ -180,6 +262,59 @@ describe('A mesh worker', () => {
     }
     expect(bytesInUse()).toBe(before);
   });
+});
+
+test('A thread frees the mesh whose bytes it has no room for', async () => {
+  const worker = createMeshWorker({
+    worker: () => {
+      const { Worker } = process.getBuiltinModule('node:worker_threads');
+      const script = `
+        import(${JSON.stringify(threadScript.replace('worker-thread', 'mesh'))})
+          .then(({ HalfedgeMesh: { prototype } }) => {
+            const { dispose } = prototype;
+            let disposed = 0;
+            prototype.dispose = function () {
+              disposed += 1;
+              dispose.call(this);
+            };
+            prototype.toBytes = () => {
+              throw new Error(disposed + ' were disposed of before.');
+            };
+          })
+          .then(() => import(${JSON.stringify(threadScript)}));`;
+      return new Worker(script, { eval: true });
+    },
+  });
+  const messages = [];
+  for (let i = 0; i < 2; i++) messages.push((await rejection(worker.parse(SQUARE))).message);
+  worker.terminate();
+  expect(messages).toEqual(['0 were disposed of before.', '1 were disposed of before.']);
+});
+
+test('The address of a script that starts another is given back once that runs', () => {
+  const scope = globalThis as { Worker?: unknown };
+  const listeners: Record<string, ((event: object) => void)[]> = {};
+  scope.Worker = class {
+    constructor(address: URL | string) {
+      if (!String(address).startsWith('blob:')) throw new Error('Another site.');
+    }
+    addEventListener(type: string, listener: (event: object) => void) {
+      listeners[type] = [...(listeners[type] ?? []), listener];
+    }
+    postMessage() {}
+    terminate() {}
+  };
+  const revoke = import.meta.jest.spyOn(URL, 'revokeObjectURL');
+  try {
+    const worker = createMeshWorker();
+    expect(revoke).not.toHaveBeenCalled();
+    for (const listener of listeners.error ?? []) listener({});
+    expect(revoke).toHaveBeenCalledWith(expect.stringMatching(/^blob:/));
+    worker.terminate();
+  } finally {
+    delete scope.Worker;
+    revoke.mockRestore();
+  }
 });
 
 describe('A worker that can not be started', () => {

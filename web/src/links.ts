@@ -260,6 +260,16 @@ export class Links {
     return NONE;
   }
 
+  /** What `use` makes with it. Frees the memory of the mesh if that throws. */
+  orDispose<T>(use: (links: this) => T): T {
+    try {
+      return use(this);
+    } catch (error) {
+      this.dispose();
+      throw error;
+    }
+  }
+
   /** Frees the memory of the mesh; every later use but this throws. */
   dispose(): void {
     if (this.disposed) return;

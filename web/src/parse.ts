@@ -64,14 +64,15 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   });
   follower.check(raw);
   const done = unwrap(raw);
-  const links = new Links(wasm, done.mesh);
-  const found = repair
-    ? repairReport(wasm, done as RawRepair)
-    : untouched(links.vertexCount, links.faceCount);
-  const notes = done.notes.map(sentence);
-  const format = FORMATS[done.format];
-  const report = fileReport(format.toUpperCase(), links, found, notes);
-  return { links, report: { ...report, format, names: done.names } };
+  return new Links(wasm, done.mesh).orDispose((links) => {
+    const found = repair
+      ? repairReport(wasm, done as RawRepair)
+      : untouched(links.vertexCount, links.faceCount);
+    const notes = done.notes.map(sentence);
+    const format = FORMATS[done.format];
+    const report = fileReport(format.toUpperCase(), links, found, notes);
+    return { links, report: { ...report, format, names: done.names } };
+  });
 }
 
 /** What a file holds before a mesh is made of it: its faces as they stand there, good or bad. */
@@ -107,7 +108,7 @@ export function parseSoup(data: unknown, options: unknown): FileSoup {
   };
 }
 
-function checkParseOptions(options: ParseOptions) {
+export function checkParseOptions(options: ParseOptions) {
   const { format, repair = true, attributes = true } = options;
   checkFlag('options.repair', repair);
   checkFlag('options.attributes', attributes);

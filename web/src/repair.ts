@@ -87,13 +87,7 @@ export function soupLinks(
 ): { links: Links; report: RepairReport } {
   const withPrev = storesPrev(options);
   const { weld, dropIsolated } = soupOptions(options);
-  const points = numbers('positions', positions);
-  if (lengthOf(points) % 3 !== 0) {
-    throw new RangeError(
-      `positions has ${lengthOf(points)} elements; expected a multiple of 3, x, y and z of each vertex.`,
-    );
-  }
-  const { sizes, corners } = faceArrays(faces);
+  const { points, sizes, corners } = soupArrays(positions, faces);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const at = inputs.floats('positions', points);
@@ -112,8 +106,27 @@ export function soupLinks(
     );
   });
   const done = unwrap(raw);
-  const links = new Links(wasm, done.mesh);
-  return { links, report: repairReport(wasm, done) };
+  return new Links(wasm, done.mesh).orDispose((links) => {
+    return { links, report: repairReport(wasm, done) };
+  });
+}
+
+/** A soup as typed arrays: those that were given, if they are such. Without sizes, all are triangles. */
+export interface SoupArrays {
+  readonly points: NumberArray;
+  readonly sizes?: NumberArray;
+  readonly corners: NumberArray;
+}
+
+/** Checks a soup as far as that doesn't take the core. */
+export function soupArrays(positions: unknown, faces: unknown): SoupArrays {
+  const points = numbers('positions', positions);
+  if (lengthOf(points) % 3 !== 0) {
+    throw new RangeError(
+      `positions has ${lengthOf(points)} elements; expected a multiple of 3, x, y and z of each vertex.`,
+    );
+  }
+  return { points, ...faceArrays(faces) };
 }
 
 /** The report of the core, whose arrays are freed. */

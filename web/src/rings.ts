@@ -1,4 +1,4 @@
-import { checkNotNegative, describe, indices } from './arguments.js';
+import { checkNotNegative, describe, indices, newArray } from './arguments.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
 import type { Direction } from './items.js';
 import type { Links } from './links.js';
@@ -72,9 +72,11 @@ export function take<Blocks extends RawWords[]>(
   ...blocks: Blocks
 ): { [I in keyof Blocks]: Uint32Array } {
   try {
-    return blocks.map(
-      ({ address, count }) => new Uint32Array(new Uint32Array(core.memory.buffer, address, count)),
-    ) as { [I in keyof Blocks]: Uint32Array };
+    return blocks.map(({ address, count }) => {
+      const copy = newArray('the result', Uint32Array, count);
+      copy.set(new Uint32Array(core.memory.buffer, address, count));
+      return copy;
+    }) as { [I in keyof Blocks]: Uint32Array };
   } finally {
     for (const { address } of blocks) core.free(address);
   }

@@ -81,7 +81,12 @@ function newWorker(): WorkerLike {
     if (!here.endsWith('/thread.js')) throw error;
     const start = `import ${JSON.stringify(new URL('./worker-thread.js', here).href)};`;
     const address = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
-    return new Worker(address, { type: 'module' });
+    const worker = new Worker(address, { type: 'module' });
+    // As soon as it is heard of: not all browsers have read the script before that.
+    const revoke = () => URL.revokeObjectURL(address);
+    for (const event of ['message', 'error'])
+      worker.addEventListener(event, revoke, { once: true });
+    return worker;
   }
 }
 

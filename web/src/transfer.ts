@@ -1,4 +1,4 @@
-import { bytesOf, describe } from './arguments.js';
+import { bytesOf, describe, newArray } from './arguments.js';
 import type { RawWords } from './core.mjs';
 import { modeOf } from './edit.js';
 import { Links } from './links.js';
@@ -34,7 +34,7 @@ export function takeMaps(
   const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces).map(
     (map) => new Int32Array(map.buffer),
   ) as [Int32Array, Int32Array, Int32Array];
-  const halfedges = new Int32Array(2 * edges.length);
+  const halfedges = newArray('the map of halfedges', Int32Array, 2 * edges.length);
   for (let h = 0; h < halfedges.length; h++) {
     const e = edges[h >> 1];
     halfedges[h] = e < 0 ? -1 : 2 * e + (h & 1);

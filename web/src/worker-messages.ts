@@ -40,24 +40,32 @@ export interface SentError {
   readonly code?: string;
   readonly witness?: Witness;
   readonly problems?: readonly Problem[];
+  readonly cause?: SentError;
 }
 
-export function toSent(error: unknown): SentError {
-  if (error instanceof HalfedgeError) {
-    const { name, message, code, witness, problems } = error;
-    return { name, message, code, witness, problems };
-  }
-  const { name, message } = error instanceof Error ? error : new Error(String(error));
-  return { name, message };
+/** What is sent of an error, and of its causes: four at most, as they may go in a circle. */
+export function toSent(error: unknown, causes = 4): SentError {
+  const given = error instanceof Error ? error : new Error(String(error));
+  const { name, message } = given;
+  const why =
+    given.cause === undefined || causes === 0 ? {} : { cause: toSent(given.cause, causes - 1) };
+  if (!(given instanceof HalfedgeError)) return { name, message, ...why };
+  const { code, witness, problems } = given;
+  return { name, message, code, witness, problems, ...why };
 }
 
-/** The error of the class that it was of. */
-export function fromSent({ name, message, code, witness, problems }: SentError): Error {
+/** An error of the same class, if that is one of ours or of the language; of the same name in any case. */
+export function fromSent(sent: SentError): Error {
+  const { name, message, code, witness, problems } = sent;
+  const why = sent.cause === undefined ? {} : { cause: fromSent(sent.cause) };
   if (code !== undefined && witness !== undefined && problems !== undefined) {
-    return new HalfedgeError(code, message, { witness, problems });
+    return new HalfedgeError(code, message, { witness, problems, ...why });
   }
-  if (name === 'RangeError') return new RangeError(message);
-  return name === 'TypeError' ? new TypeError(message) : new Error(message);
+  if (name === 'RangeError') return new RangeError(message, why);
+  if (name === 'TypeError') return new TypeError(message, why);
+  const error = new Error(message, why);
+  if (name !== 'Error') Object.defineProperty(error, 'name', { value: name, configurable: true });
+  return error;
 }
 
 /** Whether it is a Blob or a File, of whatever realm. */

@@ -56,8 +56,12 @@ async function answer(job: Job): Promise<void> {
   try {
     await started;
     const { mesh, report } = await meshOf(job);
-    const bytes = mesh.toBytes();
-    mesh.dispose();
+    let bytes: Uint8Array;
+    try {
+      bytes = mesh.toBytes();
+    } finally {
+      mesh.dispose();
+    }
     const { vertexMap, vertexOrigin, faceMap } = report;
     const transfer = [bytes, vertexMap, vertexOrigin, faceMap].map(({ buffer }) => buffer);
     port.post({ kind: 'done', bytes, report }, transfer);

@@ -1,11 +1,13 @@
-import { bytesOf, checkOptions, describe, typedArrayName } from './arguments.js';
-import type { Polygons } from './build.js';
+import { bytesOf, checkOptions } from './arguments.js';
+import { type Polygons, storesPrev } from './build.js';
+import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
-import type { ParseOptions, ParseReport } from './parse.js';
+import { owned, transferable } from './ownership.js';
+import { checkParseOptions, type ParseOptions, type ParseReport } from './parse.js';
 import { cancelled, checkSignal, type ProgressOptions } from './progress.js';
-import type { RepairReport, SoupOptions } from './repair.js';
+import { type RepairReport, type SoupOptions, soupArrays, soupOptions } from './repair.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
 import { fromSent, isBlob, type Job, type Reply } from './worker-messages.js';
@@ -72,12 +74,11 @@ export class MeshWorker {
     source: string | ArrayBuffer | ArrayBufferView | Blob,
     options: ParseOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
-    const { signal, transfer = false, onProgress, ...rest } = checkJobOptions(options);
-    if (onProgress !== undefined && typeof onProgress !== 'function') {
-      throw new TypeError(`options.onProgress is ${describe(onProgress)}; expected a function.`);
-    }
+    this.#checkOpen();
+    const content = checkParse(source, options);
+    const { signal, transfer = false, onProgress, ...rest } = options;
     const tells = onProgress !== undefined;
-    const data = contentOf(source, transfer);
+    const [data] = owned([content], transfer);
     const job: Job = { kind: 'parse', data, options: rest, tells };
     const { bytes, report } = await this.#run(job, { signal, onProgress }, [data]);
     return { mesh: meshOf(bytes), report: report as ParseReport };
@@ -89,23 +90,21 @@ export class MeshWorker {
     faces: ArrayLike<number> | ArrayLike<ArrayLike<number>> | Polygons,
     options: SoupOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: RepairReport }> {
-    const { signal, transfer = false, ...rest } = checkJobOptions(options);
+    this.#checkOpen();
+    checkJobOptions(options);
+    storesPrev(options);
+    soupOptions(options);
+    const arrays = soupArrays(positions, faces);
+    const { signal, transfer = false, ...rest } = options;
+    const data = owned([arrays.points, arrays.sizes, arrays.corners], transfer);
+    const [points, sizes, corners] = data;
     const job: Job = {
       kind: 'soup',
-      positions: owned(positions, transfer),
-      faces:
-        Object(faces) === faces && 'corners' in faces
-          ? { sizes: owned(faces.sizes, transfer), corners: owned(faces.corners, transfer) }
-          : owned(faces, transfer),
+      positions: points,
+      faces: sizes === undefined ? corners : { sizes, corners },
       options: rest,
     };
-    const lists = job.faces as Partial<Polygons>;
-    const { bytes, report } = await this.#run(job, { signal }, [
-      job.positions,
-      job.faces,
-      lists?.sizes,
-      lists?.corners,
-    ]);
+    const { bytes, report } = await this.#run(job, { signal }, data);
     return { mesh: meshOf(bytes), report };
   }
 
@@ -119,16 +118,18 @@ export class MeshWorker {
     this.#stop();
   }
 
+  /** Before anything is taken from a caller. */
+  #checkOpen(): void {
+    if (!this.#terminated) return;
+    throw new HalfedgeError('worker-terminated', 'The worker is terminated: make another one.');
+  }
+
   /** Runs a job when all before it are done. `data`: what may be worth transferring. */
   #run(
     job: Job,
     { signal, onProgress }: Following,
     data: unknown[],
   ): Promise<Reply & { kind: 'done' }> {
-    if (this.#terminated) {
-      throw new HalfedgeError('worker-terminated', 'The worker is terminated: make another one.');
-    }
-    signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
       const transfer = [
         ...new Set(data.map(transferable).filter((buffer) => buffer !== undefined)),
@@ -251,17 +252,14 @@ export class MeshWorker {
  */
 export function createMeshWorker(options: MeshWorkerOptions = {}): MeshWorker {
   const { worker } = checkOptions(options) as MeshWorkerOptions;
-  if (worker !== undefined && typeof worker !== 'function') {
-    throw new TypeError(
-      `options.worker is ${describe(worker)}; expected a function that makes a worker.`,
-    );
-  }
+  checkCallback('options.worker', worker, 'a function that makes a worker');
   return new MeshWorker(options);
 }
 
 /**
  * As `HalfedgeMesh.parse`, in a thread of its own that ends afterwards: the page goes on while a file is
- * read, repaired and built. The errors are the same. A File or another Blob is read over there; a buffer
+ * read, repaired and built. The errors are the same, with their names and causes; those of other classes
+ * than HalfedgeError, RangeError and TypeError come over as an Error. A File or another Blob is read over there; a buffer
  * is copied, unless `transfer` hands it over.
  *
  * ```ts
@@ -275,6 +273,7 @@ export async function parseInWorker(
   options: ParseOptions & JobOptions & MeshWorkerOptions = {},
 ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
   const { worker: make, ...rest } = checkOptions(options) as MeshWorkerOptions;
+  checkParse(source, rest); // no thread is started in vain
   const worker = createMeshWorker(make === undefined ? {} : { worker: make });
   try {
     return await worker.parse(source, rest);
@@ -288,45 +287,26 @@ const failed = (why: string, cause?: unknown) =>
 
 const meshOf = (bytes: Uint8Array) => new HalfedgeMesh(linksOfBytes(bytes, true));
 
-function checkJobOptions<T extends JobOptions>(options: T): T {
-  const { signal, transfer } = checkOptions(options) as JobOptions;
-  if (transfer !== undefined && typeof transfer !== 'boolean') {
-    throw new TypeError(`options.transfer is ${describe(transfer)}; expected true or false.`);
-  }
+/** Throws also if the job is cancelled already. */
+function checkJobOptions(options: JobOptions): void {
+  const { signal, transfer = false } = checkOptions(options) as JobOptions;
+  checkFlag('options.transfer', transfer);
   checkSignal(signal);
-  return options;
+  signal?.throwIfAborted();
 }
 
-/** The content of a file, which is the worker's: later changes here don't matter. */
-function contentOf(source: unknown, transfer: boolean): unknown {
+/** Checks all that is known before the file is read; returns its content. */
+function checkParse(source: unknown, options: ParseOptions & JobOptions): unknown {
+  checkJobOptions(options);
+  checkCallback('options.onProgress', options.onProgress);
+  storesPrev(options);
+  checkParseOptions(options);
   if (typeof source === 'string' || isBlob(source)) return source;
   const bytes = bytesOf('source', source);
-  if (bytes !== undefined) return owned(bytes, transfer);
-  throw new TypeError(
-    `source is ${describe(source)}; expected the content of a file as a string, an ArrayBuffer, a typed array or a Blob.`,
+  if (bytes !== undefined) return bytes;
+  refuse(
+    'source',
+    source,
+    'the content of a file as a string, an ArrayBuffer, a typed array or a Blob',
   );
 }
-
-/** A typed array with a buffer of its own, taken over or copied; anything else as it is. */
-function owned(source: unknown, transfer: boolean): unknown {
-  if (typedArrayName(source) === undefined) return source;
-  const { buffer } = source as Uint8Array;
-  if (transfer && isUnshared(buffer)) {
-    try {
-      return structuredClone(source, { transfer: [buffer as ArrayBuffer] });
-    } catch {
-      // Some buffers stay where they are: WebAssembly's memory, Node's pool.
-    }
-  }
-  return Uint8Array.prototype.slice.call(source); // of any typed array; Node's Buffer has another
-}
-
-/** The buffer of a typed array that `owned` made. */
-function transferable(data: unknown): object | undefined {
-  if (typedArrayName(data) === undefined) return undefined;
-  const { buffer } = data as Uint8Array;
-  return isUnshared(buffer) ? buffer : undefined;
-}
-
-const isUnshared = (buffer: object) =>
-  Object.prototype.toString.call(buffer) === '[object ArrayBuffer]';
