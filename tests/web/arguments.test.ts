@@ -255,3 +255,15 @@ describe('A wrong argument of a build', () => {
     expect(() => HalfedgeMesh.fromTriangles(angry, [])).toThrow('mine');
   });
 });
+
+test('A count that is too large is told how large it may be', () => {
+  const mesh = HalfedgeMesh.tetrahedron();
+  for (const call of [
+    () => mesh.keepLargestComponents(2 ** 31),
+    () => mesh.reserve(2 ** 31, 0, 0),
+  ]) {
+    expect(call).toThrow(/ is 2147483648; expected an integer from 0 to 2147483647\.$/);
+  }
+  expect(() => mesh.keepLargestComponents(-1)).toThrow('count is -1; expected an integer from 0.');
+  mesh.dispose();
+});

@@ -23,14 +23,15 @@ function mended(mesh: HalfedgeMesh, repair: (mesh: HalfedgeMesh) => MendReport):
   if (mesh.attributes.list().length === 0) addAttributes(mesh, random(7));
   mesh.history.enabled = true;
   const before = stateOf(mesh);
+  const { version } = mesh;
   const report = repair(mesh);
+  const isChanged = mesh.version !== version;
   expect(errorsOf(mesh)).toEqual([]);
   const after = stateOf(mesh);
-  if (mesh.history.undo()) {
-    expect(mesh.history.undo()).toBe(false);
-    expectState(mesh, before);
-    mesh.history.redo();
-  }
+  expect(mesh.history.undo()).toBe(isChanged);
+  expect(mesh.history.undo()).toBe(false);
+  expectState(mesh, before);
+  expect(mesh.history.redo()).toBe(isChanged);
   expectState(mesh, after);
   mesh.history.enabled = false;
   expect(report.summary).toMatch(/^[A-Z0-9].*\.$/);
@@ -145,6 +146,11 @@ describe('dropSmallComponents', () => {
       expect([...report.faces]).toEqual([6, 7, 8, 9]);
       expect(countsOf(copy)).toEqual([8, 12, 6]);
     }
+    for (const faces of [2.5, -1, Number.NaN]) {
+      expect(() => mesh.dropSmallComponents({ faces })).toThrow(
+        `options.faces is ${faces}; expected an integer from 0, or Infinity.`,
+      );
+    }
     expect(() => mesh.dropSmallComponents({ area: 2 })).toThrow(
       'options.area is 2; expected a number from 0 to 1.',
     );
@@ -210,6 +216,7 @@ describe('fillHoles', () => {
       'options.maxAngle is 181; expected a number of degrees from 0 to 180.',
     );
     expect(() => mesh.fillHoles({ maxEdges: 'all' as never })).toThrow(TypeError);
+    expect(() => mesh.fillHoles({ maxEdges: 7.5 })).toThrow('options.maxEdges is 7.5; expected');
   });
 });
 
@@ -244,8 +251,22 @@ test('reports cost no memory once they are made', () => {
 test('a disposed mesh refuses repairs', () => {
   const mesh = HalfedgeMesh.cube();
   mesh.dispose();
-  expect(() => mesh.stitchBoundaries()).toThrow('disposed');
-  expect(() => mesh.dropSmallComponents({ faces: 2 })).toThrow('disposed');
+  const bad = { tolerance: -1, open: 7, faces: -1, maxEdges: -1 } as never;
+  for (const repair of [
+    () => mesh.stitchBoundaries(),
+    () => mesh.stitchBoundaries(bad),
+    () => mesh.splitPinchedVertices(),
+    () => mesh.orientOutward(),
+    () => mesh.orientOutward(bad),
+    () => mesh.dropSmallComponents({ faces: 2 }),
+    () => mesh.dropSmallComponents(bad),
+    () => mesh.removeDegenerateFaces(),
+    () => mesh.removeDegenerateFaces(bad),
+    () => mesh.fillHoles(),
+    () => mesh.fillHoles(bad),
+  ]) {
+    expect(repair).toThrow(expect.objectContaining({ code: 'disposed' }));
+  }
 });
 
 const nastyFolder = `${

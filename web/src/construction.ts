@@ -1,4 +1,5 @@
 import { checkOptions, describe } from './arguments.js';
+import { checkCount } from './checks.js';
 import { Circulation } from './circulation.js';
 import {
   answer,
@@ -255,12 +256,4 @@ function deletion(links: Links, options: DeleteOptions | undefined): number {
     );
   }
   return modeOf(links) | (keepIsolatedVertices ? OPTION : 0);
-}
-
-/** Throws a sentence unless `count` is a number of items. */
-export function checkCount(argument: string, count: unknown, least = 0): void {
-  const sentence = `${argument} is ${describe(count)}; expected an integer from ${least}.`;
-  if (typeof count !== 'number') throw new TypeError(sentence);
-  if (!(Number.isInteger(count) && count >= least && count < 2 ** 31))
-    throw new RangeError(sentence);
 }

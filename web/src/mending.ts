@@ -1,4 +1,5 @@
-import { checkOptions, describe } from './arguments.js';
+import { checkOptions } from './arguments.js';
+import { checkFlag, refuse } from './checks.js';
 import { modeOf } from './edit.js';
 import type { Problem } from './errors.js';
 import { Modelling } from './modelling.js';
@@ -55,7 +56,9 @@ export interface MendReport {
 
 /** How to stitch boundaries. */
 export interface StitchOptions {
-  /** Vertices closer than this count as one. Default: 0, those at the same position. */
+  /**
+   * In the unit of positions: vertices closer than this count as one. Default: 0, those at the same position.
+   */
   tolerance?: number;
 }
 
@@ -69,7 +72,7 @@ export interface OrientOptions {
 
 /** Which components are too small: those that fall short in one of these. */
 export interface DropOptions {
-  /** The fewest faces that a component may have. */
+  /** The fewest faces that a component may have: an integer, or Infinity. */
   faces?: number;
   /** The least share of the area of the largest component, from 0 to 1. */
   area?: number;
@@ -79,13 +82,16 @@ export interface DropOptions {
 
 /** What counts as degenerate. */
 export interface DegenerateOptions {
-  /** Edges no longer than this are collapsed, and faces no wider removed. Default: 0. */
+  /**
+   * In the unit of positions: edges no longer than this are collapsed, and faces no wider removed. Default: 0,
+   * which leaves the surface where it is.
+   */
   tolerance?: number;
 }
 
 /** Which holes to fill. */
 export interface FillOptions {
-  /** Boundary loops with more edges are left. Default: Infinity. */
+  /** Boundary loops with more edges are left: an integer, or Infinity, which is the default. */
   maxEdges?: number;
   /**
    * In degrees, between the normals of neighbours: what can only be filled with a sharper fold is left, such
@@ -98,21 +104,27 @@ export interface FillOptions {
  * Repairs of a mesh that is there. Each does all that it can, and reports the rest. A mesh that is valid at
  * level 4 stays so; live items keep their indices; each repair is one step of history.
  *
- * The only error is `out-of-memory`: a part may have been done then, and can be undone.
+ * Beside wrong arguments (a TypeError or a RangeError) and a mesh that is `disposed`, the only error is
+ * `out-of-memory`. Without room for the work a part may have been done then, which is a step of history as
+ * long as that finds room; without room in JavaScript for the report, all was done.
  */
 export abstract class Mending extends Modelling {
   /**
    * Glues boundary edges that lie together, end to end, and run opposite ways: closes cracks, and joins the
-   * triangles of a soup. Vertices are joined where their edges are, not where they merely touch. The vertices
-   * of the edge with the lower index stay where they are.
+   * triangles of a soup. Vertices are joined where their edges are, not where they merely touch; those stay
+   * that are reached first, from face to face, with position and attributes.
    *
-   * Left are edges that several others fit (`ambiguous-edge`), those that run the same way
+   * Of more than two edges that lie together those are glued that close a gap at a vertex, and the two that are
+   * left of four. Left are the others (`ambiguous-edge`), those that run the same way
    * (`opposite-orientation`), and what no valid mesh allows (`unstitchable-edge`). Pinched vertices are in
-   * the way: {@link splitPinchedVertices} first.
+   * the way: {@link splitPinchedVertices} first. O(n log n) of n boundary edges, and the valences of the
+   * vertices that go.
    *
-   * @returns `edges`: those that were glued
+   * @returns `edges`: those that were glued, and stay
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   stitchBoundaries(options: StitchOptions = {}): MendReport {
+    linksOf(this).checkAlive();
     const { tolerance = 0 } = checkOptions(options) as StitchOptions;
     checkFrom0('options.tolerance', tolerance);
     return mend(this, REPAIRS.stitch, tolerance);
@@ -120,9 +132,10 @@ export abstract class Mending extends Modelling {
 
   /**
    * Gives each fan of faces at a pinched vertex a vertex of its own: one keeps the vertex, others get copies
-   * with its position and attributes.
+   * with its position and attributes. O(halfedges).
    *
    * @returns `vertices`: the copies
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   splitPinchedVertices(): MendReport {
     return mend(this, REPAIRS.splitPinched);
@@ -131,11 +144,14 @@ export abstract class Mending extends Modelling {
   /**
    * Turns components over so that their faces, counter-clockwise, are seen from outside: the volume of each
    * closed component becomes positive. What is open (`open-component`), or has next to no volume
-   * (`flat-component`), is left.
+   * (`flat-component`), is left. O(slots), nearly; with `nested` besides, for each component whose box lies in
+   * that of another, the faces of the other.
    *
    * @returns `faces`: those that were turned over
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   orientOutward(options: OrientOptions = {}): MendReport {
+    linksOf(this).checkAlive();
     const { open = false, nested = false } = checkOptions(options) as OrientOptions;
     checkFlag('options.open', open);
     checkFlag('options.nested', nested);
@@ -143,14 +159,15 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Deletes components that are too small by one of the options. Isolated vertices stay.
+   * Deletes components that are too small by one of the options. Isolated vertices stay. O(slots), nearly.
    *
    * @returns `faces`: those that were deleted
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   dropSmallComponents(options: DropOptions): MendReport {
-    void linksOf(this).address; // throws if the mesh is disposed, before anything is said of options
+    linksOf(this).checkAlive();
     const { faces = 0, area = 0, diagonal = 0 } = checkOptions(options) as DropOptions;
-    checkFrom0('options.faces', faces);
+    checkItems('options.faces', faces);
     checkShare('options.area', area);
     checkShare('options.diagonal', diagonal);
     return mend(this, REPAIRS.dropSmall, upTo32Bits(faces), area, diagonal);
@@ -163,33 +180,40 @@ export abstract class Mending extends Modelling {
    * so narrow that the rounding of positions may turn them over (10^-6 of their length).
    *
    * What would break the mesh, or turn another face over, is left (`zero-length-edge`, `degenerate-face`).
+   * O(slots), and what the operations cost.
    *
    * @returns `vertices`: those that edges were collapsed into; `edges`: those that were flipped; `faces`: those
    * that gained a corner
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   removeDegenerateFaces(options: DegenerateOptions = {}): MendReport {
+    linksOf(this).checkAlive();
     const { tolerance = 0 } = checkOptions(options) as DegenerateOptions;
     checkFrom0('options.tolerance', tolerance);
     return mend(this, REPAIRS.removeDegenerate, tolerance);
   }
 
   /**
-   * Fills boundary loops with triangles, without new vertices, so that they fold as little as can be against
-   * each other and the faces around. New faces have default attributes.
+   * Fills boundary loops with triangles, without new vertices, so that they fold little against each other and
+   * the faces around. New faces and edges have default attributes; corners have what the boundary had.
    *
    * Left are loops with more edges than asked for (`large-hole`), those whose filling would fold over
    * (`folding-hole`), and those where each triangulation found joins vertices that are joined already
-   * (`unfillable-hole`). Up to 200 edges the triangulation is the best of all, O(n^3); above, a good one.
+   * (`unfillable-hole`). Up to 200 edges all triangulations are compared, by dynamic programming, in O(n^3):
+   * the largest fold is the smallest but for steps of 30 degrees, and then diagonals are short. Above, it is a
+   * good one, in about O(n log n) and the valences.
    *
    * @returns `faces`: the new ones
+   * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   fillHoles(options: FillOptions = {}): MendReport {
+    linksOf(this).checkAlive();
     const { maxEdges = Number.POSITIVE_INFINITY, maxAngle = 160 } = checkOptions(
       options,
     ) as FillOptions;
-    checkFrom0('options.maxEdges', maxEdges);
+    checkItems('options.maxEdges', maxEdges);
     if (!(typeof maxAngle === 'number' && maxAngle >= 0 && maxAngle <= 180)) {
-      refuse('options.maxAngle', maxAngle, 'a number of degrees from 0 to 180');
+      refuse('options.maxAngle', maxAngle, 'a number of degrees from 0 to 180', 'number');
     }
     return mend(this, REPAIRS.fill, upTo32Bits(maxEdges), maxAngle);
   }
@@ -215,23 +239,21 @@ function mend(mesh: Mending, repair: number, a = 0, b = 0, c = 0): MendReport {
 /** As the core takes it: no mesh has more. */
 const upTo32Bits = (count: number) => Math.min(count, 2 ** 32 - 1);
 
-/** Throws a sentence unless the option is a number from 0 on, which may be infinite. */
+/** Throws unless it is a number from 0 on, which may be infinite. */
 function checkFrom0(argument: string, value: unknown): void {
-  if (typeof value === 'number' && value >= 0) return;
-  refuse(argument, value, 'a number from 0');
+  if (!(typeof value === 'number' && value >= 0))
+    refuse(argument, value, 'a number from 0', 'number');
+}
+
+/** Throws unless it is a number of items, or Infinity for all. */
+function checkItems(argument: string, value: unknown): void {
+  const isCount = value === Number.POSITIVE_INFINITY || Number.isInteger(value);
+  if (!(isCount && (value as number) >= 0)) {
+    refuse(argument, value, 'an integer from 0, or Infinity', 'number');
+  }
 }
 
 function checkShare(argument: string, value: unknown): void {
   if (typeof value === 'number' && value >= 0 && value <= 1) return;
-  refuse(argument, value, 'a number from 0 to 1');
-}
-
-function checkFlag(argument: string, value: unknown): void {
-  if (typeof value === 'boolean') return;
-  throw new TypeError(`${argument} is ${describe(value)}; expected true or false.`);
-}
-
-function refuse(argument: string, value: unknown, expected: string): never {
-  const sentence = `${argument} is ${describe(value)}; expected ${expected}.`;
-  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse(argument, value, 'a number from 0 to 1', 'number');
 }

@@ -1,4 +1,4 @@
-import { checkCount } from './construction.js';
+import { checkCount } from './checks.js';
 import { answer, CHECK_ONLY, done, modeOf, type Refusal, withList } from './edit.js';
 import { EulerOperations } from './euler.js';
 import type { Edge, Halfedge, HalfedgeLike } from './items.js';
