@@ -194,6 +194,18 @@ TEST(PlyAttributes, HaveTheUsualNames) {
   EXPECT_EQ(read.notes, Strings{"ignored the property \"neighbours\" of \"vertex\""});
 }
 
+TEST(PlyAttributes, SaysThatPositionsWereDoubles) {
+  const auto notes_of = [](const std::string& type) {
+    return read_mesh("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty " + type +
+                         " y\nproperty float z\nelement face 0\nproperty list uchar int "
+                         "vertex_indices\nend_header\n0 0.1 0\n",
+                     true)
+        .notes;
+  };
+  EXPECT_EQ(notes_of("double"), Strings{"read the positions of 1 vertex, doubles, as floats"});
+  EXPECT_EQ(notes_of("float"), Strings());
+}
+
 TEST(PlyAttributes, MayBeLeftOut) {
   const Result<ParsedFile> file =
       parse(test::bytes_of(kPlyTriangle), std::nullopt, {.attributes = false});
@@ -292,8 +304,9 @@ TEST(ObjAttributes, AreReadByCornerAndByName) {
   EXPECT_EQ(values_of(mesh, ItemKind::kFace, "group"), (Doubles{0, 1, 0, 1}));
   EXPECT_EQ(values_of(mesh, ItemKind::kFace, "object"), (Doubles{1, 1, 1, 1}));
   EXPECT_EQ(values_of(mesh, ItemKind::kFace, "material"), (Doubles{0, 1, 1, 1}));
-  EXPECT_EQ(read.notes, Strings{"3 corners have texture coordinates or normals that the file "
-                                "doesn't have: what is missing is 0"});
+  EXPECT_EQ(read.notes, (Strings{"3 corners have texture coordinates or normals that the file "
+                                 "doesn't have: what is missing is 0",
+                                 "ignored 1 third texture coordinate that is not 0"}));
   const Result<ParsedFile> file = parse(test::bytes_of(kObjSquare));
   ASSERT_EQ(file.value().names.size(), 4U);
   EXPECT_EQ(file.value().names[0].names, (Strings{"", "left"}));
@@ -325,7 +338,7 @@ Mesh sample_for_obj(Index color_components) {
                             width, width == 2 ? OnSplit::kInterpolate : OnSplit::kNormalize);
     for (float& value : column.values<float>()) value = random() % 2 == 0 ? -0.0F : 0.1F;
   }
-  for (const char* name : {"group", "object", "material"}) {
+  for (const char* name : {"group", "object", "material", "smoothing"}) {
     Attribute& column = add(mesh, ItemKind::kFace, name, kInt32, 1, OnSplit::kCopy);
     for (std::int32_t& value : column.values<std::int32_t>())
       value = std::int32_t(random() % 5) - 2;
@@ -433,6 +446,43 @@ TEST(ObjAttributes, SaysWhatItCannotHold) {
                      "left out the face attribute \"color\": OBJ has no place for it"}));
   const test::MeshFile read = read_mesh(bytes.value().span());
   EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color")[7], double(0.2F));
+}
+
+TEST(ObjAttributes, HaveSmoothingGroups) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 1\n";
+  const auto smoothing_of = [&](const std::string& statements) {
+    const test::MeshFile read = read_mesh(triangle + statements);
+    EXPECT_EQ(read.error, "");
+    return values_of(read.mesh, ItemKind::kFace, "smoothing");
+  };
+  EXPECT_EQ(smoothing_of("f 1 2 3\ns 3\nf 2 4 3\ns off\nf 2 1 5\n"), (Doubles{0, 3, 0}));
+  EXPECT_EQ(smoothing_of("s -7\nf 1 2 3\ns 0\nf 2 4 3\n"), (Doubles{-7, 0}));
+  EXPECT_EQ(smoothing_of("s off\nf 1 2 3\ns 0\nf 2 4 3\n"), Doubles()) << "nothing is said";
+  const test::MeshFile strange =
+      read_mesh(triangle + "s on\nf 1 2 3\ns 1\nf 2 4 3\ns 9999999999\n");
+  EXPECT_EQ(values_of(strange.mesh, ItemKind::kFace, "smoothing"), (Doubles{0, 1}));
+  EXPECT_EQ(strange.notes,
+            Strings{"ignored 2 smoothing groups (s) that are neither integers nor off"});
+}
+
+TEST(ObjAttributes, KeepAnAlphaThatComesLate) {
+  const test::MeshFile read = read_mesh(
+      "v 0 0 0\nv 1 0 0 .1 .2 .3\nv 0 1 0 .4 .5 .6 .7\nv 1 1 0 .8 .9 1\nf 1 2 3\nf 2 4 3\n");
+  EXPECT_EQ(describe_all(read.mesh), Strings{"vertex color float32 4 interpolate"});
+  const Doubles colors = values_of(read.mesh, ItemKind::kVertex, "color");
+  const std::vector<float> expected = {0,   0,   0,   1,   .1F, .2F, .3F, 1,
+                                       .4F, .5F, .6F, .7F, .8F, .9F, 1,   1};
+  EXPECT_EQ(std::vector<float>(colors.begin(), colors.end()), expected);
+}
+
+TEST(ObjAttributes, SaysWhatIsIgnored) {
+  const test::MeshFile read = read_mesh(
+      "v 0 0 0 2\nv 1 0 0 1\nv 0 1 0\nvt 0 0 .5\nvt 0 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\n"
+      "f 1/1/1 2/1/1 3/1/1\n");
+  EXPECT_EQ(read.notes, (Strings{"ignored 1 third texture coordinate that is not 0",
+                                 "ignored 1 weight of a vertex",
+                                 "ignored 1 texture coordinate (vt) to which no face refers",
+                                 "ignored 2 normals (vn) to which no face refers"}));
 }
 
 TEST(ObjAttributes, LimitWhatNamesTake) {

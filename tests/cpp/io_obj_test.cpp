@@ -152,7 +152,9 @@ TEST(Obj, IgnoresOtherStatements) {
   EXPECT_EQ(file.error, "");
   EXPECT_EQ(file.positions.size(), 9U);
   EXPECT_EQ(file.faces, (Faces{{0, 1, 2}}));
-  EXPECT_TRUE(file.notes.empty());
+  EXPECT_EQ(file.notes,
+            (std::vector<std::string>{"ignored 1 texture coordinate (vt) to which no face refers",
+                                      "ignored 1 normal (vn) to which no face refers"}));
 }
 
 TEST(Obj, NotesWhatAMeshCannotHold) {

@@ -117,7 +117,9 @@ TEST(Ply, TakesElementsAndPropertiesInAnyOrder) {
   EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 1, 2, 3}}));
   EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the property \"uv\" of \"face\"",
                                                   "ignored the 5 elements \"nothing\"",
-                                                  "ignored the property \"n\" of \"vertex\""}));
+                                                  "ignored the property \"n\" of \"vertex\"",
+                                                  "read the positions of 4 vertices, doubles, as "
+                                                  "floats"}));
 }
 
 TEST(Ply, TakesAnyEndOfLine) {

@@ -62,7 +62,7 @@ TEST(Stl, WeldsTheTrianglesOfBothForms) {
     EXPECT_EQ(file.error, "");
     EXPECT_EQ(file.positions, kSquare);
     EXPECT_EQ(file.faces, kFaces);
-    EXPECT_TRUE(file.notes.empty());
+    EXPECT_EQ(file.notes.size(), text == kText ? 1U : 0U);  // of its name
   }
 }
 
@@ -126,12 +126,21 @@ TEST(Stl, NotesAnOddEnd) {
   const std::string part = kText.substr(0, kText.find("endsolid"));
   EXPECT_EQ(parse_stl(part).faces, kFaces);
   EXPECT_EQ(parse_stl(part).notes,
-            std::vector<std::string>{"the file ends without endsolid: it may be a part only"});
+            (std::vector<std::string>{"the file ends without endsolid: it may be a part only",
+                                      "ignored the name of a solid"}));
   const std::string longer = binary({kFirst}, "\0"s) + "xyz";
   EXPECT_EQ(parse_stl(longer).faces.size(), 1U);
   EXPECT_EQ(parse_stl(longer).notes,
             std::vector<std::string>{"ignored the 3 bytes behind the last of the 1 triangles that "
                                      "the header promises"});
+}
+
+TEST(Stl, NotesTheNamesOfSolids) {
+  EXPECT_EQ(parse_stl("solid \nendsolid\n").notes, std::vector<std::string>());
+  EXPECT_EQ(parse_stl("solid a b\nendsolid a b\nsolid\nendsolid\n").notes,
+            std::vector<std::string>{"ignored the name of a solid"});
+  EXPECT_EQ(parse_stl("solid a\nendsolid a\nsolid b\nendsolid b\n").notes,
+            std::vector<std::string>{"ignored the names of 2 solids"});
 }
 
 TEST(Stl, ExplainsWrongText) {

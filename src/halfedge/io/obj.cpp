@@ -20,6 +20,7 @@ enum class Statement : std::uint8_t {
   kGroup,
   kObject,
   kMaterial,
+  kSmoothing,
   kLibrary,
   kPoint,
   kLine,
@@ -30,10 +31,10 @@ enum class Statement : std::uint8_t {
 
 /// Statements that carry nothing for a mesh, and need no note.
 constexpr std::array kOtherWords = std::to_array<std::string_view>(
-    {"vp",        "vc",    "s",     "mg",   "lod", "usemap", "maplib", "shadow_obj",
-     "trace_obj", "bevel", "call",  "csh",  "deg", "bmat",   "step",   "cstype",
-     "parm",      "trim",  "hole",  "scrv", "sp",  "end",    "con",    "c_interp",
-     "d_interp",  "ctech", "stech", "bsp",  "bzp", "cdc",    "cdp",    "res"});
+    {"vp",    "vc",    "mg",   "lod", "usemap", "maplib", "shadow_obj", "trace_obj",
+     "bevel", "call",  "csh",  "deg", "bmat",   "step",   "cstype",     "parm",
+     "trim",  "hole",  "scrv", "sp",  "end",    "con",    "c_interp",   "d_interp",
+     "ctech", "stech", "bsp",  "bzp", "cdc",    "cdp",    "res"});
 
 Statement longer_statement_of(std::string_view word) {
   if (word == "vt") return Statement::kTexture;
@@ -62,7 +63,7 @@ Statement statement_of(std::string_view word) {
     case 'p':
       return Statement::kPoint;
     case 's':
-      return Statement::kOther;
+      return Statement::kSmoothing;
     default:
       return Statement::kUnknown;
   }
@@ -140,6 +141,7 @@ bool ObjReader::read_statement() {
     case Statement::kGroup:
     case Statement::kObject:
     case Statement::kMaterial:
+    case Statement::kSmoothing:
     case Statement::kLibrary:
       if (options_.attributes) read_attribute(statement);
       return true;
@@ -170,6 +172,8 @@ void ObjReader::read_attribute(Statement statement) {
     fits = attributes_.read_normal(text_);
   } else if (statement == Statement::kLibrary) {
     attributes_.read_library(text_);
+  } else if (statement == Statement::kSmoothing) {
+    fits = attributes_.read_smoothing(text_, out_.face_count());
   } else {
     const Name kind = statement == Statement::kGroup    ? Name::kGroup
                       : statement == Statement::kObject ? Name::kObject

@@ -51,6 +51,19 @@ bool set_values(SoupAttribute& column, std::span<const T> values) {
   return column.values.assign(std::as_bytes(values));
 }
 
+/// Gives the faces of each run, up to the next one, the number of its id.
+template <class Run, class NumberOf>
+void set_runs(SoupAttribute& column, std::span<const Run> runs, std::size_t faces,
+              const NumberOf& number_of) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::size_t end = i + 1 < runs.size() ? runs[i + 1].first_face : faces;
+    const std::int32_t value = number_of(runs[i].id);
+    for (std::size_t f = runs[i].first_face; f < end; ++f) {
+      std::memcpy(&column.values[sizeof(value) * f], &value, sizeof(value));
+    }
+  }
+}
+
 /// Whether the name is a number as the writer spells it.
 bool read_number(std::string_view name, std::int32_t& number) {
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -61,7 +74,8 @@ bool read_number(std::string_view name, std::int32_t& number) {
 
 bool ObjAttributes::read_row(TextScanner& text, std::size_t width, Table& table) {
   float row[3] = {};
-  (void)read_floats(text, {row, width});
+  (void)read_floats(text, row);
+  depths_ += width == 2 && row[2] != 0 ? 1U : 0U;
   for (std::size_t i = 0; i < width; ++i) {
     if (!table.values.push_back(row[i])) return false;
   }
@@ -71,8 +85,12 @@ bool ObjAttributes::read_row(TextScanner& text, std::size_t width, Table& table)
 bool ObjAttributes::read_color(TextScanner& text, std::size_t vertex) {
   float color[4] = {0, 0, 0, 1};
   const std::size_t count = read_floats(text, color);
-  if (count < 3) return true;
+  if (count < 3) {
+    weights_ += count == 1 && color[0] != 1 ? 1U : 0U;
+    return true;
+  }
   if (color_width_ == 0) color_width_ = count;
+  if (count > color_width_ && !widen_colors()) return false;
   while (colors_.size() < color_width_ * vertex) {
     if (!colors_.push_back(0)) return false;
   }
@@ -80,6 +98,31 @@ bool ObjAttributes::read_color(TextScanner& text, std::size_t vertex) {
     if (!colors_.push_back(color[i])) return false;
   }
   return true;
+}
+
+/// An alpha of 1 for the colours so far.
+bool ObjAttributes::widen_colors() {
+  const std::size_t rows = colors_.size() / 3;
+  if (!colors_.resize(4 * rows)) return false;
+  for (std::size_t i = rows; i-- > 0;) {
+    const float row[4] = {colors_[3 * i], colors_[3 * i + 1], colors_[3 * i + 2], 1};
+    std::copy_n(row, 4, &colors_[4 * i]);
+  }
+  color_width_ = 4;
+  return true;
+}
+
+bool ObjAttributes::read_smoothing(TextScanner& text, std::size_t face) {
+  text.skip_blanks();
+  std::int64_t group = 0;
+  const bool is_number = text.read_integer(group) && text.at_token_end();
+  if (!is_number && text.token() != "off") ++strange_;
+  if (!is_number || group < INT32_MIN || group > INT32_MAX) {
+    strange_ += is_number ? 1U : 0U;
+    group = 0;
+  }
+  is_smooth_ |= group != 0;
+  return smoothing_.push_back({face, static_cast<Index>(group)});
 }
 
 bool ObjAttributes::add_corner(std::size_t corner, const Corner& references) {
@@ -131,6 +174,7 @@ bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& 
   for (std::size_t i = 0; i < names_.size(); ++i) {
     if (!finish_names(names_[i], kNames[i], faces, file)) return false;
   }
+  if (!finish_smoothing(faces, file)) return false;
   if (!libraries_.empty()) file.names.push_back({"library", std::move(libraries_)});
   if (unknown_ > 0) {
     file.notes.push_back(std::to_string(unknown_) +
@@ -138,16 +182,40 @@ bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& 
                                         : " corners have texture coordinates or normals") +
                          " that the file doesn't have: what is missing is 0");
   }
+  note_losses(file);
   return true;
 }
 
+void ObjAttributes::note_losses(ParsedFile& file) const {
+  const auto note = [&file](std::size_t count, const char* one, const char* many) {
+    if (count == 0) return;
+    file.notes.push_back("ignored " + std::to_string(count) + " " + (count == 1 ? one : many));
+  };
+  note(depths_, "third texture coordinate that is not 0",
+       "third texture coordinates that are not 0");
+  note(weights_, "weight of a vertex", "weights of vertices");
+  note(unused_[0], "texture coordinate (vt) to which no face refers",
+       "texture coordinates (vt) to which no face refers");
+  note(unused_[1], "normal (vn) to which no face refers", "normals (vn) to which no face refers");
+  note(strange_, "smoothing group (s) that is neither an integer nor off",
+       "smoothing groups (s) that are neither integers nor off");
+}
+
 bool ObjAttributes::finish_table(Table& table, const char* name, Index width, ParsedFile& file) {
-  if (table.rows.empty()) return true;
   const std::size_t count = table.values.size() / width;
+  std::size_t& unused = unused_[width - 2];
+  unused = count;
+  if (table.rows.empty()) return true;
+  Array<bool> is_used;
+  if (!is_used.resize(count, false)) return false;
   for (Index& row : table.rows) {
-    if (row == kNone || row < count) continue;
-    row = kNone;
-    ++unknown_;
+    if (row < count) {
+      unused -= is_used[row] ? 0U : 1U;
+      is_used[row] = true;
+    } else if (row != kNone) {
+      row = kNone;
+      ++unknown_;
+    }
   }
   SoupAttribute& column =
       file.attributes.emplace_back(column_of(name, SoupItem::kCorner, Scalar::kFloat32, width));
@@ -183,14 +251,8 @@ bool ObjAttributes::finish_names(Names& names, const char* name, std::size_t fac
   SoupAttribute& column =
       file.attributes.emplace_back(column_of(name, SoupItem::kFace, Scalar::kInt32, 1));
   if (!column.values.resize(sizeof(std::int32_t) * faces, std::byte{})) return false;
-  for (std::size_t i = 0; i < names.runs.size(); ++i) {
-    const std::size_t end = i + 1 < names.runs.size() ? names.runs[i + 1].first_face : faces;
-    const Index id = names.runs[i].id;
-    const std::int32_t value = are_numbers ? numbers[id] : static_cast<std::int32_t>(id);
-    for (std::size_t f = names.runs[i].first_face; f < end; ++f) {
-      std::memcpy(&column.values[sizeof(value) * f], &value, sizeof(value));
-    }
-  }
+  set_runs(column, std::as_const(names.runs).span(), faces,
+           [&](Index id) { return are_numbers ? numbers[id] : static_cast<std::int32_t>(id); });
   if (!are_numbers) {
     SoupNames& table = file.names.emplace_back();
     table.attribute = name;
@@ -201,6 +263,16 @@ bool ObjAttributes::finish_names(Names& names, const char* name, std::size_t fac
     file.notes.push_back("the file has more than " + std::to_string(kMostNames) +
                          " different names of a " + name + ": faces of further ones have none");
   }
+  return true;
+}
+
+bool ObjAttributes::finish_smoothing(std::size_t faces, ParsedFile& file) {
+  if (!is_smooth_) return true;
+  SoupAttribute& column =
+      file.attributes.emplace_back(column_of("smoothing", SoupItem::kFace, Scalar::kInt32, 1));
+  if (!column.values.resize(sizeof(std::int32_t) * faces, std::byte{})) return false;
+  set_runs(column, std::as_const(smoothing_).span(), faces,
+           [](Index id) { return static_cast<std::int32_t>(id); });
   return true;
 }
 

@@ -72,8 +72,9 @@ struct ParseOptions {
 /// Reads a Wavefront OBJ file: `v` and `f` with corners as 3, 3/1, 3/1/2 or 3//2, indices from 1 or
 /// negative and then counted back from the last vertex so far, `\` at the end of a line. A face may
 /// come before its vertices. Texture coordinates and normals become attributes of corners, `v` with
-/// six or seven numbers colours of vertices, `g`, `o` and `usemtl` numbers of faces. Points, lines,
-/// curves and unknown statements are ignored.
+/// six or seven numbers colours of vertices, `g`, `o`, `usemtl` and `s` numbers of faces. Points,
+/// lines, curves and unknown statements are ignored, weights and third texture coordinates too, and
+/// counted in notes.
 [[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

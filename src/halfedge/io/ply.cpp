@@ -139,6 +139,11 @@ template <class Source>
 bool PlyReader<Source>::read_vertices(const PlyElement& element) {
   const std::array axes = {element.find("x"), element.find("y"), element.find("z")};
   choose(element, SoupItem::kVertex, axes, 0);
+  if (std::any_of(axes.begin(), axes.end(),
+                  [](const PlyProperty* axis) { return axis->type == PlyType::kFloat64; })) {
+    notes_.push_back("read the positions of " + std::to_string(element.count) +
+                     (element.count == 1 ? " vertex" : " vertices") + ", doubles, as floats");
+  }
   out_.reserve(static_cast<std::size_t>(element.count), 0);
   if (out_.out_of_memory()) return true;
   if constexpr (!std::is_same_v<Source, PlyText>) {

@@ -188,8 +188,14 @@ class TextReader {
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return writer_.out(); }
   [[nodiscard]] std::vector<std::string> notes() const {
-    if (!in_solid_) return {};
-    return {"the file ends without endsolid: it may be a part only"};
+    std::vector<std::string> notes;
+    if (in_solid_) notes.emplace_back("the file ends without endsolid: it may be a part only");
+    if (names_ > 0) {
+      notes.push_back(
+          std::string("ignored the ") +
+          (names_ == 1 ? "name of a solid" : "names of " + std::to_string(names_) + " solids"));
+    }
+    return notes;
   }
 
  private:
@@ -215,6 +221,7 @@ class TextReader {
   ParseOptions options_;
   TriangleWriter writer_;
   bool in_solid_ = false;
+  std::size_t names_ = 0;  // of solids
   Error error_;
 };
 
@@ -227,7 +234,9 @@ std::optional<Error> TextReader::read() {
       if (!read_facet()) return error_;
     } else if (skip_word(in_solid_ ? "endsolid" : "solid")) {
       in_solid_ = !in_solid_;
-      text_.skip_line();  // its name
+      text_.skip_blanks();
+      names_ += in_solid_ && !text_.at_line_end() ? 1U : 0U;
+      text_.skip_line();
     } else {
       return unexpected(text_, in_solid_ ? "facet or endsolid" : "solid or facet");
     }
@@ -258,23 +267,25 @@ bool TextReader::read_facet() {
 }
 
 /// Whether this is what is left of a binary file: fewer triangles than it announces, but the first
-/// of them, which have finite numbers, and normals of unit length or none.
+/// of them, which have finite numbers, not all of them 0, and normals of unit length or none.
 bool looks_cut(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLooked = 16;
   if (bytes.size() < kStart + kTriangle) return false;
   const std::size_t room = (bytes.size() - kStart) / kTriangle;
   if (announced(bytes) <= room) return false;
   const std::uint8_t* at = bytes.data() + kStart;
+  bool are_zero = true;
   for (std::size_t i = 0; i < std::min(kLooked, room); ++i, at += kTriangle) {
     std::array<float, 12> numbers;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       numbers[k] = load<float, ByteOrder::kLittle>(at + 4 * k);
     }
     if (!are_finite(numbers)) return false;
+    are_zero &= std::all_of(numbers.begin(), numbers.end(), [](float x) { return x == 0; });
     const float length = std::hypot(numbers[0], numbers[1], numbers[2]);
     if (length > 0.01F && std::abs(length - 1) > 0.01F) return false;
   }
-  return true;
+  return !are_zero;
 }
 
 /// As in no text. Some programs start the header of a binary file with "solid", as a text does.
