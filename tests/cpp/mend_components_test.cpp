@@ -170,6 +170,10 @@ TEST(OrientOutward, IsSafeWithPositionsThatAreNoNumbers) {
   const Result<mend::Report> report = mend::orient_outward(mesh, {.nested = true});
   ASSERT_TRUE(report);
   EXPECT_EQ(report.value().count(Code::kFlatComponent), 1U);
+  EXPECT_EQ(
+      report.value().problems[0].message,
+      "The component of face 0, of 6 faces, has a position that is no finite number, expected "
+      "a volume.");
 }
 
 TEST(DropSmallComponents, DropsThoseWithFewFaces) {
@@ -206,7 +210,7 @@ TEST(DropSmallComponents, DropsByShareOfTheLargestAreaOrDiagonal) {
   EXPECT_EQ(by_diagonal.face_count(), 18U);
 }
 
-TEST(DropSmallComponents, DropsADustOfManyInLinearTime) {
+TEST(DropSmallComponents, DropsADustOfMany) {
   Mesh mesh = soup_of(shapes::mesh_of(shapes::ico_sphere(5)).value());
   ASSERT_TRUE(append(mesh, cube_at(0)));
   EXPECT_EQ(mended(mesh, drop_with({.faces = 2})).summary, "20480 components dropped.");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,60 @@ TEST(MendScale, AHugePolygonAtTheBoundary) {
   };
   expect_no_quadratic_step(60'000, polygon, [](Mesh& mesh) {
     expect_summary(mend::fill_holes(mesh), "1 hole left whose filling would fold over.");
+  });
+}
+
+// Tetrahedra in a row along each axis, and in a cloud, each fourth of them around a small one.
+TEST(MendScale, ManyComponentsThatMayBeNested) {
+  for (const unsigned axes : {1U, 2U, 4U, 7U}) {
+    SCOPED_TRACE(axes);
+    const auto dust = [&](Index n) {
+      std::mt19937 random(axes);
+      std::uniform_real_distribution<float> anywhere(0, 1e4F);
+      std::vector<Point> points;
+      Lists faces;
+      const auto add = [&](Point p, float size) {
+        const Index v = Index(points.size());
+        points.insert(points.end(), {{p.x - size, p.y - size, p.z - size},
+                                     {p.x + 3 * size, p.y - size, p.z - size},
+                                     {p.x - size, p.y + 3 * size, p.z - size},
+                                     {p.x - size, p.y - size, p.z + 3 * size}});
+        faces.insert(
+            faces.end(),
+            {{v, v + 2, v + 1}, {v, v + 1, v + 3}, {v + 1, v + 2, v + 3}, {v + 2, v, v + 3}});
+      };
+      for (Index i = 0; i < n; ++i) {
+        const Point p = {(axes & 1U) != 0 ? anywhere(random) : 0,
+                         (axes & 2U) != 0 ? anywhere(random) : 0,
+                         (axes & 4U) != 0 ? anywhere(random) : 0};
+        add(p, 0.01F);
+        if (i % 4 == 0) add(p, 0.002F);
+      }
+      return mesh_of(points, faces);
+    };
+    expect_no_quadratic_step(20'000, dust, [](Mesh& mesh) {
+      const Result<mend::Report> report = mend::orient_outward(mesh, {.nested = true});
+      ASSERT_TRUE(report);
+      const std::size_t turned = report.value().count(mend::Code::kReversedComponent);
+      EXPECT_NEAR(double(turned), mesh.face_count() / 20.0, mesh.face_count() / 200.0);
+    });
+  }
+}
+
+TEST(MendScale, ADustOfSingleFaces) {
+  const auto dust = [](Index n) {
+    std::vector<Point> points;
+    Lists faces;
+    for (Index i = 0; i < n; ++i) {
+      const auto x = float(i);
+      faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+      points.insert(points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    }
+    return mesh_of(points, faces);
+  };
+  expect_no_quadratic_step(100'000, dust, [](Mesh& mesh) {
+    const std::string faces = std::to_string(mesh.face_count());
+    expect_summary(mend::drop_small_components(mesh, {.faces = 2}), faces + " components dropped.");
   });
 }
 

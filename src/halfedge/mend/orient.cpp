@@ -1,4 +1,5 @@
 #include <halfedge/decorator/refusal.h>
+#include <halfedge/mend/box_tree.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
 
@@ -36,12 +37,19 @@ Failure is_flat(const Extent& extent, const Component& component) {
                  {.faces = {extent.first_face}});
 }
 
+Failure is_unmeasured(const Extent& extent, const Component& component) {
+  return refusal("",
+                 component_of(extent, component) +
+                     " has a position that is no finite number, expected a volume",
+                 {.faces = {extent.first_face}});
+}
+
 // Which components lie inside of others: by the solid angles under which the faces of these are
 // seen from a vertex (Van Oosterom and Strackee 1983), which add up to 4 pi from the inside.
 class Nesting {
  public:
   Nesting(const Surface& surface, const Components& components, const Array<Extent>& extents)
-      : surface_(surface), components_(components), extents_(extents) {}
+      : surface_(surface), components_(components), extents_(extents), boxes_(extents) {}
 
   /// False when memory is exhausted.
   [[nodiscard]] bool prepare() {
@@ -57,7 +65,12 @@ class Nesting {
       const Index c = components_.of_face[f];
       if (c != kNone) faces_[first_[c + 1]++] = f;
     }
-    return true;
+    for (Index c = 0; c < extents_.size(); ++c) {
+      const bool can_contain =
+          components_.list[c].boundary_loops == 0 && std::isfinite(extents_[c].volume);
+      if (can_contain && !boxes_.add(c)) return false;
+    }
+    return boxes_.build();
   }
 
   /// Whether an odd number of closed components is around this one.
@@ -65,21 +78,13 @@ class Nesting {
     const Vector p =
         point_of(surface_, surface_.to_vertex(surface_.halfedge(Face(extents_[inner].first_face))));
     bool is_inside = false;
-    for (std::size_t outer = 0; outer < extents_.size(); ++outer) {
-      if (outer == inner || components_.list[outer].boundary_loops > 0) continue;
-      if (is_in_box(extents_[inner], extents_[outer]) && contains(outer, p)) is_inside = !is_inside;
-    }
+    boxes_.for_each_around(extents_[inner], [&](Index outer) {
+      if (outer != inner && contains(outer, p)) is_inside = !is_inside;
+    });
     return is_inside;
   }
 
  private:
-  [[nodiscard]] static bool is_in_box(const Extent& inner, const Extent& outer) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (inner.low[k] < outer.low[k] || inner.high[k] > outer.high[k]) return false;
-    }
-    return true;
-  }
-
   [[nodiscard]] bool contains(std::size_t outer, const Vector& p) const {
     double half_angle = 0;
     for (std::size_t i = first_[outer]; i < first_[outer + 1]; ++i) {
@@ -102,6 +107,7 @@ class Nesting {
   const Surface& surface_;
   const Components& components_;
   const Array<Extent>& extents_;
+  BoxTree boxes_;             // of closed components
   Array<std::size_t> first_;  // of the faces of each component, and the end
   Array<Index> faces_;
 };
@@ -128,8 +134,9 @@ Result<Report> orient_outward(Surface& surface, const OrientOptions& options) {
     const bool is_closed = component.boundary_loops == 0;
     if (!is_closed && !options.open) {
       report.leave(Code::kOpenComponent, [&] { return is_open(extent, component); });
-    } else if (!(std::abs(extent.volume) > kNoVolume * extent.area * extent.diagonal()) ||
-               !std::isfinite(extent.volume)) {
+    } else if (!std::isfinite(extent.volume)) {
+      report.leave(Code::kFlatComponent, [&] { return is_unmeasured(extent, component); });
+    } else if (!(std::abs(extent.volume) > kNoVolume * extent.area * extent.diagonal())) {
       report.leave(Code::kFlatComponent, [&] { return is_flat(extent, component); });
     } else {
       const bool is_cavity = options.nested && is_closed && nesting.is_cavity(c);

@@ -59,7 +59,8 @@ struct OrientOptions {
 /// volume of each closed component becomes positive. (CGAL: orient; with `nested`,
 /// orient_to_bound_a_volume)
 ///
-/// What is open (open-component), or has a volume of next to nothing (flat-component), is left.
+/// What is open (open-component), or has a volume of next to nothing or none that is finite
+/// (flat-component), is left.
 ///
 /// attributes: as operations::reverse
 /// report: faces: those that were turned over
