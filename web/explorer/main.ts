@@ -54,6 +54,7 @@ async function start(): Promise<void> {
       view.focus();
     },
     toProblem: () => view.focus(),
+    takePicture: (format) => view.picture(format),
   });
   const share = shareButton(explorer, view);
   app.append(

@@ -23,7 +23,10 @@ export function fileOf(opened: MeshDocument, format: FileFormat): MeshFile {
 }
 
 /** `scan-repaired.stl`: of letters that every system takes in the name of a file. */
-export function fileName({ stem, diagnosis }: MeshDocument, format: FileFormat): string {
+export function fileName(
+  { stem, diagnosis }: MeshDocument,
+  format: FileFormat | 'png' | 'svg',
+): string {
   const plain = stem
     .replace(/[^\p{L}\p{N}._-]+/gu, '-')
     .replace(/^[-.]+|[-.]+$/g, '')

@@ -2,8 +2,10 @@ import {
   type Color,
   DirectionalLight,
   HemisphereLight,
+  type Object3D,
   PerspectiveCamera,
   Scene,
+  type ShaderMaterial,
   Vector2,
   Vector3,
   WebGLRenderer,
@@ -25,6 +27,8 @@ export const FILE_LAYER = 1;
 
 const FIELD_OF_VIEW = 32;
 const FLIGHT_MS = 420;
+/** Pixels of an exported picture to the CSS pixel. */
+const CAPTURE_RATIO = 2;
 
 /**
  * Canvas, camera and orbit controls. Nothing runs while nothing changes: a frame is drawn when
@@ -94,6 +98,51 @@ export class Stage {
   showLayer(layer: number): void {
     this.camera.layers.set(layer);
     this.invalidate();
+  }
+
+  /** The part of the canvas that no panel covers. */
+  get freeFrame(): { x: number; y: number; width: number; height: number } {
+    const { left, right, bottom } = this.#insets;
+    // Beside a panel the picture reaches down to the edge of the window.
+    const height = this.size.y - (right > 0 ? 0 : bottom);
+    return { x: left, y: 0, width: Math.max(1, this.size.x - left - right), height };
+  }
+
+  /** A part of the picture, two pixels to the CSS pixel, on the colour of the page. */
+  capture(
+    frame: { x: number; y: number; width: number; height: number },
+    without: ReadonlySet<Object3D> = new Set(),
+  ): HTMLCanvasElement {
+    const { domElement } = this.#renderer;
+    const taken = document.createElement('canvas');
+    taken.width = Math.round(CAPTURE_RATIO * frame.width);
+    taken.height = Math.round(CAPTURE_RATIO * frame.height);
+    for (const object of without) object.visible = false;
+    this.#renderer.setPixelRatio(CAPTURE_RATIO);
+    this.#renderer.setSize(this.size.x, this.size.y, false);
+    const sized = this.#setPointRatio(CAPTURE_RATIO);
+    this.#renderer.render(this.scene, this.camera);
+    const context = taken.getContext('2d') as CanvasRenderingContext2D;
+    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--page');
+    context.fillRect(0, 0, taken.width, taken.height);
+    const [x, y] = [CAPTURE_RATIO * frame.x, CAPTURE_RATIO * frame.y];
+    context.drawImage(domElement, x, y, taken.width, taken.height, 0, 0, taken.width, taken.height);
+    for (const object of without) object.visible = true;
+    this.#setPointRatio(sized);
+    this.#resize();
+    return taken;
+  }
+
+  /** Discs know their size in pixels of the canvas. Returns the ratio before. */
+  #setPointRatio(ratio: number): number {
+    let before = ratio;
+    this.scene.traverse((object) => {
+      const { uniforms } = (object as { material?: ShaderMaterial }).material ?? {};
+      if (!uniforms?.pixelRatio) return;
+      before = uniforms.pixelRatio.value;
+      uniforms.pixelRatio.value = ratio;
+    });
+    return before;
   }
 
   setLight(sky: Color, ground: Color, ambient: number, key: number): void {

@@ -6,6 +6,7 @@ import type { Item } from '../app/items.js';
 import type { Edit } from '../app/motion.js';
 import { anchorOf, facesAt, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
+import { pngOf, svgOf } from './export.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
@@ -34,6 +35,7 @@ export class View {
   readonly #arrows: ArrowLayer;
   readonly #highlights: Highlights;
   readonly #labels: Labels;
+  readonly #labelHost: HTMLElement;
   readonly #morph: Morph;
   readonly #soup: SoupView;
   readonly #witness: WitnessView;
@@ -47,6 +49,7 @@ export class View {
 
   constructor(explorer: Explorer, canvas: HTMLCanvasElement, labels: HTMLElement) {
     this.#explorer = explorer;
+    this.#labelHost = labels;
     this.stage = new Stage(canvas);
     this.travel = new Travel(this.stage);
     this.stage.scene.add(this.#surfaceView.object);
@@ -143,6 +146,16 @@ export class View {
     );
     if (this.#shown) matrix.multiply(this.#shown.surface.placement);
     return matrix.elements.map((x) => Number(x.toPrecision(8))).join(' ');
+  }
+
+  /** The picture as it is, without the panels: a PNG or an SVG file. */
+  async picture(format: 'png' | 'svg'): Promise<Blob> {
+    const frame = this.stage.freeFrame;
+    const { picker } = this.#shown ?? {};
+    const hides = (point: Vector3) => picker?.hides(point) ?? false;
+    return format === 'png'
+      ? pngOf(this.stage, frame, this.#labelHost)
+      : svgOf(this.stage, frame, this.#labelHost, hides);
   }
 
   /** Where the camera stands, and the middle of the picture, in the coordinates of the mesh. */

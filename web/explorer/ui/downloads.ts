@@ -1,6 +1,6 @@
 import type { FileFormat } from 'halfedge';
 import type { Explorer } from '../app/explorer.js';
-import { fileOf, sizeWords } from '../app/files.js';
+import { fileName, fileOf, sizeWords } from '../app/files.js';
 import { h, icon } from './dom.js';
 
 const FORMATS: readonly [FileFormat, string][] = [
@@ -10,8 +10,16 @@ const FORMATS: readonly [FileFormat, string][] = [
   ['stl', 'STL, binary: triangles only'],
 ];
 
-/** Buttons that hand the mesh on show to the browser as a file. */
-export function downloads(explorer: Explorer): HTMLElement {
+const PICTURES: readonly ['png' | 'svg', string][] = [
+  ['png', 'The picture as pixels'],
+  ['svg', 'The picture with arrows as paths and labels as text'],
+];
+
+/** Makes a file of the picture. */
+export type TakePicture = (format: 'png' | 'svg') => Promise<Blob>;
+
+/** Buttons that hand the mesh on show, or its picture, to the browser as a file. */
+export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLElement {
   const outcome = h('p', { class: 'outcome', role: 'status' });
   const save = (format: FileFormat) => {
     const opened = explorer.document.value;
@@ -24,7 +32,19 @@ export function downloads(explorer: Explorer): HTMLElement {
       outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
     }
   };
-  const buttons = FORMATS.map(([format, title]) =>
+  const savePicture = async (format: 'png' | 'svg') => {
+    const opened = explorer.document.value;
+    if (!opened) return;
+    try {
+      const content = await takePicture(format);
+      const name = fileName(opened, format);
+      offer(name, content);
+      outcome.textContent = `Saved ${name}, ${sizeWords(content.size)}.`;
+    } catch (error) {
+      outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
+    }
+  };
+  const button = (format: string, title: string, act: () => void) =>
     h(
       'button',
       {
@@ -33,10 +53,13 @@ export function downloads(explorer: Explorer): HTMLElement {
         title,
         'data-download': format,
         'aria-label': `Download as ${format.toUpperCase()}`,
-        onclick: () => save(format),
+        onclick: act,
       },
       format.toUpperCase(),
-    ),
+    );
+  const buttons = FORMATS.map(([format, title]) => button(format, title, () => save(format)));
+  const pictures = PICTURES.map(([format, title]) =>
+    button(format, title, () => void savePicture(format)),
   );
   explorer.document.subscribe(() => {
     outcome.textContent = '';
@@ -51,6 +74,8 @@ export function downloads(explorer: Explorer): HTMLElement {
     { class: 'downloads' },
     label,
     h('div', { role: 'group', 'aria-label': 'Download the mesh' }, ...buttons),
+    h('span', { class: 'caption' }, 'Picture'),
+    h('div', { role: 'group', 'aria-label': 'Download the picture' }, ...pictures),
     outcome,
   );
 }

@@ -2,7 +2,7 @@ import type { Explorer } from '../app/explorer.js';
 import { grouped, type MeshFacts, type Numbers } from '../app/facts.js';
 import type { Item } from '../app/items.js';
 import { fill, h, icon } from './dom.js';
-import { downloads } from './downloads.js';
+import { downloads, type TakePicture } from './downloads.js';
 import { changeBadge } from './history-bar.js';
 import { longList } from './long-list.js';
 
@@ -22,7 +22,7 @@ const ENTRIES: readonly [keyof Numbers, string, string?][] = [
 export type GoTo = (item: Item) => void;
 
 /** The topology numbers of the mesh, whether it is sound and where it is not, its boundary loops. */
-export function meshPanel(explorer: Explorer, goTo: GoTo): HTMLElement {
+export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePicture): HTMLElement {
   const title = h('h2', { id: 'mesh-title' });
   const counts = h('dl', { class: 'counts' });
   const validity = h('p', { class: 'validity', role: 'status' });
@@ -57,7 +57,7 @@ export function meshPanel(explorer: Explorer, goTo: GoTo): HTMLElement {
     validity,
     problems.element,
     loops.element,
-    downloads(explorer),
+    downloads(explorer, takePicture),
   );
 }
 

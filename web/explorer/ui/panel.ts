@@ -2,6 +2,7 @@ import type { Explorer } from '../app/explorer.js';
 import type { Signal } from '../app/signal.js';
 import { circulatorPanel } from './circulator-panel.js';
 import { h } from './dom.js';
+import type { TakePicture } from './downloads.js';
 import { editPanel } from './edit-panel.js';
 import { historyBar } from './history-bar.js';
 import { inspector } from './inspector.js';
@@ -22,8 +23,9 @@ const TABS: readonly [Tab, string, string?][] = [
 ];
 const SHEETS = ['low', 'half', 'tall'] as const;
 
-/** What the panel does to the camera. */
+/** What the panel does with the camera. */
 export interface Flights {
+  readonly takePicture: TakePicture;
   readonly goTo: GoTo;
   /** Back to the problem that is lit. */
   readonly toProblem: () => void;
@@ -46,9 +48,9 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
       { class: 'sections' },
       circulatorPanel(explorer),
       editPanel(explorer),
-      meshPanel(explorer, flights.goTo),
+      meshPanel(explorer, flights.goTo, flights.takePicture),
       recordsPanel(explorer, tab),
-      problemsPanel(explorer, flights.toProblem),
+      problemsPanel(explorer, flights.toProblem, flights.takePicture),
     ),
     historyBar(explorer),
   );

@@ -3,13 +3,17 @@ import type { Diagnosis, Finding } from '../app/diagnosis.js';
 import type { Explorer } from '../app/explorer.js';
 import { grouped } from '../app/facts.js';
 import { fill, h, icon } from './dom.js';
-import { downloads } from './downloads.js';
+import { downloads, type TakePicture } from './downloads.js';
 import { longList } from './long-list.js';
 
 const SHOWN = 4;
 
 /** What was wrong in the file and what was done about it; a click on a problem goes there. */
-export function problemsPanel(explorer: Explorer, focus: () => void): HTMLElement {
+export function problemsPanel(
+  explorer: Explorer,
+  focus: () => void,
+  takePicture: TakePicture,
+): HTMLElement {
   const title = h('h2', { id: 'problems-title' });
   const lesson = h('p', { class: 'lesson' });
   const summary = h('p', { class: 'diagnosis', role: 'status' });
@@ -37,7 +41,7 @@ export function problemsPanel(explorer: Explorer, focus: () => void): HTMLElemen
     lesson,
     summary,
     findings,
-    downloads(explorer),
+    downloads(explorer, takePicture),
   );
 }
 
