@@ -1,6 +1,7 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
 export type { GeometryOptions, NormalOption } from './columns.js';
+export { type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
 export {
   type FromGeometryOptions,
   fromBufferGeometry,

@@ -16,7 +16,7 @@ export function shapeOf(mesh: HalfedgeMesh): Shape {
   return { next, toVertex, face, vertexHalfedge, faceHalfedge, positions: mesh.positions };
 }
 
-/** Adds the normal of a loop, as long as twice its area (Newell), to `sum`. */
+/** Adds the normal of a loop, as long as twice its area (Newell), to `sum`, and its length to `sum[3]`. */
 export function addFaceNormal(
   { next, toVertex, positions }: Shape,
   first: number,
@@ -40,9 +40,12 @@ export function addFaceNormal(
   sum[0] += x;
   sum[1] += y;
   sum[2] += z;
+  sum[3] += Math.hypot(x, y, z);
 }
 
-const sum = new Float64Array(3);
+const sum = new Float64Array(4);
+/** Of the sum of normals that cancel each other to less than this share, rounding alone is left. */
+const LEAST = 1e-10;
 
 /** Writes the unit normal of a face to `out`; zeros where it has no area. */
 export function writeFaceNormal(shape: Shape, f: number, out: Float32Array, at: number): void {
@@ -68,7 +71,8 @@ export function writeVertexNormal(shape: Shape, v: number, out: Float32Array, at
 
 function writeUnit(out: Float32Array, at: number): void {
   const length = Math.hypot(sum[0], sum[1], sum[2]);
-  const scale = length > 0 && length < Number.POSITIVE_INFINITY ? 1 / length : 0;
+  const isGood = length > LEAST * sum[3] && length < Number.POSITIVE_INFINITY;
+  const scale = isGood ? 1 / length : 0;
   for (let k = 0; k < 3; k++) out[at + k] = sum[k] * scale;
 }
 
@@ -76,7 +80,8 @@ function writeUnit(out: Float32Array, at: number): void {
 export function vertexNormals(mesh: HalfedgeMesh): Float32Array {
   const shape = shapeOf(mesh);
   const { next, toVertex, faceHalfedge } = shape;
-  const sums = new Float64Array(shape.positions.length);
+  const vertices = shape.vertexHalfedge.length;
+  const sums = new Float64Array(4 * vertices);
   for (let f = 0; f < faceHalfedge.length; f++) {
     const first = faceHalfedge[f];
     if (first < 0) continue;
@@ -84,15 +89,15 @@ export function vertexNormals(mesh: HalfedgeMesh): Float32Array {
     addFaceNormal(shape, first, sum);
     let h = first;
     do {
-      const v = 3 * toVertex[h];
-      for (let k = 0; k < 3; k++) sums[v + k] += sum[k];
+      const v = 4 * toVertex[h];
+      for (let k = 0; k < 4; k++) sums[v + k] += sum[k];
       h = next[h];
     } while (h !== first);
   }
-  const normals = new Float32Array(sums.length);
-  for (let at = 0; at < sums.length; at += 3) {
-    for (let k = 0; k < 3; k++) sum[k] = sums[at + k];
-    writeUnit(normals, at);
+  const normals = new Float32Array(3 * vertices);
+  for (let v = 0; v < vertices; v++) {
+    sum.set(sums.subarray(4 * v, 4 * v + 4));
+    writeUnit(normals, 3 * v);
   }
   return normals;
 }

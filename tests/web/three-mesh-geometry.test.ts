@@ -1,0 +1,287 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import {
+  fromBufferGeometry,
+  type GeometryOptions,
+  MeshGeometry,
+  toBufferGeometry,
+} from 'halfedge/three';
+import * as THREE from 'three';
+import { addAttributes } from './support/editing.js';
+import { randomPolygons } from './support/meshes.js';
+import { random } from './support/random.js';
+import { randomEdit, refusalOf } from './support/random-edits.js';
+
+beforeAll(() => init());
+
+const LAYOUTS: [string, GeometryOptions][] = [
+  ['indexed, with smooth normals', { attributes: [] }],
+  ['indexed, without normals', { attributes: ['tone'], normals: 'none' }],
+  ['with flat normals', { attributes: [], normals: 'flat' }],
+  ['with texture coordinates and smooth normals', { attributes: ['uv', 'tone'] }],
+];
+
+/** By face, its triangles as it shows them: all values of all corners. */
+function facesOf(geometry: MeshGeometry): Map<number, number[][]> {
+  const faces = new Map<number, number[][]>();
+  const names = Object.keys(geometry.attributes).sort();
+  const { start, count } = geometry.drawRange;
+  for (let at = start; at < start + count; at += 3) {
+    const corners = [0, 1, 2].map((k) => geometry.index?.getX(at + k) ?? at + k);
+    const values = corners.flatMap((row) =>
+      names.flatMap((name) => {
+        const { itemSize, array } = geometry.attributes[name] as THREE.BufferAttribute;
+        return [...array.subarray(row * itemSize, (row + 1) * itemSize)];
+      }),
+    );
+    const face = geometry.face(at / 3);
+    if (face >= 0) faces.set(face, [...(faces.get(face) ?? []), values]);
+    else if (geometry.index) expect(new Set(corners).size).toBe(1);
+    else expect(new Set([0, 3, 6].map((k) => positionAt(geometry, at + k / 3))).size).toBe(1);
+  }
+  return faces;
+}
+
+const positionAt = ({ attributes: { position } }: THREE.BufferGeometry, row: number) =>
+  [position.getX(row), position.getY(row), position.getZ(row)].join();
+
+/** What a graphics card holds, which is sent whole buffers once and ranges from then on. */
+class Card {
+  readonly #copies = new Map<THREE.BufferAttribute, { array: Float32Array; version: number }>();
+
+  upload({ attributes, index }: THREE.BufferGeometry): void {
+    for (const attribute of [
+      ...Object.values(attributes),
+      ...(index ? [index] : []),
+    ] as THREE.BufferAttribute[]) {
+      const copy = this.#copies.get(attribute);
+      if (copy === undefined) {
+        this.#copies.set(attribute, {
+          array: attribute.array.slice() as Float32Array,
+          version: attribute.version,
+        });
+        continue;
+      }
+      if (copy.version === attribute.version) continue;
+      for (const { start, count } of attribute.updateRanges) {
+        copy.array.set(attribute.array.subarray(start, start + count), start);
+      }
+      attribute.clearUpdateRanges();
+      copy.version = attribute.version;
+    }
+  }
+
+  /** Whether it has all that is drawn. */
+  expectUpToDate({ attributes, index }: THREE.BufferGeometry): void {
+    for (const attribute of [
+      ...Object.values(attributes),
+      ...(index ? [index] : []),
+    ] as THREE.BufferAttribute[]) {
+      const { array } = this.#copies.get(attribute) as { array: Float32Array };
+      const different = array.findIndex((value, i) => !Object.is(value, attribute.array[i]));
+      expect(different).toBe(-1);
+    }
+  }
+}
+
+/** Equal, but for rounding of normals. */
+function expectSame(
+  geometry: MeshGeometry,
+  mesh: HalfedgeMesh,
+  options: GeometryOptions,
+  what: string,
+): void {
+  const fresh = new MeshGeometry(mesh, options);
+  const [shown, expected] = [facesOf(geometry), facesOf(fresh)];
+  expect([what, [...shown.keys()].sort()]).toEqual([what, [...expected.keys()].sort()]);
+  for (const [face, triangles] of expected) {
+    const mine = (shown.get(face) as number[][]).flat();
+    const other = triangles.flat();
+    const wrong = other.findIndex(
+      (value, i) => !(Math.abs(value - mine[i]) <= 1e-5 * (1 + Math.abs(value))),
+    );
+    if (wrong >= 0 || mine.length !== other.length)
+      expect([what, face, mine]).toEqual([what, face, other]);
+  }
+}
+
+describe.each(LAYOUTS)('MeshGeometry, %s,', (_name, options) => {
+  test.each(Array.from({ length: 8 }, (_, i) => i + 1))(
+    'shows what a fresh one shows after random edits, undone and done again: seed %i',
+    (seed) => {
+      const next = random(seed);
+      const { positions, faces } = randomPolygons(seed);
+      const { mesh } = HalfedgeMesh.fromSoup(positions, faces);
+      addAttributes(mesh, next);
+      mesh.attributes
+        .add('vertex', 'tone', { type: 'float64', components: 3 })
+        .forEach((_, i, view) => {
+          view[i] = next();
+        });
+      mesh.history.enabled = true;
+      const geometry = new MeshGeometry(mesh, options);
+      const card = new Card();
+      card.upload(geometry);
+      for (let i = 0; i < 30; i++) {
+        const some = 1 + Math.floor(3 * next());
+        const done: string[] = [];
+        for (let k = 0; k < some; k++) {
+          const way = next();
+          const { history } = mesh;
+          if (way < 0.15) done.push(`undo ${history.undo()}`);
+          else if (way < 0.25) done.push(`redo ${history.redo()}`);
+          else if (way < 0.3 && mesh.vertexCount > 0) {
+            const [v] = mesh.vertices();
+            mesh.positions[3 * v + 1] += 0.25;
+            done.push(`moved ${v}`);
+          } else {
+            const made = randomEdit(mesh, next);
+            refusalOf(made);
+            done.push(made.name);
+          }
+        }
+        geometry.update();
+        const what = `seed ${seed}, step ${i}: ${done.join('; ')}`;
+        expectSame(geometry, mesh, options, what);
+        expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
+        card.upload(geometry);
+        card.expectUpToDate(geometry);
+      }
+      mesh.dispose();
+    },
+  );
+
+  test('draws what toBufferGeometry draws', () => {
+    const { mesh } = fromBufferGeometry(new THREE.TorusGeometry(1, 0.4, 6, 9));
+    mesh.attributes.add('vertex', 'tone');
+    const geometry = new MeshGeometry(mesh, options);
+    const { geometry: other, faces } = toBufferGeometry(mesh, options);
+    const shown = facesOf(geometry);
+    expect(Object.keys(geometry.attributes).sort()).toEqual(Object.keys(other.attributes).sort());
+    faces.forEach((f, i) => {
+      const names = Object.keys(other.attributes).sort();
+      const values = [0, 1, 2].flatMap((k) => {
+        const row = (other.index as THREE.BufferAttribute).getX(3 * i + k);
+        return names.flatMap((name) => {
+          const { itemSize, array } = other.attributes[name] as THREE.BufferAttribute;
+          return [...array.subarray(row * itemSize, (row + 1) * itemSize)];
+        });
+      });
+      expect(shown.get(f)).toEqual([values]);
+    });
+  });
+});
+
+describe('MeshGeometry', () => {
+  test('keeps bounds around what moves, and none around what is not there', () => {
+    const mesh = HalfedgeMesh.cube({ size: 2 });
+    const geometry = new MeshGeometry(mesh);
+    geometry.computeBoundingSphere();
+    geometry.computeBoundingBox();
+    expect(geometry.boundingSphere?.radius).toBeCloseTo(Math.sqrt(3));
+    mesh.setPosition(0, [-5, 0, 0]);
+    geometry.update();
+    expect(geometry.boundingBox?.min.x).toBe(-5);
+    expect(geometry.boundingSphere?.containsPoint(new THREE.Vector3(-5, 0, 0))).toBe(true);
+    mesh.deleteVertex(0);
+    geometry.update();
+    geometry.computeBoundingBox();
+    expect(geometry.boundingBox?.min.x).toBe(-1);
+  });
+
+  test('is picked by triangles, which tell their face', () => {
+    const mesh = HalfedgeMesh.dodecahedron();
+    const geometry = new MeshGeometry(mesh);
+    expect(geometry.triangles(3)).toEqual({ first: 9, count: 3 });
+    const ray = new THREE.Raycaster(
+      new THREE.Vector3(0, 0, 5),
+      new THREE.Vector3(0.03, 0.02, -1).normalize(),
+    );
+    const [hit] = ray.intersectObject(new THREE.Mesh(geometry));
+    const face = geometry.face(hit.faceIndex as number);
+    expect(mesh.faceVertices(face).toArray()).toContain(hit.face?.a);
+    expect(geometry.face(1e6)).toBe(-1);
+  });
+
+  test('grows, and takes up room again that was freed', () => {
+    const mesh = HalfedgeMesh.icoSphere(2);
+    const geometry = new MeshGeometry(mesh);
+    const { position } = geometry.attributes;
+    let disposed = 0;
+    geometry.addEventListener('dispose', () => {
+      disposed += 1;
+    });
+    for (let i = 0; i < 400; i++) mesh.splitEdge(i);
+    geometry.update();
+    expect(disposed).toBe(1);
+    expect(geometry.attributes.position).not.toBe(position);
+    expectSame(geometry, mesh, {}, 'after growth');
+    const end = geometry.drawRange.count;
+    for (const f of mesh.faces().toArray()) if (mesh.checkMakeHole(f) === null) mesh.makeHole(f);
+    geometry.update();
+    for (const h of mesh.boundaryLoops().slice(0, 5)) mesh.fillHole(h);
+    geometry.update();
+    expect(geometry.drawRange.count).toBe(end);
+    expectSame(geometry, mesh, {}, 'after holes');
+  });
+
+  test('is made anew where most of it shows nothing', () => {
+    const mesh = HalfedgeMesh.icoSphere(4);
+    const geometry = new MeshGeometry(mesh, { normals: 'flat' });
+    for (const f of mesh.faces().toArray().slice(0, 4000)) mesh.deleteFace(f);
+    expect(geometry.update().faces).toBe(4000);
+    expect(geometry.drawRange.count).toBe(3 * mesh.faceCount);
+    mesh.compact();
+    geometry.update();
+    expectSame(geometry, mesh, { normals: 'flat' }, 'after compact()');
+  });
+
+  test('refuses what is no living mesh', () => {
+    expect(() => new MeshGeometry({} as never)).toThrow(
+      'mesh is an Object; expected a HalfedgeMesh.',
+    );
+    const mesh = HalfedgeMesh.cube();
+    const geometry = new MeshGeometry(mesh);
+    const copy = geometry.clone();
+    expect([copy.mesh === mesh, copy.drawRange.count]).toEqual([true, 36]);
+    mesh.dispose();
+    expect(() => geometry.update()).toThrow(/disposed/);
+  });
+});
+
+describe('MeshGeometry of a million faces', () => {
+  const EDITS: [string, (mesh: HalfedgeMesh) => unknown][] = [
+    ['a flip', (mesh) => mesh.flipEdge(mesh.edge(mesh.faceHalfedge(500_000)))],
+    ['a split', (mesh) => mesh.splitEdge(mesh.edge(mesh.faceHalfedge(400_000)))],
+    ['a collapse', (mesh) => mesh.collapse(mesh.faceHalfedge(300_000))],
+    ['an undo', (mesh) => mesh.history.undo()],
+    ['a vertex that moves', (mesh) => mesh.setPosition(1000, [0, 0, 0.1])],
+  ];
+
+  test.each([
+    ['indexed', {}],
+    ['with flat normals', { normals: 'flat' }],
+  ] as [string, GeometryOptions][])('%s, uploads kilobytes after an edit', (name, options) => {
+    const mesh = HalfedgeMesh.grid(708, 708, { triangles: true });
+    expect(mesh.faceCount).toBeGreaterThan(1_000_000);
+    mesh.history.enabled = true;
+    const geometry = new MeshGeometry(mesh, options);
+    const lines: string[] = [];
+    for (const [what, run] of EDITS) {
+      run(mesh);
+      const began = performance.now();
+      const { faces, bytes } = geometry.update();
+      const took = performance.now() - began;
+      const marked = [...Object.values(geometry.attributes), geometry.index ?? []]
+        .flatMap((attribute) => (attribute as THREE.BufferAttribute).updateRanges ?? [])
+        .reduce((sum, { count }) => sum + 4 * count, 0);
+      for (const attribute of [...Object.values(geometry.attributes), geometry.index])
+        (attribute as THREE.BufferAttribute | null)?.clearUpdateRanges();
+      lines.push(`${what}: ${faces} faces, ${bytes} bytes, ${took.toFixed(1)} ms`);
+      expect(marked).toBe(bytes);
+      expect(bytes).toBeGreaterThan(0);
+      expect(bytes).toBeLessThan(8192);
+    }
+    console.log(`A million faces, ${name}\n${lines.join('\n')}`);
+    mesh.dispose();
+  });
+});
