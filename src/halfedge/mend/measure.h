@@ -1,8 +1,7 @@
 #pragma once
 
 #include <halfedge/mend/surface.h>
-
-#include <array>
+#include <halfedge/vector.h>
 
 namespace halfedge::mend {
 
@@ -10,18 +9,6 @@ namespace halfedge::mend {
 /// positions alone could turn it over.
 inline constexpr double kThin = 1e-6;
 
-/// A point or a vector, of which differences of floats are exact or nearly so.
-using Vector = std::array<double, 3>;
-
-[[nodiscard]] inline Vector operator-(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-[[nodiscard]] inline double dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 [[nodiscard]] double length(const Vector& a);
 /// Of length 1, or 0 if `a` is no longer than `least`.
 [[nodiscard]] Vector unit_vector(const Vector& a, double least);

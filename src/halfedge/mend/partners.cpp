@@ -1,6 +1,6 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
-#include <halfedge/repair/soup.h>
+#include <halfedge/repair/weld.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>

@@ -1,20 +1,13 @@
 #include <halfedge/repair/soup.h>
 #include <halfedge/sort.h>
+#include <halfedge/vector.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace halfedge::repair {
 
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Joins the sides of an edge with more than two faces, by twos that run opposite ways.
 class CrowdMatcher {

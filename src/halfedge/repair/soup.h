@@ -3,23 +3,15 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/repair/log.h>
+#include <halfedge/repair/weld.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 
 /// The steps of a repair, each on what the one before has left. They return false when memory is
 /// exhausted.
 namespace halfedge::repair {
-
-/// The vertices that the input has once coincident ones are joined.
-struct Vertices {
-  Array<Index> of_input;  // by vertex of the input; kNone if its position isn't finite
-  Array<Index> origin;    // a vertex of the input for each
-
-  [[nodiscard]] std::size_t size() const { return origin.size(); }
-};
 
 /// Faces over them, in the order of the input.
 struct Faces {
@@ -34,11 +26,6 @@ struct Faces {
     return corners.span().subspan(first[f], first[f + 1] - first[f]);
   }
 };
-
-/// Numbers the vertices by their first one in the input. Expected time is linear, and n log n with
-/// a tolerance above 0.
-[[nodiscard]] bool weld(std::span<const float> positions, std::optional<double> tolerance,
-                        Vertices& out);
 
 /// Takes over the faces that have three corners or more, after dropping repeats that enclose
 /// nothing.

@@ -1,4 +1,4 @@
-#include <halfedge/repair/soup.h>
+#include <halfedge/repair/weld.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
