@@ -1,5 +1,14 @@
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import {
+  closeSync,
+  existsSync,
+  mkdtempSync,
+  openSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -112,7 +121,7 @@ describe('halfedge', () => {
     [['info', 'nowhere.obj'], "nowhere.obj can't be read: no such file or directory (ENOENT)."],
     [['info', '.'], '. is a folder; expected a file.'],
     [['info', 'broken.off'], 'broken.off: Line 5: '],
-    [['convert', 'quad.obj', 'q.stl', '--encoding', 'binary-big-endian'], 'STL has'],
+    [['convert', 'quad.obj', 'q.stl', '--encoding', 'binary-big-endian'], 'q.stl: STL has'],
     [['convert', 'quad.obj', 'no/such/folder.off'], "no/such/folder.off can't be written: no such"],
   ])('refuses %j in one sentence, with status 2', async (args, sentence) => {
     const { status, out, err } = await run(args);
@@ -156,6 +165,36 @@ valid                 yes
       expect(status).toBe(0);
       expect(JSON.parse(out)).toMatchObject({ ...facts, valid: true, bytes: stl.length });
     }
+  });
+
+  test('goes on after a file that can not be read, which has its line, too', async () => {
+    const files = ['broken.off', 'quad.obj', 'nowhere.obj'];
+    const text = await run(['info', ...files]);
+    expect(text).toMatchObject({ status: 2, out: expect.stringMatching(/^quad\.obj\nformat /) });
+    expect(text.err).toMatch(/^halfedge: broken\.off: Line 5: .*\nhalfedge: nowhere\.obj can't/);
+    const { status, out, err } = await run(['info', '--json', ...files]);
+    expect({ status, err }).toEqual({ status: 2, err: '' });
+    const lines = out.trimEnd().split('\n');
+    expect(lines.map((line) => JSON.parse(line))).toMatchObject([
+      { file: 'broken.off', readable: false, error: expect.stringContaining('Line 5') },
+      { file: 'quad.obj', readable: true, faces: 1 },
+      { file: 'nowhere.obj', readable: false, error: expect.stringContaining('ENOENT') },
+    ]);
+  });
+
+  test('counts no vertex as repaired that only has no face', async () => {
+    const both = `${CLASHING.replace('4 2 0', '6 2 0').replace('0 1 0\n', '0 1 0\n7 7 7\n8 8 8\n')}`;
+    const { out } = await run(['info'], both);
+    expect(out).toMatch(/^valid +no \(1 repair; see halfedge check\)$/m);
+  });
+
+  test('believes the content of a file, not its name', async () => {
+    writeFileSync(join(folder, 'really-an-obj.glb'), QUAD);
+    const { status, out } = await run(['info', '--json', 'really-an-obj.glb']);
+    expect(status).toBe(0);
+    expect(JSON.parse(out)).toMatchObject({ format: 'obj', faces: 1 });
+    writeFileSync(join(folder, 'nothing.glb'), 'nothing at all');
+    expect((await run(['info', 'nothing.glb'])).err).toMatch(/^halfedge: nothing\.glb: .*glTF/);
   });
 
   test('tells of several files, in JSON a line for each', async () => {
@@ -325,8 +364,9 @@ describe('halfedge repair, asked for more,', () => {
   });
 
   test('tells what it could not do, and refuses wrong numbers', async () => {
-    const { out } = await run(['repair', '-', 'open.obj', '--orient'], crackedCube());
-    expect(out).toMatch(/open/);
+    const { out } = await run(['repair', '-', 'left.obj', '--orient'], crackedCube());
+    expect(out).toMatch(/^The component of face 0, .*what is open has no inside\.$/m);
+    expect(out).toContain('5 open components left');
     for (const [option, value] of [
       ['stitch', '-1'],
       ['fill-holes', '2.5'],
@@ -337,6 +377,59 @@ describe('halfedge repair, asked for more,', () => {
       expect(err).toContain(`--${option} is `);
     }
   });
+});
+
+test('halfedge repair --stitch tells of the pinched vertices that it splits', async () => {
+  const { out } = await run(['repair', 'bowtie.off', 'untied.off', '--stitch', '0']);
+  expect(out).toContain('1 pinched vertex split.\n');
+  const { out: json } = await run(['repair', 'bowtie.off', 'x.off', '--stitch=0', '--json', '-q']);
+  expect(JSON.parse(json)).toMatchObject({
+    steps: [{ step: 'stitch', counts: { 'split-vertex': 1 } }],
+    notes: [],
+  });
+  expect((await run(['repair', '--help'])).out).toMatch(/splits pinched vertices, then glues/);
+});
+
+describe('What is refused half-way', () => {
+  /** A face that no triangulation can cut without a second edge between its corners. */
+  const UNCUTTABLE = `OFF\n6 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n0.5 0.5 -1\n4 0 1 2 3\n3 0 2 4\n3 1 3 5\n`;
+
+  test.each([
+    [['convert', '--to', 'obj', '--triangulate'], /^halfedge: standard input: .*Face 0/],
+    [['repair', '-', 'y.off', '--keep-largest', '3000000000'], /^halfedge: --keep-largest is 3000/],
+    [['repair', '-', 'y.off', '--fill-holes', '3000000000'], /^halfedge: --fill-holes is 3000/],
+  ])('by %j is told in a sentence, with status 2', async (args, sentence) => {
+    const { status, out, err } = await run(args, UNCUTTABLE);
+    expect({ status, out }).toEqual({ status: 2, out: '' });
+    expect(err).toMatch(sentence);
+    expect(err.trimEnd()).not.toContain('\n');
+  });
+
+  const full = '/dev/full';
+  (existsSync(full) ? test : test.skip)(
+    'by a full disk behind standard output is told',
+    async () => {
+      const told =
+        "halfedge: Standard output can't be written: no space left on device (ENOSPC).\n";
+      for (const args of [
+        ['convert', 'quad.obj', '--to', 'obj'],
+        ['info', 'quad.obj'],
+      ]) {
+        const file = openSync(full, 'w');
+        const child = spawn(process.execPath, [program, ...args], {
+          cwd: folder,
+          stdio: ['ignore', file, 'pipe'],
+        });
+        let err = '';
+        child.stderr?.on('data', (chunk) => {
+          err += chunk;
+        });
+        const status = await new Promise((resolve) => child.on('close', resolve));
+        closeSync(file);
+        expect({ status, err }).toEqual({ status: 2, err: told });
+      }
+    },
+  );
 });
 
 describe('halfedge convert', () => {
@@ -393,6 +486,20 @@ describe('halfedge convert', () => {
     const stl = await run(['convert', '-', 'named.stl'], named);
     expect(stl).toMatchObject({ status: 0, err: expect.stringMatching(/^named\.stl: .*material/) });
     expect((await run(['convert', '-', 'named.stl', '-q'], named)).err).toBe('');
+  });
+
+  test('tells what glTF has no place for, and in JSON with all else', async () => {
+    const named = QUAD.replace('f 1', 'usemtl oak\nf 1');
+    const { err } = await run(['convert', '-', 'named.glb'], named);
+    expect(err).toBe(
+      'named.glb: Cut 1 face into 2 triangles: glTF has no polygons.\n' +
+        'named.glb: Left out the face attribute "material": glTF has no place for it.\n',
+    );
+    const json = await run(['convert', '-', 'named.glb', '--json', '--quiet'], named);
+    expect(json.err).toBe('');
+    expect(JSON.parse(json.out)).toMatchObject({
+      notes: [expect.stringMatching(/^Cut 1 face/), expect.stringMatching(/^Left out the face/)],
+    });
   });
 
   test('tells on standard error what it had to repair', async () => {

@@ -1,10 +1,10 @@
 import type { Problem, RepairReport } from '../index.js';
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
-import { Complaint } from './complaint.js';
+import { orComplain } from './complaint.js';
 import { faultsOf } from './faults.js';
-import { inputsOf, load, nameOf } from './input.js';
-import { counted, print, printError } from './output.js';
+import { forEachFile, inputsOf, load, nameOf } from './input.js';
+import { counted, print } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {
@@ -25,28 +25,14 @@ Exit status: 0 if all files are valid, 1 if one has problems, 2 if one can't be 
 
 async function run(args: Arguments): Promise<number> {
   const progress = new Progress(progressMode(args));
-  let status = 0;
-  for (const path of inputsOf(args.operands)) {
-    try {
-      const isValid = await checkOne(path, args, progress);
-      status = Math.max(status, isValid ? 0 : 1);
-    } catch (error) {
-      // The other files are checked all the same.
-      if (!(error instanceof Complaint)) throw error;
-      if (args.has('json')) {
-        print(JSON.stringify({ file: nameOf(path), readable: false, error: error.message }));
-      } else {
-        printError(`halfedge: ${error.message}`);
-      }
-      status = 2;
-    }
-  }
-  return status;
+  return forEachFile(inputsOf(args.operands), args, async (path) =>
+    (await checkOne(path, args, progress)) ? 0 : 1,
+  );
 }
 
 async function checkOne(path: string, args: Arguments, progress: Progress): Promise<boolean> {
   const { mesh, report } = await load(path, args, progress);
-  const faults = faultsOf(mesh, report);
+  const faults = orComplain(nameOf(path), () => faultsOf(mesh, report));
   mesh.dispose();
   const grave = faults.filter(
     ({ severity }) => severity === 'error' || (severity === 'warning' && args.has('strict')),

@@ -21,9 +21,9 @@ export const COMMON: Options = {
     value: 'format',
     help: 'obj, off, ply, stl, glb or gltf, where the content leaves that open',
   },
-  json: { help: 'prints JSON, a line for each file' },
+  json: { help: 'prints JSON, a line for each file, also with --quiet' },
   progress: { help: 'tells the progress also where standard error is no terminal' },
-  quiet: { short: 'q', help: 'prints neither progress nor reports' },
+  quiet: { short: 'q', help: 'prints neither progress nor reports but those of --json' },
   help: { short: 'h', help: 'prints this' },
 };
 

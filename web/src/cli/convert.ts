@@ -1,8 +1,9 @@
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
+import { orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
 import { load, nameOf } from './input.js';
-import { adaptTextures, print, printError, save } from './output.js';
+import { adaptTextures, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 import { inputAndOutput } from './repair.js';
 
@@ -30,20 +31,22 @@ async function run(args: Arguments): Promise<number> {
   const loaded = await load(input, args, progress);
   const { mesh, report } = loaded;
   adaptTextures(mesh, report.format, format);
-  if (args.has('triangulate')) mesh.triangulate();
+  if (args.has('triangulate')) orComplain(nameOf(input), () => mesh.triangulate());
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
-  await save(loaded, output, format, args);
+  const notes = await save(loaded, output, format, args);
   mesh.dispose();
   const { summary } = report;
-  if (args.has('quiet')) return 0;
   if (args.has('json')) {
     const { format: from, counts } = report;
     const told = { input: nameOf(input), output, from, to: format };
     (output === '-' ? printError : print)(
-      JSON.stringify({ ...told, vertices, edges, faces, counts, summary }),
+      JSON.stringify({ ...told, vertices, edges, faces, counts, notes, summary }),
     );
-  } else if (report.problems.some(({ severity, code }) => severity !== 'info' || code === 'note')) {
-    printError(`${nameOf(input)}: ${summary}`);
+  } else if (!args.has('quiet')) {
+    if (report.problems.some(({ severity, code }) => severity !== 'info' || code === 'note')) {
+      printError(`${nameOf(input)}: ${summary}`);
+    }
+    for (const note of notes) printError(`${nameOfOutput(output)}: ${note}`);
   }
   return 0;
 }

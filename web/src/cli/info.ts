@@ -1,8 +1,9 @@
 import type { HalfedgeMesh, RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
-import { faultsOf } from './faults.js';
-import { inputsOf, type Loaded, load, nameOf } from './input.js';
+import { orComplain } from './complaint.js';
+import { faultsOf, repairCount } from './faults.js';
+import { forEachFile, inputsOf, type Loaded, load, nameOf } from './input.js';
 import { counted, print, table } from './output.js';
 import { Progress } from './progress.js';
 
@@ -12,7 +13,7 @@ export const info: Command = {
   operands: '<file>...',
   details: `Reads OBJ, OFF, PLY, STL, glTF and GLB files, or standard input (-). What can't be part of a mesh as it
 stands is repaired first, and the line "valid" says so.
-Exit status: 0, or 2 if a file can't be read.`,
+Exit status: 0, or 2 if a file can't be read; the others are told of all the same.`,
   options: COMMON,
   run,
 };
@@ -20,19 +21,21 @@ Exit status: 0, or 2 if a file can't be read.`,
 async function run(args: Arguments): Promise<number> {
   const progress = new Progress(progressMode(args));
   const inputs = inputsOf(args.operands);
-  for (const [i, path] of inputs.entries()) {
+  let printed = 0;
+  return forEachFile(inputs, args, async (path) => {
     const loaded = await load(path, args, progress);
-    const facts = factsOf(path, loaded);
+    const facts = orComplain(nameOf(path), () => factsOf(path, loaded));
+    const repairs = repairCount(loaded.report);
     loaded.mesh.dispose();
     if (args.has('json')) {
       print(JSON.stringify(facts));
-      continue;
+    } else if (!args.has('quiet')) {
+      if (printed++ > 0) print('');
+      if (inputs.length > 1) print(nameOf(path));
+      print(asText(facts, repairs));
     }
-    if (i > 0) print('');
-    if (inputs.length > 1) print(nameOf(path));
-    print(asText(facts));
-  }
-  return 0;
+    return 0;
+  });
 }
 
 type Box = { readonly min: Point; readonly max: Point };
@@ -43,6 +46,7 @@ function factsOf(path: string, { mesh, report, size }: Loaded) {
   const boundaryLoops = mesh.boundaryLoops().length;
   return {
     file: nameOf(path),
+    readable: true,
     format: report.format,
     bytes: size,
     vertices: vertexCount,
@@ -96,13 +100,12 @@ function boundingBox({ positions }: HalfedgeMesh): Box | null {
 
 const NAMES: Record<number, string> = { 3: 'triangle', 4: 'quad', 5: 'pentagon', 6: 'hexagon' };
 
-function asText(facts: ReturnType<typeof factsOf>): string {
+function asText(facts: ReturnType<typeof factsOf>, repairs: number): string {
   const { boundingBox: box } = facts;
   const byDegree = Object.entries(facts.facesByDegree).map(([degree, count]) =>
     counted(count, NAMES[Number(degree)] ?? `face of ${degree} corners`, many(Number(degree))),
   );
   const few = byDegree.length > 5 ? [...byDegree.slice(0, 4), '...'] : byDegree;
-  const repairs = Object.values(facts.repairs).reduce((sum, count) => sum + count, 0);
   return table([
     ['format', facts.format.toUpperCase()],
     ['size', `${facts.bytes} bytes`],

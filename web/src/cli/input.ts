@@ -4,8 +4,9 @@ import { looksLikeGltf } from '../gltf/container.js';
 import { readGltf } from '../gltf/index.js';
 import { HalfedgeError, HalfedgeMesh, type ParseStage, type RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
-import { Complaint, isSystemError, reasonOf } from './complaint.js';
+import { Complaint, isSystemError, orComplain, reasonOf } from './complaint.js';
 import { type AnyFormat, FORMATS, formatOfName, isGltf } from './formats.js';
+import { print, printError } from './output.js';
 import type { Progress } from './progress.js';
 
 /** What a file is read by at a time. */
@@ -26,15 +27,12 @@ export const nameOf = (path: string) => (path === '-' ? 'standard input' : path)
 export async function load(path: string, args: Arguments, progress: Progress): Promise<Loaded> {
   const claimed = args.choice('from', FORMATS) ?? formatOfName(path);
   progress.begin(nameOf(path));
-  const bytes = await readBytes(path, progress);
   try {
-    const { mesh, report } = await meshOf(bytes, path, claimed, (fraction, stage) => {
-      progress.update(STAGES[stage], fraction);
-    });
+    const bytes = await readBytes(path, progress);
+    const { mesh, report } = await orComplain(nameOf(path), () =>
+      meshOf(bytes, path, claimed, (fraction, stage) => progress.update(STAGES[stage], fraction)),
+    );
     return { mesh, report, size: bytes.length };
-  } catch (error) {
-    if (error instanceof HalfedgeError) throw new Complaint(`${nameOf(path)}: ${error.message}`);
-    throw error;
   } finally {
     progress.clear();
   }
@@ -43,18 +41,25 @@ export async function load(path: string, args: Arguments, progress: Progress): P
 /** What the work on a file is called, after its bytes are there. */
 const STAGES = { read: 'parsing', repair: 'repairing', build: 'building' } as const;
 
-function meshOf(
+async function meshOf(
   bytes: Uint8Array,
   path: string,
   format: AnyFormat | undefined,
   onProgress: (fraction: number, stage: ParseStage) => void,
 ) {
-  if (isGltf(format) || looksLikeGltf(bytes)) {
-    // Buffers in other files lie beside it.
-    return readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) });
+  // Buffers in other files lie beside it.
+  const asGltf = () => readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) });
+  if (looksLikeGltf(bytes)) return asGltf();
+  if (!isGltf(format)) {
+    return HalfedgeMesh.parse(bytes, { ...(format === undefined ? {} : { format }), onProgress });
   }
-  const options = format === undefined ? {} : { format };
-  return HalfedgeMesh.parse(bytes, { ...options, onProgress });
+  // The content is believed first, whatever the name says; where it says nothing, glTF's sentence is told.
+  try {
+    return HalfedgeMesh.parse(bytes, { onProgress });
+  } catch (error) {
+    if (error instanceof HalfedgeError && error.code === 'unknown-format') return asGltf();
+    throw error;
+  }
 }
 
 /** The bytes of a file, read into memory once. */
@@ -109,4 +114,30 @@ export function inputsOf(operands: readonly string[]): readonly string[] {
     throw new Complaint('No file is named; expected one, or - for standard input.');
   }
   return ['-'];
+}
+
+/**
+ * Does the same for several files, which gives each an exit status; returns the highest. A file that can't
+ * be read is told of, and stops no other.
+ */
+export async function forEachFile(
+  paths: readonly string[],
+  args: Arguments,
+  work: (path: string) => Promise<number>,
+): Promise<number> {
+  let status = 0;
+  for (const path of paths) {
+    try {
+      status = Math.max(status, await work(path));
+    } catch (error) {
+      if (!(error instanceof Complaint)) throw error;
+      status = 2;
+      if (args.has('json')) {
+        print(JSON.stringify({ file: nameOf(path), readable: false, error: error.message }));
+      } else {
+        printError(`halfedge: ${error.message}`);
+      }
+    }
+  }
+  return status;
 }

@@ -6,7 +6,7 @@ import { init } from '../index.js';
 import { readArguments, suggestion } from './arguments.js';
 import { check } from './check.js';
 import { type Command, helpOf } from './command.js';
-import { Complaint } from './complaint.js';
+import { Complaint, unwritable } from './complaint.js';
 import { convert } from './convert.js';
 import { info } from './info.js';
 import { print, printError } from './output.js';
@@ -73,18 +73,28 @@ async function main(line: string[]): Promise<number> {
   return command.run(args);
 }
 
-// Whoever reads the output may stop doing so, as `head` does: that is no error.
-for (const stream of [process.stdout, process.stderr]) {
+/** The sentence of what a user can change; of anything else, which is our fault, all that is known. */
+function told(error: unknown): string {
+  if (error instanceof Complaint) return error.message;
+  const all = error instanceof Error ? (error.stack ?? error.message) : String(error);
+  return `An unexpected error, which is worth reporting: ${all}`;
+}
+
+for (const [name, stream] of [
+  ['Standard output', process.stdout],
+  ['Standard error', process.stderr],
+] as const) {
   stream.on('error', (error: NodeJS.ErrnoException) => {
-    if (error.code !== 'EPIPE') throw error;
-    process.exit(BROKEN_PIPE);
+    // Whoever reads the output may stop doing so, as `head` does: that is no error.
+    if (error.code === 'EPIPE') process.exit(BROKEN_PIPE);
+    if (stream === process.stdout) printError(`halfedge: ${unwritable(name, error)}`);
+    process.exit(2);
   });
 }
 
 try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (error) {
-  if (!(error instanceof Complaint)) throw error;
-  printError(`halfedge: ${error.message}`);
+  printError(`halfedge: ${told(error)}`);
   process.exitCode = 2;
 }

@@ -1,9 +1,8 @@
 import { writeFile } from 'node:fs/promises';
 import { writeGltf } from '../gltf/index.js';
 import type { AttributeNames, FileEncoding, HalfedgeMesh, WriteOptions } from '../index.js';
-import { HalfedgeError } from '../index.js';
 import type { Arguments } from './arguments.js';
-import { Complaint, isSystemError, reasonOf } from './complaint.js';
+import { Complaint, isSystemError, orComplain, unwritable } from './complaint.js';
 import { type AnyFormat, isGltf } from './formats.js';
 import type { Loaded } from './input.js';
 
@@ -30,39 +29,48 @@ export function counted(count: number, one: string, many = `${one}s`): string {
   return `${count} ${count === 1 ? one : many}`;
 }
 
-/** Writes a mesh, and the names that its report has, to a file or to standard output (`-`). */
+/**
+ * Writes a mesh, and the names that its report has, to a file or to standard output (`-`). Returns a
+ * sentence for each thing that is not in it.
+ */
 export async function save(
   { mesh, report }: Loaded,
   path: string,
   format: AnyFormat,
   args: Arguments,
-): Promise<void> {
+): Promise<string[]> {
   const encoding = args.choice('encoding', ENCODINGS);
-  const content = await contentOf(mesh, format, {
-    ...(encoding === undefined ? {} : { encoding }),
-    ...('names' in report ? { names: report.names as AttributeNames } : {}),
-    onNote: (note) => {
-      if (!args.has('quiet')) printError(`${path === '-' ? 'standard output' : path}: ${note}`);
-    },
-  });
+  const notes: string[] = [];
+  const content = await orComplain(nameOfOutput(path), () =>
+    contentOf(mesh, format, {
+      ...(encoding === undefined ? {} : { encoding }),
+      ...('names' in report ? { names: report.names as AttributeNames } : {}),
+      onNote: (note) => notes.push(note),
+    }),
+  );
   if (path === '-' && process.stdout.isTTY && typeof content !== 'string') {
     throw new Complaint(
       `Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for --encoding text.`,
     );
   }
   try {
-    if (path !== '-') return await writeFile(path, content);
+    if (path !== '-') {
+      await writeFile(path, content);
+      return notes;
+    }
     await new Promise<void>((resolve, reject) => {
       process.stdout.write(content, (error) => (error ? reject(error) : resolve()));
     });
   } catch (error) {
     if (!isSystemError(error)) throw error;
-    if (path === '-' && error.code === 'EPIPE') return; // main.ts ends the program
-    throw new Complaint(
-      `${path === '-' ? 'Standard output' : path} can't be written: ${reasonOf(error)}.`,
-    );
+    if (path === '-') return notes; // main.ts tells, and ends the program
+    throw new Complaint(unwritable(path === '-' ? 'Standard output' : path, error));
   }
+  return notes;
 }
+
+/** What a file to write is called in messages. */
+export const nameOfOutput = (path: string) => (path === '-' ? 'standard output' : path);
 
 async function contentOf(
   mesh: HalfedgeMesh,
@@ -72,13 +80,9 @@ async function contentOf(
   if (isGltf(format) && options.encoding !== undefined) {
     throw new Complaint('--encoding is for OBJ, OFF, PLY and STL; choose --to glb or --to gltf.');
   }
-  try {
-    if (isGltf(format)) return await writeGltf(mesh, { format });
-    return mesh.write(format, options);
-  } catch (error) {
-    if (error instanceof HalfedgeError) throw new Complaint(error.message);
-    throw error;
-  }
+  if (!isGltf(format)) return mesh.write(format, options);
+  const { onNote } = options;
+  return writeGltf(mesh, onNote === undefined ? { format } : { format, onNote });
 }
 
 /**

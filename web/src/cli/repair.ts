@@ -1,10 +1,10 @@
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
-import { Complaint } from './complaint.js';
+import { Complaint, orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
 import { inputsOf, load, nameOf } from './input.js';
-import { MENDING, plan } from './mend.js';
-import { adaptTextures, counted, print, printError, save } from './output.js';
+import { type Done, MENDING, plan } from './mend.js';
+import { adaptTextures, counted, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {
@@ -35,30 +35,34 @@ async function run(args: Arguments): Promise<number> {
   const { mesh, report } = loaded;
   const format = outputFormat(args, output, report.format);
   adaptTextures(mesh, report.format, format);
-  const done = steps.map((step) => step(mesh));
+  const done = steps.map((step) => orComplain(nameOf(input), () => step(mesh)));
   const summary = [report.summary, ...done.map((step) => step.summary)].join(' ');
   const problems = [report, ...done].flatMap((step) => step.problems);
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
-  await save(loaded, output, format, args);
+  const notes = await save(loaded, output, format, args);
   mesh.dispose();
-  if (args.has('quiet')) return 0;
   const tell = output === '-' ? printError : print;
   if (args.has('json')) {
     const { format: from, counts, verdicts } = report;
     tell(
       JSON.stringify({
         ...{ input: nameOf(input), output, from, to: format, vertices, edges, faces },
-        ...{ counts, verdicts, problems, summary },
+        ...{ counts, steps: done.map(factsOf), verdicts, problems, notes, summary },
       }),
     );
     return 0;
   }
+  if (args.has('quiet')) return 0;
   for (const { message } of problems) tell(message);
   const size = `${counted(vertices, 'vertex', 'vertices')}, ${counted(edges, 'edge')}, ${counted(faces, 'face')}`;
   tell(`${nameOf(input)}: ${summary}`);
-  tell(`${output === '-' ? 'standard output' : output}: ${format.toUpperCase()}: ${size}.`);
+  tell(`${nameOfOutput(output)}: ${format.toUpperCase()}: ${size}.`);
+  for (const note of notes) printError(`${nameOfOutput(output)}: ${note}`);
   return 0;
 }
+
+/** What of a step is told in JSON; its problems are with all others. */
+const factsOf = ({ name, counts, summary }: Done) => ({ step: name, counts, summary });
 
 /** The two files of a command that reads one and writes one. */
 export function inputAndOutput(args: Arguments): { input: string; output: string } {
