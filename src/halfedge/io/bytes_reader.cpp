@@ -1,12 +1,11 @@
-#include <halfedge/connectivity/links.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/bytes.h>
+#include <halfedge/io/bytes_layout.h>
 #include <halfedge/validate/validate.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
-#include <memory>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,135 +16,9 @@ namespace halfedge {
 
 namespace {
 
+using namespace bytes_layout;
 using io::ByteOrder;
 using Bytes = std::span<const std::uint8_t>;
-
-constexpr std::string_view kMagic = "halfedge";
-constexpr std::uint32_t kVersion = 1;
-constexpr std::size_t kHeaderSize = 56;
-constexpr std::size_t kSectionHeaderSize = 16;
-constexpr std::size_t kAttributeHeaderSize = 20;
-// More can't be read back: bytes may come from anywhere, and each attribute is looked up by its
-// name.
-constexpr std::uint32_t kMaxSections = 4096;
-
-// The sections of the arrays, in the order of `array_of`; then those of attributes.
-constexpr std::string_view kTags[] = {"next", "prev", "to-v", "face", "v-he", "f-he", "posi"};
-constexpr std::size_t kPrev = 1;
-constexpr std::size_t kPositions = 6;
-constexpr std::string_view kAttributeTag = "attr";
-
-constexpr std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
-
-Error out_of_memory() {
-  return {"out-of-memory", "memory is exhausted: no room for a mesh and its bytes"};
-}
-
-// Copies numbers of `width` bytes, which are little-endian on one side.
-void copy_numbers(const void* from, void* to, std::size_t size, std::size_t width) {
-  if (size > 0) std::memcpy(to, from, size);
-  if constexpr (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) {
-    auto* const bytes = static_cast<std::uint8_t*>(to);
-    for (std::size_t i = 0; i < size; i += width) std::reverse(bytes + i, bytes + i + width);
-  }
-}
-
-template <class AnyLinks>
-auto& array_of(AnyLinks& links, std::size_t section) {
-  const std::array arrays{
-      &links.next,         &links.prev, &links.to_vertex, &links.face, &links.vertex_halfedge,
-      &links.face_halfedge};
-  return *arrays[section];
-}
-
-// ---- writing ---------------------------------------------------------------------------------
-
-// Writes where there is room for all of it; counts bytes where there is none yet.
-class Pen {
- public:
-  explicit Pen(std::uint8_t* out) : out_(out) {}
-
-  [[nodiscard]] std::size_t size() const { return size_; }
-
-  void characters(std::string_view text) { numbers(text.data(), text.size(), 1); }
-  void word(std::uint32_t word) { numbers(&word, sizeof word, sizeof word); }
-  void numbers(const void* from, std::size_t bytes, std::size_t width) {
-    if (out_ != nullptr) copy_numbers(from, out_ + size_, bytes, width);
-    size_ += bytes;
-  }
-  void pad() {
-    if (out_ != nullptr) std::memset(out_ + size_, 0, padded(size_) - size_);
-    size_ = padded(size_);
-  }
-  void section(std::string_view tag, std::uint64_t bytes) {
-    characters(tag);
-    word(0);
-    numbers(&bytes, sizeof bytes, sizeof bytes);
-  }
-
- private:
-  std::uint8_t* out_;
-  std::size_t size_ = 0;
-};
-
-void write_attribute(Pen& pen, const Attribute& column) {
-  const std::size_t name = column.name().size();
-  pen.section(kAttributeTag, padded(kAttributeHeaderSize + name) + padded(column.stride()) +
-                                 column.bytes().size());
-  pen.word(std::uint32_t(column.kind()));
-  pen.word(std::uint32_t(column.type()));
-  pen.word(column.components());
-  pen.word(std::uint32_t(column.on_split()));
-  pen.word(std::uint32_t(name));
-  pen.characters(column.name());
-  pen.pad();
-  const std::size_t width = size_of(column.type());
-  pen.numbers(column.default_value().data(), column.stride(), width);
-  pen.pad();
-  pen.numbers(column.bytes().data(), column.bytes().size(), width);
-  pen.pad();
-}
-
-template <class Visit>
-void for_columns(const Attributes& attributes, const Visit& visit) {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-    for (const std::unique_ptr<Attribute>& column : attributes.of(kind)) {
-      if (!column->is_generation()) visit(*column);
-    }
-  }
-}
-
-std::uint32_t count_sections(const BytesSource& source) {
-  std::uint32_t sections = source.stores_prev ? 7 : 6;
-  for_columns(source.attributes, [&](const Attribute&) { ++sections; });
-  return sections;
-}
-
-void write_all(Pen& pen, const BytesSource& source) {
-  const Links& links = source.links;
-  pen.characters(kMagic);
-  for (const std::uint32_t word :
-       {kVersion, std::uint32_t{source.stores_prev}, std::uint32_t(links.vertex_halfedge.size()),
-        std::uint32_t(links.next.size()), std::uint32_t(links.face_halfedge.size()),
-        source.free[0].head, source.free[0].count, source.free[1].head, source.free[1].count,
-        source.free[2].head, source.free[2].count, count_sections(source)}) {
-    pen.word(word);
-  }
-  for (std::size_t i = 0; i < kPositions; ++i) {
-    if (i == kPrev && !source.stores_prev) continue;
-    const std::span<const Index> words = array_of(links, i).span();
-    pen.section(kTags[i], words.size_bytes());
-    pen.numbers(words.data(), words.size_bytes(), sizeof(Index));
-    pen.pad();
-  }
-  pen.section(kTags[kPositions], source.positions.size_bytes());
-  pen.numbers(source.positions.data(), source.positions.size_bytes(), sizeof(float));
-  pen.pad();
-  for_columns(source.attributes, [&](const Attribute& column) { write_attribute(pen, column); });
-}
-
-// ---- reading ---------------------------------------------------------------------------------
 
 std::uint32_t word_at(Bytes bytes, std::size_t offset) {
   return io::load<std::uint32_t, ByteOrder::kLittle>(&bytes[offset]);
@@ -295,7 +168,7 @@ Result<void> release_chain(auto& mesh, const FreeList& chain, const Section& lin
                                      " slots, expected " + std::to_string(chain.count) +
                                      " of them, leads to slot " + std::to_string(slot));
     }
-    if (!deleted.push_back(slot)) return out_of_memory();
+    if (!deleted.push_back(slot)) return no_memory_for_bytes();
     slot = next_free_slot(link);
   }
   if (deleted.size() != chain.count) {
@@ -346,9 +219,9 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
       .type = Scalar(type), .components = components, .on_split = OnSplit(on_split)};
   // A column of one item tells what numbers the default is.
   Attribute one("default", ItemKind(kind), options, 0);
-  if (!one.reserve(1)) return out_of_memory();
+  if (!one.reserve(1)) return no_memory_for_bytes();
   one.resize(1);
-  copy_numbers(&content[default_at], one.bytes().data(), stride, width);
+  copy_little_endian(&content[default_at], one.bytes().data(), stride, width);
   std::array<double, Attribute::kMaxComponents> numbers;
   for (Index i = 0; i < components; ++i) numbers[i] = one.get(0, i);
   options.default_value = {numbers.data(), components};
@@ -356,8 +229,8 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
   const Result<Attribute*> added = mesh.add_attribute(ItemKind(kind), name, options);
   if (!added) return added.error();
   if (slots > 0) {
-    copy_numbers(&content[values_at], added.value()->bytes().data(), std::size_t(stride * slots),
-                 width);
+    copy_little_endian(&content[values_at], added.value()->bytes().data(),
+                       std::size_t(stride * slots), width);
   }
   return {};
 }
@@ -372,12 +245,12 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
     for (std::size_t i = 0; i < kPositions; ++i) {
       const bool is_stored = i != kPrev || kStored.prev;
       if (is_stored && !array_of(links, i).resize(std::size_t(header.elements(i)), kNone)) {
-        return out_of_memory();
+        return no_memory_for_bytes();
       }
     }
   }
   if (!mesh.mutable_positions().resize(std::size_t(header.elements(kPositions))))
-    return out_of_memory();
+    return no_memory_for_bytes();
   Result<void> released = release_chain<Vertex>(mesh, header.free[0], arrays[4], 1);
   if (released) released = release_chain<Edge>(mesh, header.free[1], arrays[0], 2);
   if (released) released = release_chain<Face>(mesh, header.free[2], arrays[5], 1);
@@ -385,11 +258,11 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
   Links& links = mesh.mutable_links();
   for (std::size_t i = 0; i < kPositions; ++i) {
     if (arrays[i].offset == 0) continue;
-    copy_numbers(arrays[i].content.data(), array_of(links, i).data(), arrays[i].content.size(),
-                 sizeof(Index));
+    copy_little_endian(arrays[i].content.data(), array_of(links, i).data(),
+                       arrays[i].content.size(), sizeof(Index));
   }
-  copy_numbers(arrays[kPositions].content.data(), mesh.mutable_positions().data(),
-               arrays[kPositions].content.size(), sizeof(float));
+  copy_little_endian(arrays[kPositions].content.data(), mesh.mutable_positions().data(),
+                     arrays[kPositions].content.size(), sizeof(float));
   for (const Section& attribute : sections.value().attributes) {
     if (Result<void> read = read_attribute(mesh, header, attribute); !read) return read;
   }
@@ -397,7 +270,7 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
   const std::vector<Problem> problems = validate(mesh, 2);
   for (const Problem& problem : problems) {
     if (problem.severity != Severity::kError) continue;
-    if (problem.code == "out-of-memory") return out_of_memory();
+    if (problem.code == "out-of-memory") return no_memory_for_bytes();
     return Error{"corrupt-connectivity",
                  "The bytes hold links that are none of a mesh. " + problem.message};
   }
@@ -405,21 +278,6 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
 }
 
 }  // namespace
-
-Result<Array<std::uint8_t>> to_bytes(const BytesSource& source) {
-  if (const std::uint32_t count = count_sections(source); count > kMaxSections) {
-    return Error{"too-large", "A mesh with " + std::to_string(count - std::size(kTags)) +
-                                  " attributes has no room in bytes, expected at most " +
-                                  std::to_string(kMaxSections - std::size(kTags)) + "."};
-  }
-  Pen counting(nullptr);
-  write_all(counting, source);
-  Array<std::uint8_t> bytes;
-  if (!bytes.resize(counting.size())) return out_of_memory();
-  Pen writing(bytes.data());
-  write_all(writing, source);
-  return bytes;
-}
 
 Result<bool> stores_prev(std::span<const std::uint8_t> bytes) {
   const Result<Header> header = read_header(bytes);

@@ -1,0 +1,206 @@
+#pragma once
+
+#include <halfedge/io/ply_columns.h>
+#include <halfedge/io/ply_header.h>
+#include <halfedge/io/ply_source.h>
+#include <halfedge/io/readers.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace halfedge::io {
+
+/// Reads the rows that a header announces. Source is PlyText or PlyBinary.
+template <class Source>
+class PlyReader {
+ public:
+  PlyReader(const PlyHeader& header, Source source, const Request& request)
+      : header_(header),
+        source_(std::move(source)),
+        options_(request.options),
+        out_(request.wanted),
+        vertices_(header.find("vertex")->count) {}
+
+  [[nodiscard]] std::optional<Error> read();
+  [[nodiscard]] SoupWriter& out() { return out_; }
+  [[nodiscard]] std::vector<std::string> notes();
+  [[nodiscard]] std::vector<SoupAttribute>& columns() { return columns_; }
+
+ private:
+  [[nodiscard]] bool read_vertices(const PlyElement& element);
+  [[nodiscard]] bool read_packed_vertices(const PlyElement& element);
+  [[nodiscard]] bool read_faces(const PlyElement& element);
+  [[nodiscard]] bool read_corners(const PlyProperty& list);
+  [[nodiscard]] bool read_corner(const PlyProperty& list, std::size_t corner, std::int64_t degree);
+  [[nodiscard]] bool read_strips(const PlyElement& element);
+  [[nodiscard]] bool read_strip(const PlyProperty& list);
+  [[nodiscard]] bool read_length(const PlyProperty& list, std::int64_t& length);
+  [[nodiscard]] bool read_texture(const PlyProperty& list);
+  void end_texture();
+  [[nodiscard]] bool skip(const PlyElement& element, const PlyProperty& property);
+  [[nodiscard]] bool keep_or_skip(const PlyElement& element, std::size_t property);
+  [[nodiscard]] bool skip_rows(const PlyElement& element);
+
+  /// Decides which properties become attributes, and makes room for so many more rows.
+  void choose(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
+              std::size_t rows_before);
+  void note_unread(const PlyElement& element, std::span<const PlyProperty* const> read);
+  [[nodiscard]] std::string in_row(const PlyElement& element) const {
+    return " of " + quoted(element.name) + " " + std::to_string(row_) + " of " +
+           std::to_string(element.count);
+  }
+  [[nodiscard]] Error wrong_index(std::size_t corner, std::int64_t vertex) const;
+  [[nodiscard]] bool fail(Error error) {
+    error_ = std::move(error);
+    return false;
+  }
+
+  const PlyHeader& header_;
+  Source source_;
+  ParseOptions options_;
+  SoupWriter out_;
+  std::uint64_t vertices_;
+  std::uint64_t row_ = 0;
+  std::vector<SoupAttribute> columns_;
+  std::vector<PlyTarget> targets_;      // by property of the element that is read
+  std::size_t rows_before_ = 0;         // of the columns that it fills
+  std::optional<std::size_t> texture_;  // the column of the corners
+  std::size_t texture_begin_ = 0;       // the first corner of the face that is read
+  std::size_t wrong_textures_ = 0;
+  Error error_;
+  std::vector<std::string> notes_;
+};
+
+template <class Source>
+std::optional<Error> PlyReader<Source>::read() {
+  for (const PlyElement& element : header_.elements) {
+    row_ = 0;
+    bool ok = true;
+    if (element.name == "vertex") {
+      ok = read_vertices(element);
+    } else if (element.name == "face") {
+      ok = read_faces(element);
+    } else if (element.name == "tristrips" && element.vertex_list() != nullptr) {
+      ok = read_strips(element);
+    } else {
+      ok = skip_rows(element);
+    }
+    if (!ok) return error_;
+    if (out_.out_of_memory()) break;
+  }
+  // Faces made of strips have no values.
+  for (SoupAttribute& column : columns_) {
+    if (column.item == SoupItem::kVertex) continue;
+    const bool of_faces = column.item == SoupItem::kFace;
+    const std::size_t rows = of_faces ? out_.face_count() : out_.corner_count();
+    if (!column.values.resize(rows * column.stride(), std::byte{})) out_.set_out_of_memory();
+  }
+  return check_size(out_);
+}
+
+template <class Source>
+void PlyReader<Source>::choose(const PlyElement& element, SoupItem item,
+                               std::span<const PlyProperty* const> taken, std::size_t rows_before) {
+  targets_.assign(element.properties.size(), {});
+  rows_before_ = rows_before;
+  if (options_.attributes) targets_ = choose_columns(element, item, taken, columns_);
+  note_unread(element, taken);
+  for (SoupAttribute& column : columns_) {
+    if (column.item != item) continue;
+    const std::size_t rows = rows_before + static_cast<std::size_t>(element.count);
+    if (!column.values.resize(rows * column.stride(), std::byte{})) out_.set_out_of_memory();
+  }
+}
+
+/// Reads a value into its column, if it has one. pre: the property is none that is taken
+template <class Source>
+bool PlyReader<Source>::keep_or_skip(const PlyElement& element, std::size_t property) {
+  const PlyTarget& target = targets_[property];
+  const PlyProperty& what = element.properties[property];
+  if (target.column == PlyTarget::kNowhere) return skip(element, what);
+  SoupAttribute& column = columns_[target.column];
+  const std::size_t row = rows_before_ + static_cast<std::size_t>(row_);
+  if (source_.read(what.type, &column.values[row * column.stride() + target.offset])) return true;
+  return fail(source_.unexpected("a number for " + quoted(what.name) + in_row(element)));
+}
+
+template <class Source>
+bool PlyReader<Source>::read_length(const PlyProperty& list, std::int64_t& length) {
+  const auto start = source_.mark();
+  const auto expected = [&] {
+    return "the length of the list " + quoted(list.name) + " of row " + std::to_string(row_);
+  };
+  if (!source_.read(*list.length_type, length)) return fail(source_.unexpected(expected()));
+  if (length < 0) {
+    source_.move_to(start);
+    return fail(source_.error(
+        "parse-error", expected() + " is " + std::to_string(length) + ", expected 0 or more"));
+  }
+  if (static_cast<std::uint64_t>(length) <= source_.room(list.type)) return true;
+  source_.move_to(start);
+  return fail(source_.error("truncated", expected() + " is " + std::to_string(length) +
+                                             ", more than the rest of the file can hold"));
+}
+
+template <class Source>
+bool PlyReader<Source>::skip(const PlyElement& element, const PlyProperty& property) {
+  std::int64_t count = 1;
+  if (property.length_type && !read_length(property, count)) return false;
+  if (source_.skip(property.type, static_cast<std::uint64_t>(count))) return true;
+  return fail(source_.unexpected("the value of " + quoted(property.name) + in_row(element)));
+}
+
+template <class Source>
+bool PlyReader<Source>::skip_rows(const PlyElement& element) {
+  if (element.count > 0) {
+    notes_.push_back("ignored the " + std::to_string(element.count) + " elements " +
+                     quoted(element.name));
+  }
+  if (element.properties.empty()) return true;
+  for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
+    source_.begin_row();
+    out_.reached(source_.position());
+    for (const PlyProperty& property : element.properties) {
+      if (!skip(element, property)) return false;
+    }
+  }
+  return true;
+}
+
+/// Says which properties of an element nobody reads: the first few by name.
+template <class Source>
+void PlyReader<Source>::note_unread(const PlyElement& element,
+                                    std::span<const PlyProperty* const> read) {
+  constexpr std::size_t kNamed = 8;
+  std::string names;
+  std::size_t count = 0;
+  for (const PlyProperty& property : element.properties) {
+    const auto k = static_cast<std::size_t>(&property - element.properties.data());
+    if (k < targets_.size() && targets_[k].column != PlyTarget::kNowhere) continue;
+    if (std::find(read.begin(), read.end(), &property) != read.end()) continue;
+    if (count++ < kNamed) names += (count == 1 ? "" : ", ") + quoted(property.name);
+  }
+  if (count == 0 || element.count == 0) return;
+  if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
+  notes_.push_back((count == 1 ? "ignored the property " : "ignored the properties ") + names +
+                   " of " + quoted(element.name));
+}
+
+template <class Source>
+std::vector<std::string> PlyReader<Source>::notes() {
+  if (wrong_textures_ > 0) {
+    notes_.push_back("the list \"texcoord\" of " + std::to_string(wrong_textures_) +
+                     (wrong_textures_ == 1 ? " face" : " faces") +
+                     " has not two numbers for each corner: what is missing is 0");
+  }
+  if (std::string rest = source_.rest(); !rest.empty()) notes_.push_back(std::move(rest));
+  return std::move(notes_);
+}
+
+}  // namespace halfedge::io
