@@ -21,7 +21,7 @@ import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { listenToKeys } from './ui/keyboard.js';
-import { busyNotice, dropTarget, failureNotice, helpDialog } from './ui/notices.js';
+import { busyNotice, dropTarget, failureNotice, helpDialog, listenToPaste } from './ui/notices.js';
 import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
@@ -73,6 +73,7 @@ async function start(): Promise<void> {
   view.keepClearOf(side);
   listenToKeys(explorer, view, tab, openHelp);
   listenToPointer(explorer, view, canvas);
+  listenToPaste(explorer);
   publishState(explorer, view, stage);
   await init();
   if (location.hash.length > 1) await followLink(view);

@@ -20,6 +20,7 @@ export default defineConfig({
     ],
   },
   server: { fs: { allow: [fromHere('../..')] } },
+  worker: { format: 'es' },
   build: {
     outDir: fromHere('../../build/explorer'),
     emptyOutDir: true,

@@ -1,4 +1,4 @@
-import { HalfedgeMesh } from 'halfedge';
+import { HalfedgeMesh, type ProgressOptions } from 'halfedge';
 import type { BrokenSample } from '../samples/broken.js';
 import type { Sample } from '../samples/index.js';
 import { type Diagnosis, diagnose } from './diagnosis.js';
@@ -32,10 +32,22 @@ export interface OpenFailure {
 /** What can be opened. */
 export type Source = Sample | BrokenSample | File;
 
+/** How it is opened. */
+export interface OpenOptions extends ProgressOptions {
+  /** Files that came with it, which a glTF file may refer to. */
+  readonly companions?: readonly File[];
+}
+
 const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
 
-export async function openSource(source: Source): Promise<MeshDocument> {
-  if (source instanceof File) return openFile(source);
+/** What the page reads, as extensions. */
+export const EXTENSIONS = [...FORMATS, 'glb', 'gltf'] as const;
+
+/** Files that are larger are read in another thread, so that the page can go on. */
+const LARGE_FILE = 2 ** 20;
+
+export async function openSource(source: Source, options: OpenOptions = {}): Promise<MeshDocument> {
+  if (source instanceof File) return openFile(source, options);
   return 'load' in source ? openSample(source) : openBrokenSample(source);
 }
 
@@ -51,27 +63,89 @@ function openBrokenSample({ id, name, view, lesson, file }: BrokenSample): MeshD
   return { ...opened, name, sample: id, lesson, view };
 }
 
-/** Reads an OBJ, OFF, PLY or STL file; throws what `HalfedgeMesh.parse` throws. */
-async function openFile(file: File): Promise<MeshDocument> {
+/** Reads a file; throws what the readers of the package throw, or the reason of the signal. */
+async function openFile(file: File, options: OpenOptions): Promise<MeshDocument> {
+  if (/\.(glb|gltf)$/i.test(file.name)) return openGltf(file, options);
+  if (file.size >= LARGE_FILE) return openElsewhere(file, options);
   return openContent(file.name, new Uint8Array(await file.arrayBuffer()));
+}
+
+/** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
+async function openGltf(file: File, { companions = [] }: OpenOptions): Promise<MeshDocument> {
+  // Only pages that open such a file load three.js's reader of them.
+  const { readGltf } = await import('halfedge/gltf');
+  const content = await file.arrayBuffer();
+  const { mesh, report } = await readGltf(content, {
+    resource: (uri) => companionOf(uri, companions),
+  });
+  const isRepaired = report.problems.some(({ severity }) => severity !== 'info');
+  return { ...newDocument(file.name, mesh), lesson: isRepaired ? report.summary : null };
+}
+
+function companionOf(uri: string, companions: readonly File[]): Promise<ArrayBuffer> {
+  const name = decodeURIComponent(uri).split('/').at(-1);
+  const found = companions.find((file) => file.name === name);
+  if (found) return found.arrayBuffer();
+  throw new Error(`It needs the file “${uri}”: choose or drop both together.`);
+}
+
+async function openElsewhere(
+  file: File,
+  { signal, onProgress }: OpenOptions,
+): Promise<MeshDocument> {
+  const { parseInWorker } = await import('halfedge/worker');
+  const format = formatOf(file.name);
+  const { mesh, report } = await parseInWorker(file, {
+    ...(format ? { format } : {}),
+    ...(signal ? { signal } : {}),
+    ...(onProgress ? { onProgress } : {}),
+  });
+  const faulty = report.problems.length > 0;
+  const diagnosis = faulty
+    ? diagnose(new Uint8Array(await file.arrayBuffer()), format, report)
+    : null;
+  return { ...newDocument(file.name, mesh), diagnosis };
 }
 
 /** Mends what makes no manifold. */
 function openContent(name: string, content: Uint8Array): MeshDocument {
-  const dot = name.lastIndexOf('.');
-  const extension = name.slice(dot + 1).toLowerCase();
-  const format = FORMATS.find((known) => known === extension);
+  const format = formatOf(name);
   const { mesh, report } = HalfedgeMesh.parse(content, format ? { format } : {});
+  return { ...newDocument(name, mesh), diagnosis: diagnose(content, format, report) };
+}
+
+function formatOf(name: string): (typeof FORMATS)[number] | undefined {
+  const extension = name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+  return FORMATS.find((known) => known === extension);
+}
+
+/** A mesh that comes from no sample. */
+export function newDocument(name: string, mesh: HalfedgeMesh): MeshDocument {
+  const dot = name.lastIndexOf('.');
   return {
     name,
     stem: dot > 0 ? name.slice(0, dot) : name,
     mesh,
     sample: null,
     start: null,
-    diagnosis: diagnose(content, format, report),
+    diagnosis: null,
     lesson: null,
     view: [0.35, 0.3, 1],
   };
+}
+
+/** The text of a mesh as a file, by what it begins with; null if it is none. */
+export function fileOfText(text: string): File | null {
+  const line = text.split(/\r?\n/).find((each) => /^\s*[^\s#]/.test(each)) ?? '';
+  const beginnings: [RegExp, string][] = [
+    [/^\s*ply\b/i, 'ply'],
+    [/^\s*(ST)?(C)?(N)?(4)?n?OFF\b/, 'off'],
+    [/^\s*solid\b/, 'stl'],
+    [/^\s*\{\s*"/, 'gltf'],
+    [/^\s*(v|vt|vn|f|o|g|mtllib|usemtl|s)\s/, 'obj'],
+  ];
+  const extension = beginnings.find(([beginning]) => beginning.test(line))?.[1];
+  return extension ? new File([text], `Pasted mesh.${extension}`) : null;
 }
 
 export function failureOf(error: unknown, source: Source): OpenFailure {

@@ -1,11 +1,13 @@
-import type { Direction, HalfedgeMesh, Problem } from 'halfedge';
+import type { Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
 import { samples } from '../samples/index.js';
 import type { PickMode } from '../scene/picking.js';
 import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
 import { type DialectId, dialectOf } from './dialects.js';
 import {
   failureOf,
+  fileOfText,
   type MeshDocument,
+  newDocument,
   type OpenFailure,
   openSource,
   type Source,
@@ -36,6 +38,12 @@ export interface Choice {
   readonly circulator: Circulator;
 }
 
+/** How much of a stage of opening is done, from 0 to 1. */
+export interface Progress {
+  readonly fraction: number;
+  readonly stage: ParseStage;
+}
+
 /** The player as it stands; a new object after every step. */
 export interface Play {
   readonly player: CirculatorPlayer;
@@ -59,6 +67,8 @@ export class Explorer {
   readonly speed = new Signal(2);
   /** What is being opened, while it is. */
   readonly busy = new Signal<string | null>(null);
+  /** How far it is, where that is known. */
+  readonly progress = new Signal<Progress | null>(null);
   readonly failure = new Signal<OpenFailure | null>(null);
   /** Whether the picture shows the polygons of the file as they stand there. */
   readonly showsFile = new Signal(false);
@@ -71,45 +81,67 @@ export class Explorer {
   readonly #preferred = new Map<string, { group: number; name: string }>();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #measuring: ReturnType<typeof setTimeout> | undefined;
-  #opening = 0;
+  #abort = new AbortController();
 
   constructor() {
     this.editor = new Editor(this);
   }
 
   /** Opens a sample or a file. A failure leaves the mesh on show as it is. */
-  async open(source: Source): Promise<void> {
-    const opening = ++this.#opening;
+  async open(source: Source, companions: readonly File[] = []): Promise<void> {
+    this.#abort.abort();
+    const abort = new AbortController();
+    this.#abort = abort;
     this.pause();
     this.failure.value = null;
+    this.progress.value = null;
     this.busy.value = source.name;
     await painted();
+    const { signal } = abort;
+    const onProgress = (fraction: number, stage: ParseStage) => {
+      if (!signal.aborted) this.progress.value = { fraction, stage };
+    };
     try {
-      const opened = await openSource(source);
-      if (opening === this.#opening) this.#show(opened);
-      else opened.mesh.dispose();
+      const opened = await openSource(source, { companions, signal, onProgress });
+      if (signal.aborted) opened.mesh.dispose();
+      else this.#show(opened);
     } catch (error) {
-      if (opening === this.#opening) this.failure.value = failureOf(error, source);
+      if (!signal.aborted) this.failure.value = failureOf(error, source);
     } finally {
-      if (opening === this.#opening) this.busy.value = null;
+      if (abort === this.#abort) this.#rest();
     }
+  }
+
+  /** Gives up what is being opened; the mesh on show stays. */
+  cancel(): void {
+    this.#abort.abort();
+    this.#rest();
+  }
+
+  /** Opens what was pasted, if it is the text of a mesh. */
+  openText(text: string): void {
+    const file = fileOfText(text);
+    if (file) {
+      void this.open(file);
+      return;
+    }
+    this.failure.value = {
+      title: 'What was pasted is no mesh',
+      message: `It begins with “${beginningOf(text)}”; expected the text of an OBJ, OFF, PLY, STL or glTF file.`,
+      lesson: null,
+    };
   }
 
   /** Shows a mesh that was made from the one on show. */
   openMesh(name: string, mesh: HalfedgeMesh): void {
-    this.#opening += 1;
-    this.busy.value = null;
+    this.cancel();
     this.pause();
-    this.#show({
-      name,
-      stem: name,
-      mesh,
-      sample: null,
-      start: null,
-      diagnosis: null,
-      lesson: null,
-      view: [0.35, 0.3, 1],
-    });
+    this.#show({ ...newDocument(name, mesh), stem: name });
+  }
+
+  #rest(): void {
+    this.progress.value = null;
+    this.busy.value = null;
   }
 
   openFirstSample(): Promise<void> {
@@ -327,6 +359,12 @@ function absence(mesh: HalfedgeMesh, item: Item): string {
   if (slots === 0) return `This mesh has no ${item.kind}.`;
   if (item.index < slots) return `${itemName(item)} was deleted.`;
   return `There is no ${itemName(item)}: this mesh has ${item.kind} 0 to ${slots - 1}.`;
+}
+
+/** The first words of a text, on one line. */
+function beginningOf(text: string): string {
+  const [line] = text.trim().split(/\r?\n/);
+  return line.length > 40 ? `${line.slice(0, 40)}…` : line;
 }
 
 /** After the browser has shown what was changed so far; a hidden page shows nothing, so not long. */

@@ -41,7 +41,8 @@ export function listenToKeys(
       if (explorer.selected.value) editor.complete(explorer.selected.value);
     },
     Escape: () => {
-      if (explorer.failure.value) explorer.failure.value = null;
+      if (explorer.busy.value !== null && explorer.document.value) explorer.cancel();
+      else if (explorer.failure.value) explorer.failure.value = null;
       else if (editor.pending.value || editor.refused.value) editor.cancel();
       else if (explorer.problem.value) explorer.problem.value = null;
       else explorer.select(null);

@@ -1,3 +1,4 @@
+import { EXTENSIONS } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import { h, icon } from './dom.js';
 
@@ -47,13 +48,27 @@ function noticeCard(dismiss: () => void) {
   return { notice, tell };
 }
 
-/** What is being opened. */
+const STAGES = { read: 'Reading', repair: 'Repairing', build: 'Building' } as const;
+
+/** What is being opened, how far it is, and a button that gives it up. */
 export function busyNotice(explorer: Explorer): HTMLElement {
-  const text = h('span');
-  const notice = h('div', { class: 'busy card', role: 'status', hidden: true }, text);
+  const text = h('span', { role: 'status' });
+  const bar = h('progress', { max: 1, 'aria-label': 'How much of it is done', hidden: true });
+  const cancel = h(
+    'button',
+    { type: 'button', class: 'button', 'data-cancel': true, onclick: () => explorer.cancel() },
+    'Cancel',
+  );
+  const notice = h('div', { class: 'busy card', hidden: true }, text, cancel, bar);
   explorer.busy.subscribe((name) => {
     notice.hidden = name === null;
     text.textContent = name === null ? '' : `Opening ${name} …`;
+  });
+  explorer.progress.subscribe((progress) => {
+    bar.hidden = progress === null;
+    if (!progress) return;
+    text.textContent = `${STAGES[progress.stage]} ${explorer.busy.value} …`;
+    bar.value = progress.fraction;
   });
   return notice;
 }
@@ -63,7 +78,7 @@ export function dropTarget(explorer: Explorer): HTMLElement {
   const target = h(
     'div',
     { class: 'drop-target', hidden: true },
-    'Drop an OBJ, OFF, PLY or STL file',
+    'Drop an OBJ, OFF, PLY, STL, GLB or glTF file',
   );
   let depth = 0;
   const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
@@ -85,10 +100,31 @@ export function dropTarget(explorer: Explorer): HTMLElement {
     event.preventDefault();
     depth = 0;
     target.hidden = true;
-    const file = event.dataTransfer?.files[0];
-    if (file) void explorer.open(file);
+    openFiles(explorer, event.dataTransfer?.files);
   });
   return target;
+}
+
+/** Opens the mesh among files; the others may belong to it. */
+export function openFiles(explorer: Explorer, files: FileList | null | undefined): void {
+  const all = [...(files ?? [])];
+  const isMesh = ({ name }: File) =>
+    EXTENSIONS.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
+  const file = all.find(isMesh) ?? all[0];
+  if (file) void explorer.open(file, all);
+}
+
+/** Opens the mesh that is pasted, as a file or as text, anywhere but into a field. */
+export function listenToPaste(explorer: Explorer): void {
+  window.addEventListener('paste', (event) => {
+    if (event.target instanceof HTMLInputElement) return;
+    const { files } = event.clipboardData ?? {};
+    const text = event.clipboardData?.getData('text/plain') ?? '';
+    if (files?.length) openFiles(explorer, files);
+    else if (text.trim()) explorer.openText(text);
+    else return;
+    event.preventDefault();
+  });
 }
 
 const KEYS: readonly [string[], string][] = [
@@ -105,6 +141,7 @@ const KEYS: readonly [string[], string][] = [
   [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
   [['Del'], 'delete the selected vertex, edge or face'],
   [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
+  [['Ctrl V'], 'open the mesh that was copied, a file or its text'],
   [['R'], 'show the original file, or the repaired mesh'],
   [['1', '…', '5'], 'show the circulator, the operations, the mesh, its records, the problems'],
   [['Esc'], 'close, or select nothing'],

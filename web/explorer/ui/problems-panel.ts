@@ -24,6 +24,8 @@ export function problemsPanel(
     title.textContent = opened.name;
     lesson.textContent = opened.lesson;
     lesson.hidden = opened.lesson === null;
+    // What a reader without a diagnosis did is in the lesson.
+    summary.hidden = diagnosis === null && opened.sample === null;
     summary.classList.toggle('repaired', diagnosis?.isRepaired ?? false);
     const state = diagnosis?.isRepaired ? 'warning' : 'check';
     fill(summary, icon(state), h('span', {}, verdict(diagnosis)));

@@ -1,7 +1,9 @@
+import { EXTENSIONS } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { fill, h, icon } from './dom.js';
+import { openFiles } from './notices.js';
 import type { Theme } from './theme.js';
 
 /** Brand, the menu of meshes, the buttons for files and links, the theme and the list of keys. */
@@ -13,13 +15,14 @@ export function topBar(
 ): HTMLElement {
   const input = h('input', {
     type: 'file',
-    accept: '.obj,.off,.ply,.stl',
+    // A glTF file comes with others.
+    accept: [...EXTENSIONS.map((extension) => `.${extension}`), '.bin'].join(','),
+    multiple: true,
     hidden: true,
     'data-file': true,
     'aria-label': 'Mesh file',
     onchange: () => {
-      const file = input.files?.[0];
-      if (file) void explorer.open(file);
+      openFiles(explorer, input.files);
       input.value = '';
     },
   });

@@ -1,0 +1,155 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import { writeGltf } from 'halfedge/gltf';
+import { disconnect, ExplorerPage } from './support/explorer.js';
+
+let explorer: ExplorerPage;
+beforeAll(async () => {
+  await init();
+  explorer = await ExplorerPage.open();
+});
+beforeEach(() => explorer.sample('cube', 'Cube'));
+afterEach(() => expect(explorer.complaints).toEqual([]));
+afterAll(async () => {
+  await explorer.close();
+  await disconnect();
+});
+
+/** Pastes a text, as by the keyboard. */
+const paste = (text: string) =>
+  explorer.page.evaluate((pasted) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', pasted);
+    const event = new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true });
+    document.body.dispatchEvent(event);
+  }, text);
+
+const choose = (...files: { name: string; buffer: Buffer }[]) =>
+  explorer.page.setInputFiles(
+    '[data-file]',
+    files.map((file) => ({ ...file, mimeType: 'application/octet-stream' })),
+  );
+
+const faces = () => explorer.page.textContent('.counts div:nth-child(3) dd');
+
+describe('A text that is pasted', () => {
+  test.each([
+    ['obj', '# two\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n'],
+    ['off', 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n'],
+    [
+      'ply',
+      'ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n',
+    ],
+  ])('opens where it is %s', async (format, text) => {
+    await paste(text);
+    await explorer.ready(`Pasted mesh.${format}`);
+    expect(await faces()).toBe('2');
+  });
+
+  test('is refused in a sentence where it is no mesh', async () => {
+    await paste('Dear Sir or Madam,\nthank you');
+    expect(await explorer.page.textContent('.notice [data-message]')).toBe(
+      'It begins with “Dear Sir or Madam,”; expected the text of an OBJ, OFF, PLY, STL or glTF file.',
+    );
+    expect(await explorer.state('mesh')).toBe('Cube');
+    await explorer.press('Escape');
+  });
+
+  test('goes into a field where that has the focus', async () => {
+    await explorer.page.focus('.goto input');
+    await explorer.page.evaluate(() => navigator.clipboard.writeText('v3'));
+    await explorer.press('Control+v', 'Enter');
+    expect(await explorer.state('selected')).toBe('v3');
+  });
+});
+
+describe('glTF', () => {
+  test('opens as GLB, welded', async () => {
+    const glb = await writeGltf(HalfedgeMesh.torus(12, 6, { triangles: true }));
+    await choose({ name: 'ring.glb', buffer: Buffer.from(glb) });
+    await explorer.ready('ring.glb');
+    expect(await faces()).toBe('144');
+    expect(await explorer.page.textContent('.validity')).toContain('closed');
+  });
+
+  test('opens with the file that it refers to, and asks for it where it is missing', async () => {
+    const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
+    const document = JSON.parse(text) as { buffers: { uri: string }[] };
+    const data = Buffer.from(document.buffers[0].uri.split(',')[1], 'base64');
+    document.buffers[0].uri = 'parts/solid.bin';
+    const main = { name: 'solid.gltf', buffer: Buffer.from(JSON.stringify(document)) };
+    await choose(main);
+    await explorer.page.waitForSelector('.notice:not([hidden])');
+    expect(await explorer.page.textContent('.notice [data-message]')).toContain(
+      'It needs the file “parts/solid.bin”: choose or drop both together.',
+    );
+    await choose({ name: 'solid.bin', buffer: data }, main);
+    await explorer.ready('solid.gltf');
+    expect(await faces()).toBe('20');
+  });
+
+  test('is refused in a sentence where it is cut off', async () => {
+    const glb = await writeGltf(HalfedgeMesh.icosahedron());
+    await choose({ name: 'cut.glb', buffer: Buffer.from(glb.subarray(0, 200)) });
+    await explorer.page.waitForSelector('.notice:not([hidden])');
+    const message = await explorer.page.textContent('.notice [data-message]');
+    expect(message).toBe('The GLB file ends at byte 200, expected 1188 bytes as its header says.');
+    expect(await explorer.state('mesh')).toBe('Cube');
+  });
+});
+
+describe('A large file', () => {
+  const large = () => {
+    const mesh = HalfedgeMesh.grid(160, 160);
+    const text = mesh.write('obj');
+    mesh.dispose();
+    return { name: 'large.obj', buffer: Buffer.from(text) };
+  };
+
+  test('is read in another thread, which tells how far it is', async () => {
+    const file = large();
+    expect(file.buffer.length).toBeGreaterThan(2 ** 20);
+    const worker = explorer.page.waitForEvent('worker');
+    await explorer.page.evaluate(() => {
+      const told: string[] = [];
+      Object.assign(window, { told });
+      const bar = document.querySelector('.busy progress') as HTMLElement;
+      new MutationObserver(() => {
+        if (!bar.hidden) told.push(document.querySelector('.busy')?.textContent ?? '');
+      }).observe(bar, { attributes: true });
+    });
+    await choose(file);
+    expect((await worker).url()).toContain('worker');
+    await explorer.ready('large.obj');
+    expect(await faces()).toBe('25,600');
+    const told = await explorer.page.evaluate(() => (window as { told?: string[] }).told);
+    expect(told).toContain('Reading large.obj …Cancel');
+    expect(await explorer.page.isVisible('.busy')).toBe(false);
+  });
+
+  test('can be given up, and the mesh on show stays', async () => {
+    await explorer.page.evaluate(() => {
+      const bar = document.querySelector('.busy progress') as HTMLElement;
+      const observer = new MutationObserver(() => {
+        if (bar.hidden) return;
+        observer.disconnect();
+        (document.querySelector('[data-cancel]') as HTMLElement).click();
+      });
+      observer.observe(bar, { attributes: true });
+    });
+    await choose(large());
+    await explorer.page.waitForFunction(() => !document.querySelector('.busy:not([hidden])'));
+    await explorer.page.waitForTimeout(500);
+    await explorer.rest();
+    expect(await explorer.state('mesh')).toBe('Cube');
+    expect(await explorer.page.isVisible('.notice')).toBe(false);
+  });
+
+  test('is refused in the same sentence as a small one', async () => {
+    const file = large();
+    const buffer = Buffer.concat([file.buffer, Buffer.from('f 1 2 x\n')]);
+    await choose({ ...file, buffer });
+    await explorer.page.waitForSelector('.notice:not([hidden])');
+    const message = await explorer.page.textContent('.notice [data-message]');
+    expect(message).toMatch(/^Line \d+: expected .*found "x"/);
+  });
+});
