@@ -1,4 +1,4 @@
-import { ARROW_FLOATS, ArrowTracer, arrowSizes } from '../../web/explorer/geometry/arrows.js';
+import { ARROW_FLOATS, ArrowTracer, arrowSizes } from 'halfedge/three';
 
 type Point = readonly [number, number];
 type Segment = readonly [Point, Point];

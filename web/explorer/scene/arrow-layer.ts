@@ -1,9 +1,8 @@
 import { NONE } from 'halfedge';
+import { ARROW_FLOATS, LineBatch, lineMaterial, lines } from 'halfedge/three';
 import { Color, Matrix4 } from 'three';
-import { ARROW_FLOATS } from '../geometry/arrows.js';
 import type { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
-import { LineBatch, lineMaterial, lines } from './lines.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 

@@ -1,4 +1,4 @@
-import { newellNormal } from '../geometry/polygon.js';
+import { newellNormal } from 'halfedge/three';
 import type { Surface } from './surface.js';
 
 const FIELDS = 7;

@@ -1,4 +1,4 @@
-import { ARROW_FLOATS, type ArrowSizes, ArrowTracer, arrowSizes } from '../geometry/arrows.js';
+import { ARROW_FLOATS, type ArrowSizes, ArrowTracer, arrowSizes } from 'halfedge/three';
 import type { FaceFrames } from './faces.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';

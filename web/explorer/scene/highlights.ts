@@ -1,3 +1,4 @@
+import { arrowSizes, ghostOf, LineBatch, lineMaterial, lines } from 'halfedge/three';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -10,9 +11,7 @@ import {
 } from 'three';
 import type { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import type { Item } from '../app/items.js';
-import { arrowSizes } from '../geometry/arrows.js';
 import type { Glyphs } from './glyphs.js';
-import { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 import { Discs } from './points.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';

@@ -1,8 +1,8 @@
+import { ghostOf, LineBatch, lineMaterial, lines } from 'halfedge/three';
 import { Color } from 'three';
 import type { Edit } from '../app/motion.js';
 import { changedEdges } from '../geometry/change.js';
 import { prefersReducedMotion } from '../ui/dom.js';
-import { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 import { Paths } from './paths.js';
 import { Pieces } from './pieces.js';
 import type { Stage } from './stage.js';

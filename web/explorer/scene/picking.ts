@@ -1,6 +1,6 @@
+import { ARROW_FLOATS } from 'halfedge/three';
 import { Raycaster, Vector2, Vector3 } from 'three';
 import type { Item } from '../app/items.js';
-import { ARROW_FLOATS } from '../geometry/arrows.js';
 import { ARROWS_FROM_PX } from './arrow-layer.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';

@@ -1,6 +1,6 @@
 import type { FileSoup, Problem } from 'halfedge';
+import { newellNormal } from 'halfedge/three';
 import { type Matrix4, Vector3 } from 'three';
-import { newellNormal } from '../geometry/polygon.js';
 import { triangulateRing } from './surface.js';
 
 /** A problem with more faces than this is not outlined whole. */

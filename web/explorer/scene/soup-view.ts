@@ -1,3 +1,4 @@
+import { LineBatch, lineMaterial, lines } from 'halfedge/three';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -10,7 +11,6 @@ import {
   MeshLambertMaterial,
 } from 'three';
 import { type Diagnosis, FACE_FATES, type Fate } from '../app/diagnosis.js';
-import { LineBatch, lineMaterial, lines } from './lines.js';
 import { type Palette, readPalette } from './palette.js';
 import { Discs } from './points.js';
 import { SoupShape } from './soup-shape.js';

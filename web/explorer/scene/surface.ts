@@ -1,7 +1,7 @@
 import { type HalfedgeMesh, NONE } from 'halfedge';
+import { newellNormal } from 'halfedge/three';
 import { BufferAttribute, Matrix4, ShapeUtils, Vector2 } from 'three';
 import { type ChangedTriangles, changedTriangles, type Drawn } from '../geometry/change.js';
-import { newellNormal } from '../geometry/polygon.js';
 import { RayTree } from './ray-tree.js';
 
 /** Changes of more triangles than this are not told one by one. */

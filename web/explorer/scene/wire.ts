@@ -1,3 +1,4 @@
+import { LineBatch, lineMaterial, lines } from 'halfedge/three';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -5,7 +6,6 @@ import {
   LineBasicMaterial,
   LineSegments,
 } from 'three';
-import { LineBatch, lineMaterial, lines } from './lines.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 

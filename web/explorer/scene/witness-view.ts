@@ -1,10 +1,13 @@
+import { ghostOf, LineBatch, lineMaterial, lines } from 'halfedge/three';
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
-import { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 import type { Palette } from './palette.js';
 import { Discs } from './points.js';
 import type { Place, SoupShape } from './soup-shape.js';
 import { FILE_LAYER, type Stage } from './stage.js';
 import { triangulateRing } from './surface.js';
+
+/** Once so many corners of triangles are lit, no more faces are filled: their outlines show them. */
+const MOST_LIT = 300_000;
 
 /** Lights a problem of the file: outlines of faces, edges, vertices; over the file and over the mesh. */
 export class WitnessView {
@@ -58,7 +61,9 @@ export class WitnessView {
         ring.forEach((v, i) => {
           this.#lines.add(points, 3 * v, 3 * ring[(i + 1) % ring.length], palette.self);
         });
-        if (ring.length >= 3) pieces.push(...triangulateRing([...ring], points));
+        if (ring.length >= 3 && pieces.length < MOST_LIT) {
+          for (const v of triangulateRing([...ring], points)) pieces.push(v);
+        }
       }
       const { vertices } = place;
       if (vertices.length === 2) {
@@ -66,15 +71,13 @@ export class WitnessView {
       }
       for (const v of vertices) this.#discs.add(points, 3 * v, 15, palette.self);
     }
-    const positions = shape
-      ? pieces.flatMap((v) => [...shape.points.subarray(3 * v, 3 * v + 3)])
-      : [];
+    const positions = new Float32Array(3 * pieces.length);
+    pieces.forEach((v, i) => {
+      if (shape) positions.set(shape.points.subarray(3 * v, 3 * v + 3), 3 * i);
+    });
     this.#fill.geometry.dispose();
     this.#fill.geometry = new BufferGeometry();
-    this.#fill.geometry.setAttribute(
-      'position',
-      new BufferAttribute(new Float32Array(positions), 3),
-    );
+    this.#fill.geometry.setAttribute('position', new BufferAttribute(positions, 3));
     this.#fill.visible = positions.length > 0;
     this.#upload();
     this.#stage.invalidate();

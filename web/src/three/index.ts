@@ -1,7 +1,10 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
+export { ARROW_FLOATS, type ArrowSizes, ArrowTracer, arrowSizes, CAP_SHARE } from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
+export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 export { type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
+export { newellNormal, squaredDistanceToSegment } from './polygon.js';
 export {
   type FromGeometryOptions,
   fromBufferGeometry,

@@ -4,10 +4,11 @@ import {
   GreaterDepth,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  Vector4,
 } from 'three';
-import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/examples/jsm/lines/LineSegmentsGeometry.js';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
 /** Coloured line segments that are written anew again and again; memory grows and is kept. */
 export class LineBatch {
@@ -118,8 +119,17 @@ export function lines(batch: LineBatch, material: LineMaterial, order: number): 
   const object = new LineSegments2(batch.geometry, material);
   object.frustumCulled = false;
   object.renderOrder = order;
+  if (!Object.hasOwn(LineSegments2.prototype, 'onBeforeRender')) {
+    // Before r162 of three.js, a material doesn't learn by itself how many pixels there are.
+    object.onBeforeRender = (renderer) => {
+      renderer.getViewport(viewport);
+      material.resolution.set(viewport.z, viewport.w);
+    };
+  }
   return object;
 }
+
+const viewport = new Vector4();
 
 /** The same lines where something hides them: faint. */
 export function ghostOf(material: LineMaterial, opacity = 0.22): LineMaterial {
