@@ -3,7 +3,8 @@
 //
 //   npm run mutate -- [files] [--limit N] [--seed S] [--jobs N] [--list]
 //
-// files    of src/halfedge; by default the operations, the decorator, history and attributes
+// files    of src/halfedge, or folders there such as mend; by default operations, decorator,
+//          history and attributes
 // --limit  so many mutants of each file, chosen by the seed
 // --list   prints the mutants and stops
 //
@@ -51,7 +52,11 @@ function readOptions() {
 
 /** The files to mutate, as paths from the root. */
 function chosenFiles(named) {
-  const paths = [...new Set(named.map((path) => relative(root, resolve(path))))];
+  const isFolder = (name) => existsSync(join(root, 'src/halfedge', name));
+  const files = named.flatMap((path) =>
+    isFolder(path) ? cppFiles(join('src/halfedge', path)) : [resolve(path)],
+  );
+  const paths = [...new Set(files.map((path) => relative(root, path)))];
   const missing = paths.find((path) => !existsSync(join(root, path)));
   if (missing !== undefined) throw new Failure(`There is no file ${missing}.`);
   if (paths.length > 0) return paths;

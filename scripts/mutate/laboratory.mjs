@@ -23,11 +23,14 @@ import {
 } from './workshop.mjs';
 
 const tests = 'tests/cpp';
+/** What is mutated by default is tested together. */
+const together = ['operations', 'decorator', 'history', 'attributes'];
 /** A test file of what is mutated, by what it includes or by its name. */
-const isAboutIt = (name, text) =>
-  /<halfedge\/(?:operations|decorator|history|attributes)\//.test(text) ||
-  /"random\//.test(text) ||
-  /^(?:operations|decorator|history|attributes|append|dual)_/.test(name);
+function isAbout(folders, name, text) {
+  const includes = [...text.matchAll(/<halfedge\/(\w+)\//g)].map(([, folder]) => folder);
+  if ([...includes, name.replace(/_.*/, '')].some((folder) => folders.has(folder))) return true;
+  return folders.has('operations') && (/"random\//.test(text) || /^(?:append|dual)_/.test(name));
+}
 /** They take long, and are about something else. */
 const leftOut = /_(?:scale|data)_test\.cpp$/;
 
@@ -54,7 +57,7 @@ export class Laboratory {
       this.#library.push(await compileUnchanged(path));
     });
     await archive(this.#library.map(({ object }) => object));
-    this.#findPrograms();
+    this.#findPrograms(files);
     log(`building ${this.#programs.size} test programs`);
     const parts = [...this.#programs.values()].flatMap((program) => program.sources);
     await inParallel(parts, this.#jobs, async (part) => {
@@ -78,12 +81,16 @@ export class Laboratory {
     }
   }
 
-  #findPrograms() {
+  #findPrograms(files) {
+    const folders = new Set([...files].map((file) => basename(dirname(file))));
+    if (together.some((folder) => folders.has(folder))) {
+      for (const folder of together) folders.add(folder);
+    }
     const shared = existsSync(join(tree, tests, 'random')) ? sourcesBelow(`${tests}/random`) : [];
     for (const name of readdirSync(join(tree, tests))) {
       if (!name.endsWith('_test.cpp') || leftOut.test(name)) continue;
       const text = readFileSync(join(tree, tests, name), 'utf8');
-      if (!isAboutIt(name, text)) continue;
+      if (!isAbout(folders, name, text)) continue;
       const paths = [`${tests}/${name}`, ...(text.includes('"random/') ? shared : [])];
       const sources = paths.map((path) => ({ path }));
       this.#programs.set(basename(name, '_test.cpp'), { sources, noticed: 0 });
