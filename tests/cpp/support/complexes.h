@@ -28,7 +28,8 @@ struct Snapshot {
   std::vector<Index> free;
   std::vector<std::vector<std::byte>> attributes;
 
-  explicit Snapshot(const Mesh& mesh) {
+  template <Storage kStored>
+  explicit Snapshot(const BasicMesh<kStored>& mesh) {
     const Links& all = mesh.links();
     for (const Array<Index>* array : {&all.next, &all.prev, &all.to_vertex, &all.face,
                                       &all.vertex_halfedge, &all.face_halfedge}) {
@@ -47,6 +48,11 @@ struct Snapshot {
     }
   }
   friend bool operator==(const Snapshot&, const Snapshot&) = default;
+  /// The same, whatever prev is, which may not be stored.
+  [[nodiscard]] bool equals_but_prev(Snapshot other) const {
+    other.links[1] = links[1];
+    return *this == other;
+  }
 };
 
 /// What is live, with its links, but for those that leave a choice: anchors, halfedges of faces.

@@ -76,19 +76,18 @@ mend::Report mended(Mesh& mesh, const Repair& repair) {
   expect_defined_values(whole);
   const Snapshot after(whole);
   whole.end_step();
-  if (whole.undo()) {
-    EXPECT_FALSE(whole.undo()) << "more than one step";
-    EXPECT_TRUE(Snapshot(whole) == before);
-    EXPECT_TRUE(whole.redo());
-  }
+  const bool has_changed = !(after == before);
+  EXPECT_EQ(whole.undo(), has_changed);
+  EXPECT_FALSE(whole.undo()) << "more than one step";
+  EXPECT_TRUE(Snapshot(whole) == before);
+  EXPECT_EQ(whole.redo(), has_changed);
   EXPECT_TRUE(Snapshot(whole) == after);
 
   const Result<mend::Report> again = repair(light);
   EXPECT_TRUE(again) << (again ? "" : again.error().message);
-  EXPECT_TRUE(std::equal(light.links().next.begin(), light.links().next.end(),
-                         whole.links().next.begin(), whole.links().next.end()));
-  EXPECT_TRUE(std::equal(light.links().to_vertex.begin(), light.links().to_vertex.end(),
-                         whole.links().to_vertex.begin(), whole.links().to_vertex.end()));
+  EXPECT_TRUE(after.equals_but_prev(Snapshot(light)));
+  const std::vector<Problem> problems_of_light = validate(light);
+  EXPECT_FALSE(has_errors(problems_of_light)) << problems_of_light[0].message;
   EXPECT_EQ(again.value().summary, done.value().summary);
 
   mend::Report report = std::move(done).value();

@@ -93,10 +93,10 @@ bool holds_contract(const Mesh& mesh, const Check& check, const Operate& operate
   EXPECT_TRUE(Invariants(after).hold());
   const Snapshot changed(after);
   after.end_step();
-  if (after.undo()) {
-    EXPECT_TRUE(Snapshot(after) == before);
-    EXPECT_TRUE(after.redo());
-  }
+  const bool has_changed = !(changed == before);
+  EXPECT_EQ(after.undo(), has_changed);
+  EXPECT_TRUE(Snapshot(after) == before);
+  EXPECT_EQ(after.redo(), has_changed);
   EXPECT_TRUE(Snapshot(after) == changed);
   return true;
 }
