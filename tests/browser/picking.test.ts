@@ -155,3 +155,21 @@ describe('The pointer', () => {
     expect(await explorer.state('selected')).toBe(selected);
   });
 });
+
+test('A vertex without edges is drawn, hovered and clicked', async () => {
+  const explorer = await ExplorerPage.open();
+  await explorer.drop('lonely.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.2 1.1 0\nf 1 2 3\n');
+  await explorer.ready('lonely.obj');
+  await explorer.page.click('[data-tab-button=circulate]');
+  const at = (await explorer.projection())([1.2, 1.1, 0]);
+  await explorer.page.mouse.move(at[0] - 60, at[1]);
+  expect(await explorer.colours(at[0] - 3, at[1] - 3, 6, 6)).toBeGreaterThan(1);
+  await explorer.page.mouse.move(...at);
+  await explorer.until('hovered', 'v3');
+  await explorer.page.mouse.click(...at);
+  await explorer.until('selected', 'v3');
+  expect(await explorer.page.textContent('.facts')).toContain('isolated');
+  await explorer.screenshot('isolated-1280-light');
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});

@@ -3,7 +3,7 @@ import { Ray, Vector3 } from 'three';
 import { digestOf } from '../../web/explorer/app/digest.js';
 import type { Item } from '../../web/explorer/app/items.js';
 import { motionOf, reversed, stateBefore } from '../../web/explorer/app/motion.js';
-import type { Operation } from '../../web/explorer/app/operation.js';
+import { checkOperation, type Operation, runOperation } from '../../web/explorer/app/operation.js';
 import { operations, operationsFor } from '../../web/explorer/app/operations.js';
 import { Signal, together } from '../../web/explorer/app/signal.js';
 import { changedEdges, changedTriangles } from '../../web/explorer/geometry/change.js';
@@ -191,4 +191,61 @@ test('a digest tells meshes apart by their faces and by their positions', () => 
   expect(flipped).not.toBe(before);
   mesh.positions[4] += 1e-6;
   expect(digestOf(mesh)).not.toBe(flipped);
+});
+
+describe('the paths of operations with two halfedges', () => {
+  const operation = (stem: string) => {
+    const found = operations.find((candidate) => candidate.stem === stem);
+    if (!found) throw new Error(`There is no operation ${stem}.`);
+    return found;
+  };
+  const half = (index: number): Item => ({ kind: 'halfedge', index });
+
+  test('cut the surface open from one to another, and glue it again as far as it goes', () => {
+    const mesh = HalfedgeMesh.grid(6, 6);
+    const [a, b] = [mesh.findHalfedge(15, 16), mesh.findHalfedge(18, 19)];
+    const cut = operation('cutPath');
+    const operands = { mesh, item: half(a), second: half(b) };
+    expect(cut.arguments?.(operands)).toEqual([
+      [a, mesh.findHalfedge(16, 17), mesh.findHalfedge(17, 18), b],
+    ]);
+    const edges = mesh.edgeCount;
+    const copy = runOperation(cut, operands) as number;
+    expect(mesh.validate(4)).toEqual([]);
+    expect(mesh.edgeCount).toBe(edges + 4);
+    expect(mesh.boundaryLoops()).toHaveLength(2);
+    const back = { mesh, item: half(mesh.opposite(b)), second: half(copy) };
+    expect(operation('gluePath').arguments?.(back)).toEqual([mesh.opposite(b), copy, 4]);
+    runOperation(operation('gluePath'), back);
+    expect(mesh.edgeCount).toBe(edges);
+    expect(mesh.boundaryLoops()).toHaveLength(1);
+    expect(mesh.validate(4)).toEqual([]);
+  });
+
+  test('split a torus along a cycle through both, and leave a sphere', () => {
+    const mesh = HalfedgeMesh.torus(8, 6);
+    const h = mesh.faceHalfedge(0);
+    // Straight on over the vertices of valence 4: once around the tube, or along it.
+    const along = [h];
+    const onward = (g: number) => mesh.next(mesh.opposite(mesh.next(g)));
+    while (onward(along[along.length - 1]) !== h) along.push(onward(along[along.length - 1]));
+    const middle = along[along.length >> 1];
+    const operands = { mesh, item: half(h), second: half(middle) };
+    expect(operation('splitLoop').arguments?.(operands)).toEqual([along]);
+    runOperation(operation('splitLoop'), operands);
+    expect(mesh.validate(4)).toEqual([]);
+    expect(mesh.genus()).toBe(0);
+    expect(mesh.isClosed()).toBe(true);
+  });
+
+  test('are refused in a sentence where nothing joins the two', () => {
+    const mesh = HalfedgeMesh.cube();
+    mesh.append(HalfedgeMesh.cube());
+    const far = mesh.halfedgeSlots - 1;
+    for (const stem of ['cutPath', 'splitLoop']) {
+      const refusal = checkOperation(operation(stem), { mesh, item: half(0), second: half(far) });
+      expect(refusal?.code).toMatch(/^not-a-(path|cycle)$/);
+      expect(refusal?.message).toMatch(/\.$/);
+    }
+  });
 });

@@ -1,3 +1,4 @@
+import { cycleThrough, gluable, pathThrough } from './edge-paths.js';
 import type { Operation } from './operation.js';
 
 /** The operations on a halfedge; most of them take a second one. */
@@ -46,6 +47,40 @@ export const onHalfedges: readonly Operation[] = [
     key: 'G',
     returns: 'edge',
     second: { kind: 'halfedge', ask: 'another boundary halfedge' },
+  },
+  {
+    stem: 'gluePath',
+    on: 'halfedge',
+    label: 'Glue path',
+    meaning: 'boundary edges, as many as fit',
+    returns: 'edge',
+    second: { kind: 'halfedge', ask: 'another boundary halfedge' },
+    arguments: ({ mesh, item, second }) => {
+      const g = second?.index ?? item.index;
+      return [item.index, g, gluable(mesh, item.index, g)];
+    },
+  },
+  {
+    stem: 'cutPath',
+    on: 'halfedge',
+    label: 'Cut path',
+    meaning: 'opens the surface up to another',
+    returns: 'halfedge',
+    second: { kind: 'halfedge', ask: 'the halfedge where the path ends' },
+    arguments: ({ mesh, item, second }) => [
+      pathThrough(mesh, item.index, second?.index ?? item.index),
+    ],
+  },
+  {
+    stem: 'splitLoop',
+    on: 'halfedge',
+    label: 'Split loop',
+    meaning: 'cuts along a cycle and closes both ends',
+    returns: 'halfedge',
+    second: { kind: 'halfedge', ask: 'another halfedge of the cycle' },
+    arguments: ({ mesh, item, second }) => [
+      cycleThrough(mesh, item.index, second?.index ?? item.index),
+    ],
   },
   {
     stem: 'bridge',

@@ -10,6 +10,7 @@ import { pngOf, svgOf } from './export.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
+import { IsolatedVertices } from './isolated.js';
 import { type Label, Labels } from './labels.js';
 import { overlayOf } from './marks.js';
 import { AT_REST, type InMotion, Morph } from './morph.js';
@@ -34,6 +35,7 @@ export class View {
   readonly #wire: Wire;
   readonly #arrows: ArrowLayer;
   readonly #highlights: Highlights;
+  readonly #isolated: IsolatedVertices;
   readonly #labels: Labels;
   readonly #labelHost: HTMLElement;
   readonly #morph: Morph;
@@ -56,6 +58,7 @@ export class View {
     this.#wire = new Wire(this.stage);
     this.#arrows = new ArrowLayer(this.stage);
     this.#highlights = new Highlights(this.stage);
+    this.#isolated = new IsolatedVertices(this.stage);
     this.#labels = new Labels(this.stage, labels);
     this.#morph = new Morph(this.stage, this.#look);
     this.#soup = new SoupView(this.stage, this.#look);
@@ -103,6 +106,7 @@ export class View {
     this.#wire.setColors(palette.wire, palette.boundary);
     this.#arrows.setColors(palette.arrowFar, palette.arrow, palette.boundary);
     this.#highlights.setColors(palette.surface, palette.background);
+    this.#isolated.setColors(palette.vertex, palette.background);
     this.#soup.setColors(palette);
     // Dark surfaces need more contrast to show their shape.
     const [ambient, key] = palette.dark ? [2, 2.1] : [2.2, 1.15];
@@ -114,6 +118,11 @@ export class View {
   pick(x: number, y: number, reach: number): Item | null {
     const { value: mode } = this.#explorer.pickMode;
     if (this.#explorer.showsFile.value) return null;
+    if (mode === 'auto' || mode === 'vertex') {
+      const hides = (point: Vector3) => this.#shown?.picker.hides(point) ?? false;
+      const isolated = this.#isolated.at(x, y, reach, hides);
+      if (isolated !== null) return { kind: 'vertex', index: isolated };
+    }
     return this.#shown?.picker.pick(x, y, mode, this.#arrows.boundary, reach) ?? null;
   }
 
@@ -215,6 +224,7 @@ export class View {
     const picker = new Picker(this.stage, surface, frames, glyphs);
     this.#arrows.show(surface, frames);
     this.#highlights.show(surface, glyphs);
+    this.#isolated.show(surface);
     this.#shown = { surface, frames, glyphs, picker };
     this.travel.shown = this.#shown;
     return this.#shown;
