@@ -26,6 +26,14 @@ void expect(bool holds, int number) {
   if (!holds) std::_Exit(number);
 }
 
+/// Not even small blocks are left.
+void use_up_all_memory() {
+  use_up_memory();
+  for (std::size_t size = 8192; size >= 64; size /= 2) {
+    while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
+  }
+}
+
 void move_all(Mesh& mesh, float by) {
   for (Index v = 0; v < mesh.vertex_slots(); ++v) {
     const Point p = mesh.position(Vertex(v));
@@ -42,6 +50,7 @@ void move_all(Mesh& mesh, float by) {
   use_up_memory();
   move_all(mesh, 1);  // 5 MB of notes
   expect(mesh.position(Vertex(7)) == Point{2, 1, 1}, 4);
+  expect(mesh.history()->undo_count() == 0, 9);  // at once, which makes room
   // What is written once the notes are lost is noted again, and must not pass for a whole step.
   mesh.set_position(Vertex(7), {3, 3, 3});
   mesh.end_step();
@@ -80,6 +89,22 @@ TEST(HistoryMemoryDeathTest, DeletionsThatCannotBeNotedAreDoneAllTheSame) {
   EXPECT_EXIT(lose_a_step_of_deletions(), testing::ExitedWithCode(0), "");
 }
 
+// A deleted edge that is the last note of its step, for which there is no room behind the others.
+[[noreturn]] void delete_an_edge_without_memory() {
+  Mesh mesh = with_history(tetrahedron());
+  for (int i = 0; i < 341; ++i) mesh.set_position(Vertex(0), {float(i), 0, 0});  // 1023 notes
+  mesh.end_step();
+  use_up_all_memory();
+  mesh.release(Edge(0));
+  mesh.end_step();
+  leave(mesh.history()->undo_count() == 0 && !mesh.undo() && !mesh.is_live(Edge(0)));
+}
+
+TEST(HistoryMemoryDeathTest, ADeletedEdgeThatCannotBeNotedIsForgottenToo) {
+  HALFEDGE_NEEDS_A_MEMORY_LIMIT();
+  EXPECT_EXIT(delete_an_edge_without_memory(), testing::ExitedWithCode(0), "");
+}
+
 // A step whose notes have room, but not its end: the places of so many ends are full.
 [[noreturn]] void end_a_step_without_memory() {
   constexpr int kChunk = 1024;
@@ -90,10 +115,7 @@ TEST(HistoryMemoryDeathTest, DeletionsThatCannotBeNotedAreDoneAllTheSame) {
     mesh.end_step();
   }
   expect(mesh.history()->undo_count() == kChunk, 3);
-  use_up_memory();
-  for (std::size_t size = 8192; size >= 64; size /= 2) {
-    while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
-  }
+  use_up_all_memory();
   mesh.set_position(Vertex(0), {-1, 0, 0});
   expect(mesh.history()->undo_count() == kChunk && mesh.history()->has_open_step(), 4);
   mesh.end_step();

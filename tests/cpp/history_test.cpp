@@ -22,6 +22,12 @@ Mesh with_history(const Shape& shape, HistoryLimits limits = {}) {
   return mesh;
 }
 
+std::vector<Shape> shapes_of_all_kinds() {
+  std::vector<Shape> shapes = all_shapes();
+  for (std::uint32_t seed = 0; seed < 6; ++seed) shapes.push_back(random_polygons(seed));
+  return shapes;
+}
+
 /// Moves a vertex, or deletes and makes items, or applies an operation of the decorator, at random.
 bool change_something(Mesh& mesh, RandomCalls& random) {
   if (random.below(8) == 0 && mesh.vertex_slots() > 0) {
@@ -37,10 +43,8 @@ bool change_something(Mesh& mesh, RandomCalls& random) {
 // ---- exactness ------------------------------------------------------------------------------
 
 TEST(History, GoesBackAndForthThroughRandomChangesToTheLastWord) {
-  std::vector<Shape> shapes = all_shapes();
-  for (std::uint32_t seed = 0; seed < 6; ++seed) shapes.push_back(random_polygons(seed));
   std::uint32_t seed = 0;
-  for (const Shape& shape : shapes) {
+  for (const Shape& shape : shapes_of_all_kinds()) {
     SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
     Mesh mesh = with_history(shape);
     RandomCalls random(seed++, 60);
@@ -97,10 +101,8 @@ TEST(History, TakesBackEachStepExactly) {
 }
 
 TEST(History, GoesBackAndForthThroughStepsOfManyChanges) {
-  std::vector<Shape> shapes = all_shapes();
-  for (std::uint32_t seed = 0; seed < 6; ++seed) shapes.push_back(random_polygons(seed));
   std::uint32_t seed = 100;
-  for (const Shape& shape : shapes) {
+  for (const Shape& shape : shapes_of_all_kinds()) {
     SCOPED_TRACE(shape.name + ", seed " + std::to_string(seed));
     Mesh mesh = with_history(shape);
     RandomCalls random(seed++, 60);
@@ -289,6 +291,11 @@ TEST(History, BeginsAnewOnceItIsForgotten) {
   mesh.forget_history();
   EXPECT_EQ(mesh.history()->bytes(), 0U);
   EXPECT_FALSE(mesh.undo());
+  ASSERT_TRUE(mesh.add_vertex({1, 2, 3}).valid());
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());  // keeps what the vertex was, for redo
+  mesh.forget_history();
+  EXPECT_EQ(mesh.history()->bytes(), 0U);
   mesh.set_position(Vertex(0), {2, 2, 2});
   mesh.end_step();
   EXPECT_EQ(mesh.history()->bytes(), 3 * sizeof(Journal::Write));
