@@ -81,9 +81,7 @@ TEST(PlyAttributes, ComeBackBitForBit) {
     }
     add(mesh, ItemKind::kVertex, "uv", kFloat64, 2, OnSplit::kInterpolate);
     add(mesh, ItemKind::kHalfedge, "uv", kFloat32, 2, OnSplit::kInterpolate);
-    for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kFace}) {
-      for (const auto& column : mesh.attributes().of(kind)) test::randomize(*column, random);
-    }
+    test::randomize(mesh, random);
     expect_round_trip(mesh, Format::kPly, encoding);
   }
 }
@@ -570,9 +568,7 @@ TEST(OffAttributes, ComeBackToTheLastBit) {
       add(mesh, ItemKind::kVertex, "color", type, 4, OnSplit::kInterpolate);
       add(mesh, ItemKind::kVertex, "uv", kFloat32, 2, OnSplit::kInterpolate);
       add(mesh, ItemKind::kFace, "color", type, bytes ? 3 : 4, OnSplit::kInterpolate);
-      for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kFace}) {
-        for (const auto& column : mesh.attributes().of(kind)) test::randomize(*column, random);
-      }
+      test::randomize(mesh, random);
       expect_round_trip(mesh, Format::kOff, encoding);
     }
   }

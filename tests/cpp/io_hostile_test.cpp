@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/text_file.h"
+#include "support/whole_soup.h"
 
 namespace halfedge {
 namespace {
@@ -147,16 +148,7 @@ void survive(std::string_view text) {
       for (const char c : file.error().message) ASSERT_TRUE(c >= ' ' && c <= '~');
       continue;
     }
-    const PolygonSoup& soup = file.value().soup;
-    ASSERT_EQ(soup.positions.size() % 3, 0U);
-    std::size_t corners = 0;
-    for (const Index size : soup.sizes) corners += size;
-    if (soup.sizes.empty()) {
-      ASSERT_EQ(soup.corners.size() % 3, 0U);
-    } else {
-      ASSERT_EQ(corners, soup.corners.size());
-    }
-    for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
+    test::expect_whole(file.value().soup, true);
 
     const std::vector<Index> faces = {0, 1, 1000};
     for (const std::size_t line : lines_of_faces(bytes, file.value().format, faces)) {

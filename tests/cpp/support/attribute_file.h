@@ -101,4 +101,12 @@ inline void randomize(Attribute& column, std::mt19937& random) {
   }
 }
 
+/// The same of all attributes.
+inline void randomize(const Mesh& mesh, std::mt19937& random) {
+  for (const ItemKind kind :
+       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+    for (const auto& column : mesh.attributes().of(kind)) randomize(*column, random);
+  }
+}
+
 }  // namespace halfedge::test

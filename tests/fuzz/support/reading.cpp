@@ -12,6 +12,7 @@
 #include "support/memory.h"
 #include "support/repairing.h"
 #include "support/round_trip.h"
+#include "support/whole_soup.h"
 
 namespace halfedge::fuzz {
 namespace {
@@ -31,17 +32,7 @@ void expect_place(const Error& error, std::size_t size) {
 
 void expect_whole(const ParsedFile& file, const ParseOptions& options) {
   const PolygonSoup& soup = file.soup;
-  ASSERT_EQ(soup.positions.size() % 3, 0U);
-  std::size_t corners = 0;
-  for (const Index size : soup.sizes) corners += size;
-  if (soup.sizes.empty()) {
-    ASSERT_EQ(soup.corners.size() % 3, 0U);
-  } else {
-    ASSERT_EQ(corners, soup.corners.size());
-  }
-  if (!options.for_repair) {
-    for (const Index v : soup.corners) ASSERT_LT(v, soup.positions.size() / 3);
-  }
+  test::expect_whole(soup, !options.for_repair);
   if (!options.attributes) EXPECT_TRUE(file.attributes.empty());
   for (const SoupAttribute& column : file.attributes) {
     EXPECT_FALSE(column.name.empty());
