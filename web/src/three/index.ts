@@ -2,6 +2,18 @@
 
 export { ARROW_FLOATS, type ArrowSizes, ArrowTracer, arrowSizes, CAP_SHARE } from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
+export { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
+export { type HelperOptions, MeshHelper } from './helper.js';
+export {
+  BoundaryLoopsHelper,
+  CirculatorHelper,
+  type CirculatorOptions,
+  HalfedgesHelper,
+  type HalfedgesOptions,
+  ProblemsHelper,
+  type ProblemsOptions,
+} from './helpers.js';
+export { IndexLabelsHelper, type LabelsOptions } from './labels-helper.js';
 export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 export { type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
 export { newellNormal, squaredDistanceToSegment } from './polygon.js';

@@ -1,0 +1,188 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import {
+  BoundaryLoopsHelper,
+  CirculatorHelper,
+  HalfedgeGlyphs,
+  HalfedgesHelper,
+  IndexLabelsHelper,
+  type MeshHelper,
+  ProblemsHelper,
+} from 'halfedge/three';
+import * as THREE from 'three';
+import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+
+beforeAll(() => init());
+
+const linesOf = (helper: MeshHelper) => helper.children[0] as LineSegments2;
+
+/** The segments that a helper draws: their two ends. */
+function segmentsOf(helper: MeshHelper): THREE.Vector3[][] {
+  const { instanceStart, instanceEnd } = linesOf(helper).geometry.attributes;
+  return Array.from({ length: helper.segments }, (_, i) =>
+    [instanceStart, instanceEnd].map((ends) => new THREE.Vector3().fromBufferAttribute(ends, i)),
+  );
+}
+
+const colorsOf = (helper: MeshHelper) => {
+  const { instanceColorStart: colors } = linesOf(helper).geometry.attributes;
+  return Array.from({ length: helper.segments }, (_, i) =>
+    new THREE.Color(colors.getX(i), colors.getY(i), colors.getZ(i)).getHex(),
+  );
+};
+
+describe('HalfedgesHelper', () => {
+  test('draws a shaft and a barb for each halfedge of a closed mesh, inside of its face', () => {
+    const mesh = HalfedgeMesh.cube({ size: 2 });
+    const helper = new HalfedgesHelper(mesh);
+    expect(helper.segments).toBe(2 * mesh.halfedgeCount);
+    for (const [a, b] of segmentsOf(helper)) {
+      for (const end of [a, b]) {
+        const sizes = end.toArray().map(Math.abs).sort();
+        expect(sizes[2]).toBeCloseTo(1); // in the plane of a side of the cube
+        expect(sizes[1]).toBeLessThan(0.999); // and not on an edge of it
+      }
+    }
+  });
+
+  test('runs beside the halfedge, in its direction and on the side of its face', () => {
+    const mesh = HalfedgeMesh.grid(2, 2);
+    const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions });
+    for (const h of mesh.halfedges()) {
+      const at = glyphs.halfedge(h, { inset: 0.05, trim: 0.01, barb: 0.05 });
+      const [start, end, tip] = [0, 3, 6].map((k) =>
+        new THREE.Vector3().fromArray(glyphs.arrows, at + k),
+      );
+      const from = new THREE.Vector3(...mesh.position(mesh.fromVertex(h)));
+      const along = new THREE.Vector3(...mesh.position(mesh.toVertex(h))).sub(from).normalize();
+      const left = new THREE.Vector3(0, 0, 1).cross(along);
+      const shaft = end.clone().sub(start);
+      expect(shaft.dot(along)).toBeCloseTo(shaft.length());
+      expect(shaft.length()).toBeGreaterThan(0.1);
+      expect(start.clone().sub(from).dot(left)).toBeCloseTo(0.05);
+      expect(tip.clone().sub(end).dot(left)).toBeGreaterThan(0.01);
+    }
+  });
+
+  test('has dotted arrows outside of the boundary, in another colour', () => {
+    const mesh = HalfedgeMesh.grid(1, 1);
+    const helper = new HalfedgesHelper(mesh, { color: 0x0000ff, boundaryColor: 0xff0000 });
+    const colors = colorsOf(helper);
+    const outside = segmentsOf(helper).filter((_, i) => colors[i] === 0xff0000);
+    expect(segmentsOf(helper).length - outside.length).toBe(2 * 4);
+    expect(outside.length).toBeGreaterThan(4 * 4); // dots, and barbs
+    for (const [a, b] of outside) {
+      const middle = a.clone().add(b).divideScalar(2);
+      expect(Math.max(Math.abs(middle.x), Math.abs(middle.y))).toBeGreaterThan(0.5);
+    }
+  });
+
+  test('follows edits, and shows the faces that are named', () => {
+    const mesh = HalfedgeMesh.icosahedron();
+    const helper = new HalfedgesHelper(mesh, { faces: [3, 4] });
+    expect(helper.segments).toBe(2 * 2 * 3);
+    helper.faces = undefined;
+    mesh.splitEdge(0);
+    helper.update();
+    expect(helper.segments).toBe(2 * mesh.halfedgeCount);
+    const big = HalfedgeMesh.grid(120, 120);
+    const wide = new HalfedgesHelper(big);
+    expect(wide.segments).toBeLessThan(8000 * 8 + 3000 * 60);
+    helper.dispose();
+    mesh.dispose();
+    expect(() => helper.update()).toThrow(/disposed/);
+  });
+
+  test('refuses wrong options with a sentence', () => {
+    const mesh = HalfedgeMesh.cube();
+    expect(() => new HalfedgesHelper(mesh, { pixel: -1 })).toThrow(
+      'options.pixel is -1; expected a positive number.',
+    );
+    expect(() => new HalfedgesHelper({} as never)).toThrow(
+      'mesh is an Object; expected a HalfedgeMesh.',
+    );
+  });
+});
+
+test('BoundaryLoopsHelper draws each boundary edge once', () => {
+  const mesh = HalfedgeMesh.grid(3, 2);
+  const helper = new BoundaryLoopsHelper(mesh);
+  const ends = segmentsOf(helper).map(([a, b]) => `${a.toArray()} ${b.toArray()}`);
+  const expected = mesh
+    .halfedgeLoop(mesh.boundaryLoops()[0])
+    .toArray()
+    .map((h) => `${mesh.position(mesh.fromVertex(h))} ${mesh.position(mesh.toVertex(h))}`);
+  expect(ends.sort()).toEqual(expected.sort());
+  expect(new BoundaryLoopsHelper(HalfedgeMesh.cube()).segments).toBe(0);
+});
+
+test('CirculatorHelper shows the halfedges of a lap, or of some steps, the last in its colour', () => {
+  const mesh = HalfedgeMesh.icosahedron();
+  const helper = new CirculatorHelper(mesh, 'vertexVertices', 4, {
+    direction: 'cw',
+    currentColor: 0xff0000,
+  });
+  expect(helper.trace()).toEqual(mesh.vertexOutgoingHalfedges(4, 'cw').toArray());
+  helper.steps = 2;
+  helper.update();
+  expect(helper.trace()).toHaveLength(2);
+  expect(colorsOf(helper).map((color) => color === 0xff0000)).toEqual([false, false, true, true]);
+  helper.item = 5;
+  helper.steps = Number.POSITIVE_INFINITY;
+  expect(helper.trace()).toEqual(mesh.vertexOutgoingHalfedges(5, 'cw').toArray());
+});
+
+test('ProblemsHelper draws what a refusal or the validation is about', () => {
+  const mesh = HalfedgeMesh.grid(2, 2);
+  expect(new ProblemsHelper(mesh).segments).toBe(0);
+  const e = mesh.findEdge(0, 1);
+  const refusal = mesh.checkFlipEdge(e);
+  const helper = new ProblemsHelper(mesh, { problems: [{ kind: 'edge', index: e, ...refusal }] });
+  const [[a, b]] = segmentsOf(helper);
+  expect([a.toArray(), b.toArray()].sort()).toEqual([mesh.position(0), mesh.position(1)].sort());
+  mesh.connectivity.next[5] = 5; // a broken link
+  helper.problems = undefined;
+  helper.update();
+  expect(mesh.validate().length).toBeGreaterThan(0);
+  expect(helper.segments).toBeGreaterThan(0);
+});
+
+describe('IndexLabelsHelper', () => {
+  /** As much of a page as three.js's labels ask for. */
+  class Element {
+    readonly style = {};
+    readonly ownerDocument = { defaultView: { Element } };
+    readonly parentNode = null;
+    textContent = '';
+    className = '';
+    setAttribute() {}
+  }
+
+  beforeAll(() => {
+    Object.assign(globalThis, { Element, document: { createElement: () => new Element() } });
+  });
+  afterAll(() => {
+    for (const name of ['document', 'Element'])
+      delete (globalThis as Record<string, unknown>)[name];
+  });
+
+  test('labels items where they are, no more than it may', () => {
+    const mesh = HalfedgeMesh.cube({ size: 2 });
+    const helper = new IndexLabelsHelper(mesh, { kinds: ['vertex', 'face', 'edge'] });
+    const texts = () =>
+      helper.children.map(
+        (label) => (label as THREE.Object3D & { element: HTMLElement }).element.textContent,
+      );
+    expect(texts()).toHaveLength(8 + 6 + 12);
+    expect(texts().slice(7, 9)).toEqual(['v7', 'f0']);
+    expect(helper.children[8].position.length()).toBeCloseTo(1);
+    expect(helper.children[14].position.length()).toBeCloseTo(Math.SQRT2);
+    mesh.deleteVertex(0);
+    helper.update();
+    expect(texts()[0]).toBe('v1');
+    expect(
+      new IndexLabelsHelper(HalfedgeMesh.grid(30), { kinds: ['halfedge'], most: 20 }).children,
+    ).toHaveLength(20);
+    helper.dispose();
+    expect(helper.children).toHaveLength(0);
+  });
+});

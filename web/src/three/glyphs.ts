@@ -1,0 +1,77 @@
+import type { HalfedgeMesh } from '../mesh.js';
+import { ARROW_FLOATS, type ArrowSizes, ArrowTracer } from './arrows.js';
+import { newellNormal } from './polygon.js';
+
+/** A mesh, and where its vertices are drawn: its positions, or others. */
+export interface DrawnMesh {
+  readonly mesh: HalfedgeMesh;
+  /** xyz by vertex. */
+  readonly points: ArrayLike<number>;
+}
+
+/** Traces the half-arrows of the halfedges of a mesh, a face or a boundary halfedge at a time. */
+export class HalfedgeGlyphs {
+  /** xyz of start, end and tip of the barb of each arrow, after `face`, `boundary` or `halfedge`. */
+  arrows = new Float32Array(16 * ARROW_FLOATS);
+  readonly #drawn: DrawnMesh;
+  readonly #tracer = new ArrowTracer();
+  readonly #corners: number[] = [];
+  readonly #path = new Float64Array(12);
+  readonly #normal = new Float64Array(3);
+
+  constructor(drawn: DrawnMesh) {
+    this.#drawn = drawn;
+  }
+
+  /** The arrows of a face, the first for the halfedge after `faceHalfedge`. Returns its degree. */
+  face(face: number, sizes: ArrowSizes): number {
+    const degree = this.#readCorners(face);
+    if (this.arrows.length < degree * ARROW_FLOATS) {
+      this.arrows = new Float32Array(2 * degree * ARROW_FLOATS);
+    }
+    this.#tracer.traceFace(this.#corners, degree, sizes, this.arrows, 0);
+    return degree;
+  }
+
+  /** The arrow of a boundary halfedge, outside of the face across its edge and in the plane of it. */
+  boundary(h: number, sizes: ArrowSizes): void {
+    const { mesh, points } = this.#drawn;
+    const { toVertex, next, face } = mesh.connectivity;
+    const path = [toVertex[mesh.prev(h) ^ 1], toVertex[h ^ 1], toVertex[h], toVertex[next[h]]];
+    path.forEach((v, i) => {
+      for (let k = 0; k < 3; k++) this.#path[3 * i + k] = points[3 * v + k];
+    });
+    const degree = this.#readCorners(face[h ^ 1]);
+    const normal = newellNormal(this.#corners, degree, this.#normal);
+    this.#tracer.traceBoundary(this.#path, normal, sizes, this.arrows, 0);
+  }
+
+  /** The arrow of any halfedge; returns its offset in `arrows`. */
+  halfedge(h: number, sizes: ArrowSizes): number {
+    const { face, next, faceHalfedge } = this.#drawn.mesh.connectivity;
+    if (face[h] < 0) {
+      this.boundary(h, sizes);
+      return 0;
+    }
+    this.face(face[h], sizes);
+    // Corner i is the to-vertex of the i-th halfedge, so arrow i belongs to the one after it.
+    let place = 0;
+    for (let at = next[faceHalfedge[face[h]]]; at !== h; at = next[at]) place += 1;
+    return place * ARROW_FLOATS;
+  }
+
+  /** Writes xyz of the corners of a face; returns its degree. */
+  #readCorners(face: number): number {
+    const { mesh, points } = this.#drawn;
+    const { next, toVertex, faceHalfedge } = mesh.connectivity;
+    const first = faceHalfedge[face];
+    let degree = 0;
+    let h = first;
+    do {
+      for (let k = 0; k < 3; k++) this.#corners[3 * degree + k] = points[3 * toVertex[h] + k];
+      degree += 1;
+      h = next[h];
+    } while (h !== first);
+    return degree;
+  }
+}

@@ -1,0 +1,118 @@
+import { Color, type ColorRepresentation, Group } from 'three';
+import { checkOptions, describe } from '../arguments.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { ARROW_FLOATS, arrowSizes } from './arrows.js';
+import { checkMesh } from './columns.js';
+import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
+import { LineBatch, lineMaterial, lines } from './lines.js';
+
+/** What all helpers can be told. */
+export interface HelperOptions {
+  /** Default: that of the helper. */
+  color?: ColorRepresentation;
+  /** In CSS pixels. Default: 1.5. */
+  linewidth?: number;
+  /**
+   * The length of a CSS pixel where the mesh is seen, in its own units: arrows and dashes are sized by it.
+   * Default: such that a typical edge is 56 pixels long.
+   */
+  pixel?: number;
+}
+
+/**
+ * What is drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines are as wide
+ * as they are told to be, in CSS pixels, at any distance. Call `update()` after edits.
+ */
+export abstract class MeshHelper extends Group implements DrawnMesh {
+  readonly mesh: HalfedgeMesh;
+  /** See {@link HelperOptions}. To be followed by `update()`. */
+  pixel: number;
+  readonly color: Color;
+  protected readonly batch = new LineBatch();
+  protected readonly glyphs = new HalfedgeGlyphs(this);
+  readonly #material: ReturnType<typeof lineMaterial>;
+
+  constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation) {
+    super();
+    checkOptions(options);
+    this.mesh = checkMesh(mesh);
+    const { linewidth = 1.5, pixel = typicalEdge(mesh) / 56 } = options;
+    this.pixel = checkLength('pixel', pixel);
+    this.color = new Color(options.color ?? color);
+    this.#material = lineMaterial(checkLength('linewidth', linewidth), 2);
+    this.add(lines(this.batch, this.#material, 3));
+  }
+
+  get points(): Float32Array {
+    return this.mesh.positions;
+  }
+
+  /** How many segments of lines it draws. */
+  get segments(): number {
+    return this.batch.count;
+  }
+
+  /** Draws the mesh as it is now. */
+  update(): void {
+    checkMesh(this.mesh);
+    this.batch.clear();
+    this.draw();
+    this.batch.upload();
+  }
+
+  /** Frees what it has on the graphics card. */
+  override dispose(): void {
+    this.batch.geometry.dispose();
+    this.#material.dispose();
+  }
+
+  protected abstract draw(): void;
+
+  /** Draws the arrow of a halfedge: dotted on the boundary. */
+  protected drawHalfedge(h: number, color: Color): void {
+    this.drawArrow(
+      this.glyphs.halfedge(h, arrowSizes(this.pixel)),
+      this.mesh.isBoundaryHalfedge(h),
+      color,
+    );
+  }
+
+  /** Draws one of the arrows that were traced. */
+  protected drawArrow(at: number, isBoundary: boolean, color: Color): void {
+    const { arrows } = this.glyphs;
+    if (isBoundary) this.batch.addDashed(arrows, at, at + 3, color, 5 * this.pixel, 0.4);
+    else this.batch.add(arrows, at, at + 3, color);
+    this.batch.add(arrows, at + 3, at + 6, color);
+  }
+
+  /** Draws the arrows of a face. */
+  protected drawFace(f: number, color: Color): void {
+    const degree = this.glyphs.face(f, arrowSizes(this.pixel));
+    for (let i = 0; i < degree; i++) this.drawArrow(i * ARROW_FLOATS, false, color);
+  }
+
+  protected drawEdge(h: number, color: Color): void {
+    const { toVertex } = this.mesh.connectivity;
+    this.batch.add(this.points, 3 * toVertex[h ^ 1], 3 * toVertex[h], color);
+  }
+}
+
+function checkLength(option: string, value: unknown): number {
+  if (typeof value === 'number' && value > 0 && value < Number.POSITIVE_INFINITY) return value;
+  throw new RangeError(`options.${option} is ${describe(value)}; expected a positive number.`);
+}
+
+/** The median length of some of the edges; 1 if there are none that have a length. */
+function typicalEdge({ connectivity: { toVertex, next }, positions }: HalfedgeMesh): number {
+  const lengths: number[] = [];
+  const stride = 2 * Math.max(1, Math.floor(next.length / 2000));
+  for (let h = 0; h < next.length; h += stride) {
+    if (next[h] < -1) continue;
+    const [a, b] = [3 * toVertex[h], 3 * toVertex[h + 1]];
+    const [x, y, z] = [0, 1, 2].map((k) => positions[a + k] - positions[b + k]);
+    const length = Math.hypot(x, y, z);
+    if (length > 0 && Number.isFinite(length)) lengths.push(length);
+  }
+  lengths.sort((p, q) => p - q);
+  return lengths[lengths.length >> 1] ?? 1;
+}

@@ -1,0 +1,198 @@
+import { Color, type ColorRepresentation } from 'three';
+import { describe } from '../arguments.js';
+import type { CirculatorKind } from '../circulation.js';
+import type { Problem, Witness } from '../errors.js';
+import type { Direction } from '../items.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { arrowSizes } from './arrows.js';
+import { type HelperOptions, MeshHelper } from './helper.js';
+
+// The colours of the explorer in a light theme: told apart under every colour vision.
+const ARROW = 0x2485f7;
+const BOUNDARY = 0x6c1f04;
+const TRAIL = 0x046a53;
+const PROBLEM = 0xe01297;
+
+/** More faces than these have arrows only if they are named. */
+const MOST_FACES = 8000;
+
+/** What {@link HalfedgesHelper} can be told. */
+export interface HalfedgesOptions extends HelperOptions {
+  /** The colour of boundary halfedges. */
+  boundaryColor?: ColorRepresentation;
+  /** Only the halfedges of these faces, and the boundary across their edges. Default: all, at most 8,000. */
+  faces?: Iterable<number>;
+}
+
+/**
+ * All halfedges as half-arrows inside of their faces, where they never cross, however thin the face; those on
+ * the boundary outside, dotted.
+ *
+ * ```ts
+ * const helper = new HalfedgesHelper(mesh);
+ * object.add(helper);
+ * mesh.flipEdge(e);
+ * helper.update();
+ * ```
+ */
+export class HalfedgesHelper extends MeshHelper {
+  override readonly type = 'HalfedgesHelper' as 'Group';
+  readonly boundaryColor: Color;
+  /** The faces that are shown; undefined for all. To be followed by `update()`. */
+  faces: readonly number[] | undefined;
+
+  constructor(mesh: HalfedgeMesh, options: HalfedgesOptions = {}) {
+    super(mesh, options, ARROW);
+    this.boundaryColor = new Color(options.boundaryColor ?? BOUNDARY);
+    this.faces = options.faces && [...options.faces];
+    this.update();
+  }
+
+  protected override draw(): void {
+    const { mesh } = this;
+    const { next, face, faceHalfedge } = mesh.connectivity;
+    let left = MOST_FACES;
+    for (const f of this.faces ?? mesh.faces()) {
+      if (this.faces === undefined && left-- === 0) return;
+      if (!(faceHalfedge[f] >= 0)) continue; // deleted since it was named
+      this.drawFace(f, this.color);
+      let h = faceHalfedge[f];
+      do {
+        if (face[h ^ 1] < 0) {
+          this.glyphs.boundary(h ^ 1, arrowSizes(this.pixel));
+          this.drawArrow(0, true, this.boundaryColor);
+        }
+        h = next[h];
+      } while (h !== faceHalfedge[f]);
+    }
+  }
+}
+
+/** The edges of all boundary loops, as strong lines. */
+export class BoundaryLoopsHelper extends MeshHelper {
+  override readonly type = 'BoundaryLoopsHelper' as 'Group';
+
+  constructor(mesh: HalfedgeMesh, options: HelperOptions = {}) {
+    super(mesh, { linewidth: 2.25, ...options }, BOUNDARY);
+    this.update();
+  }
+
+  protected override draw(): void {
+    const { next, face } = this.mesh.connectivity;
+    for (let h = 0; h < next.length; h++) {
+      if (next[h] >= 0 && face[h] < 0) this.drawEdge(h, this.color);
+    }
+  }
+}
+
+/** What {@link CirculatorHelper} can be told. */
+export interface CirculatorOptions extends HelperOptions {
+  /** Default: 'ccw'. */
+  direction?: Direction;
+  /** How many steps of the circulator are shown. Default: one lap. */
+  steps?: number;
+  /** The colour of the step that it has come to. */
+  currentColor?: ColorRepresentation;
+}
+
+/** The trace of a circulator: the halfedges that it has been at, the last in a colour of its own. */
+export class CirculatorHelper extends MeshHelper {
+  override readonly type = 'CirculatorHelper' as 'Group';
+  readonly currentColor: Color;
+  readonly kind: CirculatorKind;
+  readonly direction: Direction;
+  /** The item that it goes around, and how far. To be followed by `update()`. */
+  item: number;
+  steps: number;
+
+  constructor(
+    mesh: HalfedgeMesh,
+    kind: CirculatorKind,
+    item: number,
+    options: CirculatorOptions = {},
+  ) {
+    super(mesh, { linewidth: 2.5, ...options }, TRAIL);
+    const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor = ARROW } = options;
+    if (typeof steps !== 'number' || !(steps >= 0)) {
+      throw new RangeError(`options.steps is ${describe(steps)}; expected a number from 0.`);
+    }
+    this.kind = kind;
+    this.item = item;
+    this.direction = direction;
+    this.steps = steps;
+    this.currentColor = new Color(currentColor);
+    this.update();
+  }
+
+  /** The halfedges of the trace, in order. */
+  trace(): number[] {
+    const circulator = this.mesh.circulate(this.kind, this.item, { direction: this.direction });
+    const halfedges: number[] = [];
+    if (circulator.current === undefined) return halfedges;
+    while (halfedges.length < this.steps) {
+      const { halfedge } = circulator;
+      if (!(halfedge >= 0) || halfedge === halfedges[0]) break;
+      halfedges.push(halfedge);
+      circulator.next();
+    }
+    return halfedges;
+  }
+
+  protected override draw(): void {
+    const halfedges = this.trace();
+    halfedges.forEach((h, i) => {
+      this.drawHalfedge(h, i === halfedges.length - 1 ? this.currentColor : this.color);
+    });
+  }
+}
+
+/** What {@link ProblemsHelper} can be told. */
+export interface ProblemsOptions extends HelperOptions {
+  /** Those of a build or a refusal, for example. Default: what `mesh.validate()` finds at each update. */
+  problems?: readonly Pick<Problem, 'kind' | 'index' | 'witness'>[];
+}
+
+/** The items that problems or refusals are about: edges, the outlines of faces, the edges at vertices. */
+export class ProblemsHelper extends MeshHelper {
+  override readonly type = 'ProblemsHelper' as 'Group';
+  /** To be followed by `update()`. */
+  problems: ProblemsOptions['problems'];
+
+  constructor(mesh: HalfedgeMesh, options: ProblemsOptions = {}) {
+    super(mesh, { linewidth: 3.5, ...options }, PROBLEM);
+    this.problems = options.problems;
+    this.update();
+  }
+
+  protected override draw(): void {
+    for (const { kind, index, witness } of this.problems ?? this.mesh.validate()) {
+      if (kind !== 'mesh') this.#drawItem(kind, index);
+      if (witness) this.#drawWitness(witness);
+    }
+  }
+
+  #drawWitness({ vertices, halfedges, edges, faces }: Witness): void {
+    for (const v of vertices) this.#drawItem('vertex', v);
+    for (const h of halfedges) this.#drawItem('halfedge', h);
+    for (const e of edges) this.#drawItem('edge', e);
+    for (const f of faces) this.#drawItem('face', f);
+  }
+
+  /** Items that are gone, or whose links are broken, are left out: a mesh with problems may have such. */
+  #drawItem(kind: string, index: number): void {
+    const { next, toVertex, vertexHalfedge, faceHalfedge } = this.mesh.connectivity;
+    const isDrawable = (h: number) => next[h] >= 0 && toVertex[h] >= 0 && toVertex[h ^ 1] >= 0;
+    const walk = (first: number, step: (h: number) => number) => {
+      let h = first;
+      for (let left = next.length; left > 0 && isDrawable(h); left--) {
+        this.drawEdge(h, this.color);
+        h = step(h);
+        if (h === first) return;
+      }
+    };
+    if (kind === 'vertex') walk(vertexHalfedge[index], (h) => next[h ^ 1]);
+    else if (kind === 'face') walk(faceHalfedge[index], (h) => next[h]);
+    else if (kind === 'edge' && isDrawable(2 * index)) this.drawEdge(2 * index, this.color);
+    else if (kind === 'halfedge' && isDrawable(index)) this.drawHalfedge(index, this.color);
+  }
+}

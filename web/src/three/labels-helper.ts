@@ -1,0 +1,113 @@
+import { Group, Vector3 } from 'three';
+import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
+import { checkOptions } from '../arguments.js';
+import type { ItemKind } from '../items.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { arrowSizes } from './arrows.js';
+import { checkMesh } from './columns.js';
+import { HalfedgeGlyphs } from './glyphs.js';
+
+/** What {@link IndexLabelsHelper} can be told. */
+export interface LabelsOptions {
+  /** Of which items. Default: ['vertex']. */
+  kinds?: readonly ItemKind[];
+  /** So many labels at most. Default: 300. */
+  most?: number;
+  /** The class of the labels, for a style sheet, beside `halfedge-vertex` and so on. Default: 'halfedge-label'. */
+  className?: string;
+  /** As for the arrows that labels of halfedges stand beside: a pixel in units of the mesh. Default: 0.01. */
+  pixel?: number;
+}
+
+const LETTERS = { vertex: 'v', halfedge: 'h', edge: 'e', face: 'f' } as const;
+
+/** The indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
+export class IndexLabelsHelper extends Group {
+  override readonly type = 'IndexLabelsHelper' as 'Group';
+  readonly mesh: HalfedgeMesh;
+  readonly #options: Required<LabelsOptions>;
+
+  constructor(mesh: HalfedgeMesh, options: LabelsOptions = {}) {
+    super();
+    checkOptions(options);
+    this.mesh = checkMesh(mesh);
+    this.#options = {
+      kinds: ['vertex'],
+      most: 300,
+      className: 'halfedge-label',
+      pixel: 0.01,
+      ...options,
+    };
+    this.update();
+  }
+
+  /** Labels the items that are there now, where they are. */
+  update(): void {
+    checkMesh(this.mesh);
+    const { kinds, most, className } = this.#options;
+    const labels = this.children as CSS2DObject[];
+    let count = 0;
+    for (const kind of kinds) {
+      for (const index of this.#items(kind)) {
+        if (count === most) break;
+        let label = labels[count];
+        if (label === undefined) {
+          label = new CSS2DObject(document.createElement('span'));
+          this.add(label);
+        }
+        label.element.className = `${className} halfedge-${kind}`;
+        label.element.textContent = `${LETTERS[kind]}${index}`;
+        this.#place(kind, index, label.position);
+        count += 1;
+      }
+    }
+    this.remove(...labels.slice(count)); // which takes them out of the page
+  }
+
+  /** Takes all labels out of the page. */
+  override dispose(): void {
+    this.clear();
+  }
+
+  #items(kind: ItemKind): Iterable<number> {
+    const { mesh } = this;
+    switch (kind) {
+      case 'vertex':
+        return mesh.vertices();
+      case 'halfedge':
+        return mesh.halfedges();
+      case 'edge':
+        return mesh.edges();
+      case 'face':
+        return mesh.faces();
+    }
+  }
+
+  /** Vertices and the middles of edges, arrows and faces. */
+  #place(kind: ItemKind, index: number, out: Vector3): void {
+    const { mesh } = this;
+    if (kind === 'halfedge') {
+      const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions });
+      const at = glyphs.halfedge(index, arrowSizes(this.#options.pixel));
+      const [a, b] = [at, at + 3].map((from) => new Vector3().fromArray(glyphs.arrows, from));
+      out.addVectors(a, b).multiplyScalar(0.5);
+      return;
+    }
+    const vertices =
+      kind === 'vertex'
+        ? [index]
+        : kind === 'edge'
+          ? mesh.edgeVertices(index)
+          : mesh.faceVertices(index);
+    out.set(0, 0, 0);
+    let count = 0;
+    for (const v of vertices) {
+      const [x, y, z] = mesh.position(v);
+      out.add(corner.set(x, y, z));
+      count += 1;
+    }
+    out.divideScalar(count);
+  }
+}
+
+const corner = new Vector3();
