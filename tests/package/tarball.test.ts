@@ -77,6 +77,7 @@ describe('The tarball', () => {
       './gltf',
       './inline',
       './package.json',
+      './three',
       './worker',
       './worker-thread',
     ]);
