@@ -42,6 +42,7 @@ describe('fromSoup', () => {
     expect(report).toEqual({
       problems: [],
       counts: {},
+      unlisted: {},
       verdicts: [],
       vertexMap: Int32Array.of(0, 1, 2, 3),
       vertexOrigin: Uint32Array.of(0, 1, 2, 3),
@@ -345,3 +346,12 @@ const good = folder('good');
 });
 
 const view = (array: Int32Array) => Buffer.from(array.buffer, array.byteOffset, array.byteLength);
+
+test('A report tells how many problems it does not list', () => {
+  const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, ...new Array(3 * 120).fill(9)];
+  const faces = new Array(151).fill([0, 1, 2]);
+  const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces);
+  expect(report.counts).toEqual({ 'duplicate-face': 150, 'isolated-vertex': 120 });
+  expect(report.unlisted).toEqual({ 'duplicate-face': 50 }); // one sentence is about all vertices
+  mesh.dispose();
+});

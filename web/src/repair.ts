@@ -67,6 +67,8 @@ export interface RepairReport {
   readonly problems: readonly Problem[];
   /** How many faces, edges or vertices each code was found of, listed or not. */
   readonly counts: Readonly<Partial<Record<RepairCode, number>>>;
+  /** How many of each code `problems` has no sentence for. One tells of all isolated vertices. */
+  readonly unlisted: Readonly<Partial<Record<RepairCode, number>>>;
   /** The faces that were touched, in order. All others are as in the input. */
   readonly verdicts: readonly FaceVerdict[];
   /** By vertex of the input: its (first) vertex in the mesh, or -1. */
@@ -139,19 +141,36 @@ export function repairReport(wasm: Core, raw: RawRepair): RepairReport {
     raw.vertexOrigin,
     raw.faceMap,
   );
+  const problems = raw.repairs.map((problem) =>
+    problemOf(problem, HARMLESS.includes(problem.code) ? 'info' : 'warning'),
+  );
+  const counts = Object.fromEntries(
+    CODES.map((code, i) => [code, raw.counts[i]] as const).filter(([, count]) => count > 0),
+  );
   return {
-    problems: raw.repairs.map((problem) =>
-      problemOf(problem, HARMLESS.includes(problem.code) ? 'info' : 'warning'),
-    ),
-    counts: Object.fromEntries(
-      CODES.map((code, i) => [code, raw.counts[i]] as const).filter(([, count]) => count > 0),
-    ),
+    problems,
+    counts,
+    unlisted: unlistedOf(problems, counts),
     verdicts: verdictsOf(verdicts),
     vertexMap: new Int32Array(vertexMap.buffer),
     vertexOrigin,
     faceMap: new Int32Array(faceMap.buffer),
     summary: raw.summary,
   };
+}
+
+/** What the core lists of each code at most. */
+const LISTED = 100;
+
+function unlistedOf(
+  problems: readonly Problem[],
+  counts: RepairReport['counts'],
+): RepairReport['unlisted'] {
+  const unlisted = CODES.map((code) => {
+    const listed = problems.filter((problem) => problem.code === code).length;
+    return [code, listed < LISTED ? 0 : (counts[code] ?? 0) - listed] as const;
+  });
+  return Object.fromEntries(unlisted.filter(([, count]) => count > 0));
 }
 
 /** The report of a strict build: nothing was done. */
@@ -161,6 +180,7 @@ export function untouched(vertices: number, faces: number): RepairReport {
   return {
     problems: [],
     counts: {},
+    unlisted: {},
     verdicts: [],
     vertexMap,
     vertexOrigin: new Uint32Array(vertexMap),

@@ -24,6 +24,8 @@ export interface Finding {
   readonly count: number;
   /** One sentence each. The package lists a hundred; `count` counts all. */
   readonly problems: readonly Problem[];
+  /** How many have no sentence. */
+  readonly unlisted: number;
 }
 
 /** What was wrong in a file, and the file as it was. */
@@ -124,14 +126,18 @@ export function diagnose(
   };
 }
 
-function findingsOf({ problems, counts }: ParseReport): Finding[] {
+function findingsOf({ problems, counts, unlisted }: ParseReport): Finding[] {
   const findings: Finding[] = [];
   for (const [code, words] of Object.entries(WORDS) as [RepairCode, Words][]) {
     const count = counts[code] ?? 0;
     if (count === 0) continue;
     const [one, many, deed, fate] = words;
     const title = `${count.toLocaleString('en-US')} ${count === 1 ? one : many}`;
-    findings.push({ code, title, deed, fate, count, problems: listed(problems, code) });
+    findings.push({
+      ...{ code, title, deed, fate, count },
+      problems: listed(problems, code),
+      unlisted: unlisted[code] ?? 0,
+    });
   }
   const notes = listed(problems, 'note');
   if (notes.length > 0) {
@@ -144,6 +150,7 @@ function findingsOf({ problems, counts }: ParseReport): Finding[] {
       fate: 'noted',
       count: notes.length,
       problems: notes,
+      unlisted: 0,
     });
   }
   return findings;

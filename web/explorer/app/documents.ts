@@ -1,4 +1,4 @@
-import { HalfedgeMesh, type ProgressOptions } from 'halfedge';
+import { type AttributeNames, HalfedgeMesh, type ProgressOptions } from 'halfedge';
 import type { BrokenSample } from '../samples/broken.js';
 import type { Sample } from '../samples/index.js';
 import { type Diagnosis, diagnose } from './diagnosis.js';
@@ -17,6 +17,8 @@ export interface MeshDocument {
   readonly diagnosis: Diagnosis | null;
   /** Of a broken sample: what is wrong with it, and what to look at. */
   readonly lesson: string | null;
+  /** The words for the numbers of its attributes, of an OBJ file. */
+  readonly names: AttributeNames;
   /** From where the mesh is first seen. */
   readonly view: readonly [number, number, number];
 }
@@ -53,7 +55,17 @@ export async function openSource(source: Source, options: OpenOptions = {}): Pro
 
 async function openSample({ id, name, start, view, load }: Sample): Promise<MeshDocument> {
   const mesh = await load();
-  return { name, stem: id, mesh, sample: id, start, diagnosis: null, lesson: null, view };
+  return {
+    name,
+    stem: id,
+    mesh,
+    sample: id,
+    start,
+    diagnosis: null,
+    lesson: null,
+    names: {},
+    view,
+  };
 }
 
 function openBrokenSample({ id, name, view, lesson, file }: BrokenSample): MeshDocument {
@@ -100,18 +112,28 @@ async function openElsewhere(
     ...(signal ? { signal } : {}),
     ...(onProgress ? { onProgress } : {}),
   });
-  const faulty = report.problems.length > 0;
-  const diagnosis = faulty
-    ? diagnose(new Uint8Array(await file.arrayBuffer()), format, report)
-    : null;
-  return { ...newDocument(file.name, mesh), diagnosis };
+  const { names, problems } = report;
+  try {
+    const content = problems.length > 0 ? await file.arrayBuffer() : new ArrayBuffer(0);
+    const diagnosis = diagnose(new Uint8Array(content), format, report);
+    return { ...newDocument(file.name, mesh), names, diagnosis };
+  } catch (error) {
+    mesh.dispose();
+    throw error;
+  }
 }
 
 /** Mends what makes no manifold. */
 function openContent(name: string, content: Uint8Array): MeshDocument {
   const format = formatOf(name);
   const { mesh, report } = HalfedgeMesh.parse(content, format ? { format } : {});
-  return { ...newDocument(name, mesh), diagnosis: diagnose(content, format, report) };
+  const { names } = report;
+  try {
+    return { ...newDocument(name, mesh), names, diagnosis: diagnose(content, format, report) };
+  } catch (error) {
+    mesh.dispose();
+    throw error;
+  }
 }
 
 function formatOf(name: string): (typeof FORMATS)[number] | undefined {
@@ -130,6 +152,7 @@ export function newDocument(name: string, mesh: HalfedgeMesh): MeshDocument {
     start: null,
     diagnosis: null,
     lesson: null,
+    names: {},
     view: [0.35, 0.3, 1],
   };
 }
@@ -148,7 +171,7 @@ export function fileOfText(text: string): File | null {
   return extension ? new File([text], `Pasted mesh.${extension}`) : null;
 }
 
-export function failureOf(error: unknown, source: Source): OpenFailure {
+export function failureOf(error: unknown, source: Source | { readonly name: string }): OpenFailure {
   const message = error instanceof Error ? error.message : String(error);
   const lesson = 'lesson' in source ? source.lesson : null;
   return { title: `“${source.name}” was not opened`, message, lesson };

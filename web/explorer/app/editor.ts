@@ -83,10 +83,14 @@ export class Editor {
     explorer.selected.subscribe(() => this.#select());
   }
 
-  /** Begins anew with a mesh that was opened. */
-  open(mesh: HalfedgeMesh): void {
+  /** Gives a mesh history, before it is shown; throws if there is no memory for that. */
+  prepare(mesh: HalfedgeMesh): void {
     mesh.history.limit({ bytes: HISTORY_BYTES });
     mesh.history.enabled = true;
+  }
+
+  /** Begins anew with a mesh that was prepared. */
+  begin(): void {
     this.#done = [];
     this.#undone = [];
     this.#forgot = false;
@@ -195,6 +199,15 @@ export class Editor {
     try {
       result = runOperation(operation, operands);
     } catch (error) {
+      // Where memory runs out in the middle of a repair, a part of it is done.
+      if (mesh.version !== version) {
+        const part = `a part of ${title}`;
+        const after = [first, ...state.neighbours].find((it) => it && isLive(mesh, it)) ?? null;
+        const edit = motionOf(operation, state, mesh);
+        this.#record({ title: part, deed: operation.stem, edit, before: first, after });
+        this.#forgot = true; // nobody could do just that part again
+        this.#finish(`Done: ${part}.`, { ...edit }, after);
+      }
       this.#refuse(title, refusalOf(error));
       return;
     }
@@ -215,13 +228,19 @@ export class Editor {
     const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
     const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
     const deed = deedOf(operation, first, operands.second);
-    this.#done.push({ title, deed, edit, before: first, after });
+    this.#record({ title, deed, edit, before: first, after });
+    this.#finish(told('Done'), { ...edit }, after, report);
+  }
+
+  /** A step that was done; those that the package has forgotten are forgotten here, too. */
+  #record(step: Step): void {
+    this.#done.push(step);
     this.#undone = [];
-    while (this.#done.length > mesh.history.undoCount) {
+    const count = this.#mesh?.history.undoCount ?? 0;
+    while (this.#done.length > count) {
       this.#done.shift();
       this.#forgot = true;
     }
-    this.#finish(told('Done'), { ...edit }, after, report);
   }
 
   #finish(outcome: string, edit: Edit, selection: Item | null, report = ''): void {

@@ -136,7 +136,12 @@ export class Explorer {
   openMesh(name: string, mesh: HalfedgeMesh): void {
     this.cancel();
     this.pause();
-    this.#show({ ...newDocument(name, mesh), stem: name });
+    const names = this.document.value?.names ?? {};
+    try {
+      this.#show({ ...newDocument(name, mesh), stem: name, names });
+    } catch (error) {
+      this.failure.value = failureOf(error, { name });
+    }
   }
 
   #rest(): void {
@@ -272,14 +277,21 @@ export class Explorer {
     this.#publish(false);
   }
 
+  /** Throws, with all as it was, if there is no memory for the history of the mesh. */
   #show(opened: MeshDocument): void {
     const before = this.document.value;
+    try {
+      this.editor.prepare(opened.mesh);
+    } catch (error) {
+      opened.mesh.dispose();
+      throw error;
+    }
     this.selected.value = null;
     this.hovered.value = null;
     this.facts.value = null;
     this.#leaveProblems();
     this.#offerQueries();
-    this.editor.open(opened.mesh);
+    this.editor.begin();
     this.document.value = opened;
     before?.mesh.dispose();
     if (!this.selected.value && opened.mesh.vertexCount > 0) {

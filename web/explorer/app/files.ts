@@ -12,7 +12,10 @@ export interface MeshFile {
 /** The mesh as a file; throws what `HalfedgeMesh.write` throws. */
 export function fileOf(opened: MeshDocument, format: FileFormat): MeshFile {
   const notes: string[] = [];
-  const content = opened.mesh.write(format, { onNote: (note) => notes.push(note) });
+  const content = opened.mesh.write(format, {
+    names: opened.names,
+    onNote: (note) => notes.push(note),
+  });
   const isCut = opened.diagnosis?.findings.some(({ fate }) => fate === 'cut');
   if (isCut && format === 'stl') {
     notes.push(

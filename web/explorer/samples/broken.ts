@@ -42,7 +42,7 @@ export const brokenSamples: readonly BrokenSample[] = [
     name: 'Möbius strip',
     note: 'one side only',
     lesson:
-      'However the faces are turned, two neighbours disagree somewhere: the strip is cut open along one edge, which becomes boundary on both sides.',
+      'However the faces are turned, two neighbours disagree somewhere: the strip is cut open along a row of edges from rim to rim, which becomes boundary on both sides.',
     view: [0.1, 1, 1],
     file: () => obj(moebius(48, 6)),
   },

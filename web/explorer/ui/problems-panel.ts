@@ -61,13 +61,12 @@ function verdict(diagnosis: Diagnosis | null): string {
 }
 
 function group(explorer: Explorer, finding: Finding, focus: () => void): HTMLElement {
-  const { code, title, deed, fate, count, problems } = finding;
+  const { code, title, deed, fate, problems, unlisted } = finding;
   const list = longList('entries', title);
   list.show(
     problems.map((problem) => () => entry(explorer, problem, focus)),
     SHOWN,
   );
-  const unlisted = code === 'isolated-vertex' ? 0 : count - problems.length;
   return h(
     'section',
     { class: 'finding', 'data-finding': code, 'aria-label': title },

@@ -1,4 +1,4 @@
-import type { Problem, RepairReport } from '../index.js';
+import type { Problem } from '../index.js';
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { orComplain } from './complaint.js';
@@ -46,7 +46,7 @@ async function checkOne(path: string, args: Arguments, progress: Progress): Prom
     for (const { severity, code, message } of faults) {
       print(`${nameOf(path)}: ${severity}: ${message} [${code}]`);
     }
-    const unlisted = unlistedOf(report);
+    const unlisted = Object.values(report.unlisted).reduce((sum, count) => sum + count, 0);
     if (unlisted > 0) print(`${nameOf(path)}: and ${unlisted} more`);
     print(`${nameOf(path)}: ${valid ? 'valid' : verdict(faults, unlisted)}`);
   }
@@ -56,16 +56,6 @@ async function checkOne(path: string, args: Arguments, progress: Progress): Prom
 /** Without the fields that say nothing of a file. */
 function withoutMesh({ kind, index, ...rest }: Problem) {
   return kind === 'mesh' ? rest : { ...rest, kind, index };
-}
-
-/** What the report lists of each code at most. */
-const LISTED = 100;
-
-function unlistedOf({ counts, problems }: RepairReport): number {
-  return Object.entries(counts).reduce((sum, [code, count]) => {
-    const listed = problems.filter((problem) => problem.code === code).length;
-    return listed < LISTED ? sum : sum + count - listed;
-  }, 0);
 }
 
 function verdict(faults: readonly Problem[], unlisted: number): string {
