@@ -179,7 +179,6 @@ function visits(explorer: Explorer, { player, position }: Play): HTMLElement[] {
         {
           type: 'button',
           'data-item': name,
-          'aria-label': `${name}, visited as number ${ordinal}`,
           'aria-current': ordinal === position ? 'step' : null,
           onclick: () => explorer.seek(ordinal),
           onmouseenter: () => {
@@ -190,6 +189,7 @@ function visits(explorer: Explorer, { player, position }: Play): HTMLElement[] {
           },
         },
         h('i', {}, String(ordinal)),
+        ' ',
         name,
       ),
     );

@@ -74,7 +74,6 @@ function fourDigits(values: readonly number[]): number[] {
 function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {
   const named = dialectOf(explorer.dialect.value).links[name];
   const shown = named === undefined ? name : (named ?? '(has none)');
-  const label = `${shown}: ${target ? itemName(target) : 'empty'} (${hint})`;
   return h(
     'li',
     {},
@@ -84,7 +83,7 @@ function linkButton(explorer: Explorer, { number, name, hint, target, key, role 
         type: 'button',
         'data-link': name,
         'data-target': itemName(target),
-        'aria-label': label,
+        'aria-keyshortcuts': key,
         title: hint,
         disabled: target === null,
         onclick: () => explorer.select(target),
@@ -99,7 +98,7 @@ function linkButton(explorer: Explorer, { number, name, hint, target, key, role 
       h('span', { class: named === null ? 'api nameless' : 'api' }, shown),
       h('span', { class: 'hint' }, hint),
       h('span', { class: 'target' }, itemName(target)),
-      h('kbd', { class: 'kbd' }, key),
+      h('kbd', { class: 'kbd', 'aria-hidden': 'true' }, key),
     ),
   );
 }

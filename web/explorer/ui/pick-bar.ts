@@ -40,7 +40,7 @@ export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
   });
   return h(
     'div',
-    { class: 'pick-bar' },
+    { class: 'pick-bar', role: 'region', 'aria-label': 'Picking' },
     modes,
     h(
       'button',

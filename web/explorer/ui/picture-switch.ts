@@ -26,7 +26,13 @@ export function pictureSwitch(explorer: Explorer): HTMLElement {
   }
   const state = h('p', { class: 'visually-hidden', role: 'status' });
   const legend = h('ul', { class: 'legend card', 'aria-label': 'Colours of the original' });
-  const element = h('div', { class: 'picture-switch', hidden: true }, choices, legend, state);
+  const element = h(
+    'div',
+    { class: 'picture-switch', role: 'region', 'aria-label': 'Picture', hidden: true },
+    choices,
+    legend,
+    state,
+  );
   const show = () => {
     const opened = explorer.document.value;
     const diagnosis = opened?.diagnosis;

@@ -40,12 +40,19 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     reveal();
   });
   const head = h('div', { class: 'record head', role: 'row', 'aria-rowindex': 1 });
-  const rows = new VirtualRows(ROW_PX, () => h('div', { class: 'record', role: 'row' }), showRow);
-  const grid = h(
-    'div',
-    { class: 'records-grid', role: 'grid', tabindex: 0, 'aria-label': 'Records' },
+  const grid = h('div', {
+    class: 'records-grid rows',
+    role: 'grid',
+    tabindex: 0,
+    'aria-label': 'Records',
+  });
+  const makeRow = () => h('div', { class: 'record', role: 'row' });
+  const rows = new VirtualRows(
+    grid,
     h('div', { role: 'rowgroup' }, head),
-    rows.element,
+    ROW_PX,
+    makeRow,
+    showRow,
   );
   const section = h(
     'section',
@@ -164,14 +171,14 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     rows.render();
   }
 
-  rows.element.addEventListener('mouseover', (event) => {
+  grid.addEventListener('mouseover', (event) => {
     const at = cellOfEvent(event);
     if (at) point(...at);
   });
-  rows.element.addEventListener('mouseleave', () => {
+  grid.addEventListener('mouseleave', () => {
     explorer.hovered.value = null;
   });
-  rows.element.addEventListener('click', (event) => {
+  grid.addEventListener('click', (event) => {
     const at = cellOfEvent(event);
     grid.focus({ preventScroll: true });
     if (at) enter(...at);

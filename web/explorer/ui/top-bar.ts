@@ -28,8 +28,18 @@ export function topBar(
   });
   const menu = meshMenu(explorer);
   const name = h('span', {}, '…');
+  const menuButton = h(
+    'button',
+    { type: 'button', class: 'button quiet mesh-button', popovertarget: 'mesh-menu' },
+    name,
+    icon('chevron'),
+  );
   explorer.document.subscribe((opened) => {
     name.textContent = opened?.name ?? 'Choose a mesh';
+    menuButton.setAttribute(
+      'aria-label',
+      opened ? `${opened.name}: choose a mesh` : 'Choose a mesh',
+    );
   });
   const themeButton = h('button', {
     type: 'button',
@@ -48,18 +58,14 @@ export function topBar(
     h(
       'div',
       { class: 'start card' },
-      h('h1', { class: 'brand' }, brandMark(), h('b', {}, 'halfedge'), h('span', {}, 'explorer')),
       h(
-        'button',
-        {
-          type: 'button',
-          class: 'button quiet mesh-button',
-          popovertarget: 'mesh-menu',
-          'aria-label': 'Choose a mesh',
-        },
-        name,
-        icon('chevron'),
+        'h1',
+        { class: 'brand', 'aria-label': 'halfedge explorer' },
+        brandMark(),
+        h('b', {}, 'halfedge'),
+        h('span', {}, 'explorer'),
       ),
+      menuButton,
       menu,
       h(
         'button',

@@ -10,6 +10,7 @@ const MOST_PIXELS = 2_000_000;
  */
 export class VirtualRows {
   readonly element: HTMLElement;
+  readonly #head: HTMLElement;
   readonly #window: HTMLElement;
   readonly #spacer: HTMLElement;
   readonly #rowHeight: number;
@@ -23,17 +24,22 @@ export class VirtualRows {
   /** What was to be revealed while there was no room. */
   #wanted: number | null = null;
 
+  /** `grid` is what scrolls, `head` stays at its upper edge. */
   constructor(
+    grid: HTMLElement,
+    head: HTMLElement,
     rowHeight: number,
     make: () => HTMLElement,
     show: (row: number, element: HTMLElement) => void,
   ) {
+    this.element = grid;
+    this.#head = head;
     this.#rowHeight = rowHeight;
     this.#make = make;
     this.#show = show;
     this.#window = h('div', { class: 'rows-window', role: 'presentation' });
-    this.#spacer = h('div', { class: 'rows-spacer', role: 'presentation' }, this.#window);
-    this.element = h('div', { class: 'rows', role: 'rowgroup', tabindex: -1 }, this.#spacer);
+    this.#spacer = h('div', { class: 'rows-spacer', role: 'rowgroup' }, this.#window);
+    grid.append(head, this.#spacer);
     this.element.addEventListener('scroll', () => {
       const { scrollTop } = this.element;
       if (Math.abs(scrollTop - this.#told) < 1) return;
@@ -58,7 +64,7 @@ export class VirtualRows {
 
   /** How many rows are wholly in sight. */
   get page(): number {
-    return Math.max(1, Math.floor(this.element.clientHeight / this.#rowHeight));
+    return Math.max(1, Math.floor(this.#height / this.#rowHeight));
   }
 
   setCount(count: number): void {
@@ -70,9 +76,9 @@ export class VirtualRows {
   /** Brings a row into sight: in the middle, if it was not. */
   reveal(row: number): void {
     const at = row * this.#rowHeight;
-    const height = this.element.clientHeight;
-    this.#wanted = height === 0 ? row : null;
-    if (height === 0) return;
+    const height = this.#height;
+    this.#wanted = height <= 0 ? row : null;
+    if (height <= 0) return;
     if (at < this.#top || at + this.#rowHeight > this.#top + height) {
       this.#moveTo(at - (height - this.#rowHeight) / 2);
     }
@@ -81,15 +87,15 @@ export class VirtualRows {
   /** As `reveal`, by no more than it takes. */
   nudge(row: number): void {
     const at = row * this.#rowHeight;
-    const height = this.element.clientHeight;
+    const height = this.#height;
     if (at < this.#top) this.#moveTo(at);
     else if (at + this.#rowHeight > this.#top + height) this.#moveTo(at + this.#rowHeight - height);
   }
 
   /** Shows the rows in sight anew. */
   render(): void {
-    const height = this.element.clientHeight;
-    if (height === 0) return;
+    const height = this.#height;
+    if (height <= 0) return;
     const first = Math.floor(this.#top / this.#rowHeight);
     const shown = Math.min(this.#count - first, Math.ceil(height / this.#rowHeight) + 1);
     while (this.#window.childElementCount < shown) this.#window.append(this.#make());
@@ -100,17 +106,22 @@ export class VirtualRows {
     this.#window.style.transform = `translateY(${first * this.#rowHeight - this.#top}px)`;
   }
 
+  /** The room for rows. */
+  get #height(): number {
+    return this.element.clientHeight - this.#head.offsetHeight;
+  }
+
   /** Pixels of the rows to a pixel of the scrollbar. */
   get #scale(): number {
-    const height = this.element.clientHeight;
+    const height = this.#height;
     const rows = this.#count * this.#rowHeight - height;
     const bar = Math.min(MOST_PIXELS, this.#count * this.#rowHeight) - height;
     return bar > 0 ? rows / bar : 1;
   }
 
   #moveTo(top: number): void {
-    if (this.element.clientHeight === 0) return;
-    const most = this.#count * this.#rowHeight - this.element.clientHeight;
+    if (this.#height <= 0) return;
+    const most = this.#count * this.#rowHeight - this.#height;
     this.#top = Math.max(0, Math.min(top, most));
     this.element.scrollTop = this.#top / this.#scale;
     this.#told = this.element.scrollTop;
