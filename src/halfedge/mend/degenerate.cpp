@@ -224,6 +224,7 @@ class Remover {
 }  // namespace
 
 Result<Report> remove_degenerate_faces(Surface& surface, const DegenerateOptions& options) {
+  if (Result<void> valid = surface.check_valid(); !valid) return valid.error();
   Report report;
   if (Result<void> done = Remover(surface, options.tolerance, report).run(); !done) {
     return done.error();

@@ -17,7 +17,8 @@
 /// - What is valid at level 4 of `validate` is so afterwards.
 /// - Live items keep their indices; deleted slots are taken by the next new items.
 /// - With history on, it can be undone to the last word. `Mesh::end_step` closes the step.
-/// - The only error is out-of-memory: then a part may have been done, of which all this holds.
+/// - The only error, but where one is named, is out-of-memory: then a part may have been done, of
+///   which all this holds.
 namespace halfedge::mend {
 
 struct StitchOptions {
@@ -102,6 +103,7 @@ struct DegenerateOptions {
 /// report: vertices: those that edges were collapsed into; edges: those that were flipped; faces:
 ///         those that gained a corner
 /// cost: O(slots), and what the operations cost
+/// errors: corrupt-connectivity, for a mesh that isn't valid at level 4
 [[nodiscard]] Result<Report> remove_degenerate_faces(Surface& surface,
                                                      const DegenerateOptions& options);
 

@@ -1,5 +1,7 @@
 #include <halfedge/build/sentence.h>
+#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/report.h>
+#include <halfedge/mend/surface_of.h>
 
 #include <utility>
 
@@ -43,6 +45,17 @@ const char* name_of(Code code) { return kWordings[std::size_t(code)].name; }
 
 std::string reason_of(const Error& error) {
   return error.message.substr(0, error.message.size() - 1);
+}
+
+Result<void> first_error(const std::vector<Problem>& problems) {
+  for (const Problem& problem : problems) {
+    if (problem.severity != Severity::kError) continue;
+    if (problem.code == "out-of-memory") return decorator::internal::no_memory("the check");
+    return decorator::internal::refusal("corrupt-connectivity",
+                                        "the mesh is not valid, expected level 4: " +
+                                            problem.message.substr(0, problem.message.size() - 1));
+  }
+  return {};
 }
 
 void Report::summarize() {

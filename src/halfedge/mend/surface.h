@@ -63,6 +63,11 @@ class Surface {
   [[nodiscard]] virtual Result<Components> components() const = 0;
   [[nodiscard]] virtual Result<Array<Halfedge>> boundary_loops() const = 0;
 
+  /// Whether it is valid at level 4: else corrupt-connectivity, with what is wrong first; or
+  /// out-of-memory. Bytes that were tampered with may be read as a mesh that is not, and that an
+  /// operation makes worse.
+  [[nodiscard]] virtual Result<void> check_valid() const = 0;
+
   // ---- operations -----------------------------------------------------------------------------
 
   [[nodiscard]] virtual Result<void> check_glue(Halfedge h, Halfedge g) const = 0;

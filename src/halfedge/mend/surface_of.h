@@ -2,10 +2,15 @@
 
 #include <halfedge/mend/surface.h>
 #include <halfedge/operations/operations.h>
+#include <halfedge/validate/validate.h>
 
 #include <span>
+#include <vector>
 
 namespace halfedge::mend {
+
+/// Of problems at level 4.
+[[nodiscard]] Result<void> first_error(const std::vector<Problem>& problems);
 
 /// The surface of a mesh.
 template <Storage kStored>
@@ -20,6 +25,8 @@ class SurfaceOf final : public Surface {
   Result<Array<Halfedge>> boundary_loops() const override {
     return halfedge::boundary_loops(mesh_);
   }
+
+  Result<void> check_valid() const override { return first_error(validate(mesh_)); }
 
   Result<void> check_glue(Halfedge h, Halfedge g) const override {
     return operations::check_glue(mesh_, h, g);
