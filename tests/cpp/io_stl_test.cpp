@@ -36,7 +36,9 @@ std::string binary(const std::vector<Triangle>& triangles, std::string header = 
   header.resize(80, ' ');
   header += raw(static_cast<std::uint32_t>(triangles.size()) + more);
   for (const Triangle& triangle : triangles) {
-    header += std::string(12, '\x11') + raw(triangle) + "ab";
+    header += std::string(12, '\x11');
+    header += raw(triangle);
+    header += "ab";
   }
   return header;
 }
