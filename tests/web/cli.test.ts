@@ -4,7 +4,6 @@ import {
   existsSync,
   mkdtempSync,
   openSync,
-  readdirSync,
   readFileSync,
   rmSync,
   writeFileSync,
@@ -14,6 +13,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { HalfedgeMesh, init } from 'halfedge';
 import { readGltf } from 'halfedge/gltf';
+import { collected } from './support/collection.js';
 
 const program = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 
@@ -535,18 +535,10 @@ describe('Progress', () => {
 });
 
 describe('The tool and the collection', () => {
-  const data =
-    process.env.HALFEDGE_DATA ?? fileURLToPath(new URL('../../../shared/data', import.meta.url));
-  const files = (name: string) =>
-    readdirSync(join(data, name))
-      .filter((file) => /\.(obj|off|ply|stl)$/i.test(file))
-      .map((file) => join(data, name, file));
+  const meshes = { good: collected('good'), nasty: collected('nasty') };
+  const files = (name: 'good' | 'nasty') => [...meshes[name].files];
 
-  test('good meshes are readable and nasty ones give a verdict for each file', async () => {
-    if (!existsSync(data)) {
-      console.log(`Skipped: there are no test meshes in ${data}; HALFEDGE_DATA names the folder.`);
-      return;
-    }
+  meshes.good.test('good ones are readable, nasty ones have a verdict each', async () => {
     const good = await run(['check', '--json', ...files('good')]);
     const verdicts = good.out
       .trimEnd()

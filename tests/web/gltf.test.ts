@@ -1,8 +1,8 @@
-import { existsSync, readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { readFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
+import { collected } from './support/collection.js';
 import { bytesInUse, giveCornerAttributes, withFullHeap } from './support/core.js';
 import { random } from './support/random.js';
 
@@ -606,37 +606,36 @@ describe('A glTF file that is none', () => {
 });
 
 describe('The collection', () => {
-  const data =
-    process.env.HALFEDGE_DATA ?? fileURLToPath(new URL('../../../shared/data', import.meta.url));
+  const gltf = /\.(gltf|glb)$/;
+  const parts = { good: collected('good', gltf), nasty: collected('nasty', gltf) };
 
-  test.each(['good', 'nasty'])('%s glTF files give a valid mesh or a sentence', async (name) => {
-    if (!existsSync(data)) {
-      console.log(`Skipped: there are no test meshes in ${data}; HALFEDGE_DATA names the folder.`);
-      return;
-    }
-    const files = readdirSync(join(data, name)).filter((file) => /\.(gltf|glb)$/.test(file));
-    expect(files.length).toBeGreaterThan(3);
-    for (const file of files) {
-      try {
-        const { mesh } = await readGltf(pathToFileURL(join(data, name, file)));
-        expect([file, mesh.validate().filter(({ severity }) => severity === 'error')]).toEqual([
-          file,
-          [],
-        ]);
-        mesh.dispose();
-      } catch (error) {
-        expect(error).toBeInstanceOf(HalfedgeError);
-        // Of the good ones, one has lost its buffer.
-        if (name === 'good')
-          expect([file, (error as HalfedgeError).code]).toEqual([file, 'missing-resource']);
+  collected(['good', 'nasty'], gltf).test.each(['good', 'nasty'] as const)(
+    '%s glTF files give a valid mesh or a sentence',
+    async (name) => {
+      const { files } = parts[name];
+      expect(files.length).toBeGreaterThan(3);
+      for (const file of files) {
+        try {
+          const { mesh } = await readGltf(pathToFileURL(file));
+          expect([file, mesh.validate().filter(({ severity }) => severity === 'error')]).toEqual([
+            file,
+            [],
+          ]);
+          mesh.dispose();
+        } catch (error) {
+          expect(error).toBeInstanceOf(HalfedgeError);
+          // Of the good ones, one has lost its buffer.
+          if (name === 'good')
+            expect([file, (error as HalfedgeError).code]).toEqual([file, 'missing-resource']);
+        }
       }
-    }
-  });
+    },
+  );
 
-  test('a GLB file is read as three.js reads it', async () => {
-    if (!existsSync(data)) return;
+  const pins = collected('good', /^pins\.glb$/);
+  pins.test('a GLB file is read as three.js reads it', async () => {
     const { GLTFLoader } = await import('three/addons/loaders/GLTFLoader.js');
-    const bytes = new Uint8Array(readFileSync(join(data, 'good/pins.glb')));
+    const bytes = new Uint8Array(readFileSync(pins.files[0]));
     const { mesh } = await readGltf(bytes);
     const { scene } = await new GLTFLoader().parseAsync(bytes.slice().buffer, '');
     let triangles = 0;

@@ -1,8 +1,9 @@
 // Any input gives a mesh or an error with a sentence, and leaves the module as it was: no byte is
 // lost, no memory is taken for what a file merely promises, and the next mesh is made as before.
 
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { collected } from './support/collection.js';
 import { bytesInUse, memorySize } from './support/core.js';
 import { random } from './support/random.js';
 
@@ -182,25 +183,12 @@ test('any polygons, strict and repaired', () => {
   expect(outcomes.size).toBeGreaterThan(20);
 });
 
-const data =
-  process.env.HALFEDGE_DATA ?? new URL('../../../shared/data/', import.meta.url).pathname;
-
-test('files of the collection, cut and with wrong bytes', () => {
-  let files: string[] = [];
-  try {
-    files = ['good', 'nasty'].flatMap((folder) =>
-      readdirSync(`${data}/${folder}`)
-        .filter((name) => /\.(obj|off|ply|stl)$/i.test(name))
-        .map((name) => `${data}/${folder}/${name}`),
-    );
-  } catch {
-    console.log(`Skipped: there are no test meshes in ${data}; HALFEDGE_DATA names the folder.`);
-    return;
-  }
+const all = collected(['good', 'nasty']);
+all.test('files of the collection, cut and with wrong bytes', () => {
   const next = random(3);
   let errors = 0;
   expectUnharmed(() => {
-    for (const file of files) {
+    for (const file of all.files) {
       if (statSync(file).size > 2e5) continue;
       const whole = readFileSync(file);
       for (let i = 0; i < 4; i++) {

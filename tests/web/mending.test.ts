@@ -1,5 +1,6 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { HalfedgeError, HalfedgeMesh, init, type MendReport } from 'halfedge';
+import { collected } from './support/collection.js';
 import { bytesInUse } from './support/core.js';
 import { addAttributes, expectState, stateOf } from './support/editing.js';
 import { random } from './support/random.js';
@@ -269,28 +270,15 @@ test('a disposed mesh refuses repairs', () => {
   }
 });
 
-const nastyFolder = `${
-  process.env.HALFEDGE_DATA ?? new URL('../../../shared/data', import.meta.url).pathname
-}/nasty`;
-
-function nastyFiles(): string[] {
-  try {
-    return readdirSync(nastyFolder).filter((file) => /\.(obj|off|ply|stl)$/i.test(file));
-  } catch {
-    console.log(`Skipped: there are no test meshes in ${nastyFolder}; HALFEDGE_DATA names them.`);
-    return [];
-  }
-}
-
-const nasty = nastyFiles();
-(nasty.length > 0 ? test : test.skip)(
+const nasty = collected('nasty');
+nasty.test(
   'all repairs leave a valid mesh of every nasty file, and can be undone',
   () => {
     let meshes = 0;
-    for (const file of nasty) {
+    for (const file of nasty.files) {
       let mesh: HalfedgeMesh;
       try {
-        mesh = HalfedgeMesh.parse(readFileSync(`${nastyFolder}/${file}`)).mesh;
+        mesh = HalfedgeMesh.parse(readFileSync(file)).mesh;
       } catch (error) {
         expect([file, error]).toEqual([file, expect.any(HalfedgeError)]);
         continue;

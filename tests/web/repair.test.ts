@@ -1,5 +1,6 @@
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { HalfedgeError, HalfedgeMesh, init, type RepairReport, type SoupOptions } from 'halfedge';
+import { collected } from './support/collection.js';
 import { bytesInUse, withLeft } from './support/core.js';
 import { random, shuffle } from './support/random.js';
 
@@ -294,47 +295,33 @@ describe('parse with repair', () => {
   });
 });
 
-const data =
-  process.env.HALFEDGE_DATA ?? new URL('../../../shared/data/', import.meta.url).pathname;
-const folder = (name: string): string[] => {
-  try {
-    return readdirSync(`${data}/${name}`).filter((file) => /\.(obj|off|ply|stl)$/i.test(file));
-  } catch {
-    console.log(`Skipped: there are no test meshes in ${data}/${name}; HALFEDGE_DATA names it.`);
-    return [];
-  }
-};
-
-const nasty = folder('nasty');
-(nasty.length > 0 ? test : test.skip)(
-  'every nasty file becomes a mesh, or its text is no file',
-  () => {
-    let meshes = 0;
-    for (const file of nasty) {
-      try {
-        const { mesh, report } = HalfedgeMesh.parse(readFileSync(`${data}/nasty/${file}`));
-        expectNothingLost(report, report.faceMap.length, mesh);
-        mesh.dispose();
-        meshes++;
-      } catch (error) {
-        // What can't be read is told so; faces that make no manifold are never the reason.
-        expect([file, error]).toEqual([file, expect.any(HalfedgeError)]);
-        expect([file, (error as HalfedgeError).code]).toEqual([
-          file,
-          expect.stringMatching(
-            /^(parse-error|truncated|index-out-of-range|non-finite-position|unknown-format|unsupported-format|not-text|too-large)$/,
-          ),
-        ]);
-      }
+const nasty = collected('nasty');
+nasty.test('every nasty file becomes a mesh, or its text is no file', () => {
+  let meshes = 0;
+  for (const file of nasty.files) {
+    try {
+      const { mesh, report } = HalfedgeMesh.parse(readFileSync(file));
+      expectNothingLost(report, report.faceMap.length, mesh);
+      mesh.dispose();
+      meshes++;
+    } catch (error) {
+      // What can't be read is told so; faces that make no manifold are never the reason.
+      expect([file, error]).toEqual([file, expect.any(HalfedgeError)]);
+      expect([file, (error as HalfedgeError).code]).toEqual([
+        file,
+        expect.stringMatching(
+          /^(parse-error|truncated|index-out-of-range|non-finite-position|unknown-format|unsupported-format|not-text|too-large)$/,
+        ),
+      ]);
     }
-    expect(meshes).toBeGreaterThan(45);
-  },
-);
+  }
+  expect(meshes).toBeGreaterThan(45);
+});
 
-const good = folder('good');
-(good.length > 0 ? test : test.skip)('repair changes nothing in a good file', () => {
-  for (const file of good) {
-    const bytes = readFileSync(`${data}/good/${file}`);
+const good = collected('good');
+good.test('repair changes nothing in a good file', () => {
+  for (const file of good.files) {
+    const bytes = readFileSync(file);
     if (bytes.length > 1.5e6) continue; // the large ones show nothing else
     const { mesh, report } = HalfedgeMesh.parse(bytes);
     const { mesh: strict } = HalfedgeMesh.parse(bytes, { repair: false });
