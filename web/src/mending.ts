@@ -180,11 +180,11 @@ export abstract class Mending extends Modelling {
    * so narrow that the rounding of positions may turn them over (10^-6 of their length).
    *
    * What would break the mesh, or turn another face over, is left (`zero-length-edge`, `degenerate-face`).
-   * O(slots), and what the operations cost.
+   * O(slots), what `validate` costs, and what the operations cost.
    *
    * @returns `vertices`: those that edges were collapsed into; `edges`: those that were flipped; `faces`: those
    * that gained a corner
-   * @throws HalfedgeError `out-of-memory`, `disposed`
+   * @throws HalfedgeError `corrupt-connectivity` if the mesh isn't valid at level 4; `out-of-memory`, `disposed`
    */
   removeDegenerateFaces(options: DegenerateOptions = {}): MendReport {
     linksOf(this).checkAlive();
