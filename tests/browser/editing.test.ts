@@ -390,6 +390,7 @@ describe('The list of boundary loops', () => {
     await explorer.press('3');
     const before = await explorer.state('camera');
     const loops = explorer.page.locator('.loops button');
+    await loops.first().waitFor(); // facts come after the picture
     expect(await loops.allTextContents()).toEqual([
       expect.stringMatching(/^loop h\d+14 edges$/),
       expect.stringMatching(/^loop h\d+14 edges$/),
