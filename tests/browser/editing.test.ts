@@ -397,8 +397,8 @@ describe('The list of boundary loops', () => {
     ]);
     await loops.nth(1).click();
     expect(await explorer.state('selected')).toMatch(/^h\d+$/);
-    await explorer.projection();
-    expect(await explorer.state('camera')).not.toBe(before);
+    const flew = async () => (await explorer.state('camera')) !== before;
+    expect(await explorer.comesTrue(flew)).toBe(true);
     await explorer.press('2');
   });
 });

@@ -65,9 +65,10 @@ describe('The keyboard', () => {
     };
     const before = await apart();
     await explorer.press('z');
-    expect(await apart()).toBeGreaterThan(3 * before);
+    expect(await explorer.comesTrue(async () => (await apart()) > 3 * before)).toBe(true);
     await explorer.press('0');
-    expect(Math.abs((await apart()) / before - 1)).toBeLessThan(0.5);
+    const isBack = async () => Math.abs((await apart()) / before - 1) < 0.5;
+    expect(await explorer.comesTrue(isBack)).toBe(true);
   });
 
   test('gives up the selection with Escape', async () => {

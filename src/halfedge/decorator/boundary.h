@@ -59,7 +59,7 @@ requires StoresFaces<Mesh>
   using namespace internal;
   if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can.error();
   if (!make_room(mesh, 1, 2, 1)) return no_memory("a vertex, two edges and a face");
-  const Result<Halfedge> closing = add_face_to_boundary(mesh, h, g);
+  Result<Halfedge> closing = add_face_to_boundary(mesh, h, g);
   if (!closing) return closing;
   return split_edge(mesh, closing.value());
 }

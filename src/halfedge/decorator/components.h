@@ -27,10 +27,12 @@ class ComponentWalk {
   [[nodiscard]] const Array<Edge>& edges_of(Edge e) {
     edges_.clear();
     see(e);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
+    std::size_t passed = 0;
+    while (passed < edges_.size()) {
+      const Edge joined = edges_[passed++];
       // Loops and orbits are cycles of these steps, so what is joined to e is reached.
       for (const Index side : {0U, 1U}) {
-        see(mesh_.edge(mesh_.next(mesh_.edge_halfedge(edges_[i], side))));
+        see(mesh_.edge(mesh_.next(mesh_.edge_halfedge(joined, side))));
       }
     }
     return edges_;

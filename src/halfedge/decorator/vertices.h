@@ -235,7 +235,7 @@ requires DeletesVertices<Mesh>
 /// errors: not-a-halfedge, edge-without-face, out-of-memory
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> insert_tip(Mesh& mesh, Halfedge h) {
-  const Result<Halfedge> edge = split_vertex(mesh, h, h);
+  Result<Halfedge> edge = split_vertex(mesh, h, h);
   if (!edge) return edge;
   return mesh.opposite(edge.value());
 }

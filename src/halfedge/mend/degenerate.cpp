@@ -83,7 +83,7 @@ class Remover {
         if (!surface_.is_live(f)) continue;
         const FaceShape shape = shape_of(surface_, f);
         if (!shape.is_thin(tolerance_)) continue;
-        const Result<void> done = remove(f, shape);
+        Result<void> done = remove(f, shape);
         if (done) continue;
         if (done.error().code == "out-of-memory") return done;
         left.leave(Code::kDegenerateFace, [&] {

@@ -17,7 +17,7 @@ Result<void> ShortEdges::collapse_all(Report& left) {
     const Edge e(i);
     if (!surface_.is_live(e) || !is_short(e)) continue;
     const Halfedge side(2 * i);
-    const Result<void> done = collapse(side);
+    Result<void> done = collapse(side);
     if (done) continue;
     if (done.error().code == "out-of-memory") return done;
     left.leave(Code::kZeroLengthEdge, [&] {

@@ -46,7 +46,7 @@ template <EditableSurface Mesh, class Item>
   if (Result<void> can = check_delete_component(mesh, item); !can) return can.error();
   const Index before = mesh.face_count();
   if (const Halfedge h = internal::halfedge_of(mesh, item); h.valid()) {
-    const Result<Index> erased = decorator::erase_connected_component(mesh, h);
+    Result<Index> erased = decorator::erase_connected_component(mesh, h);
     if (!erased) return erased;
   } else if constexpr (kind_of(Item{}) == ItemKind::kVertex) {
     mesh.release(item);

@@ -124,6 +124,16 @@ export class ExplorerPage {
     await ready();
   }
 
+  /** Waits, ten seconds at most, until something holds of the page at rest; returns whether it does. */
+  async comesTrue(holds: () => Promise<boolean>): Promise<boolean> {
+    const end = performance.now() + 10_000;
+    for (;;) {
+      await this.rest();
+      if (await holds()) return true;
+      if (performance.now() > end) return false;
+    }
+  }
+
   /** Waits for the camera to rest, and returns where positions of the mesh appear in the window. */
   async projection(): Promise<(position: ArrayLike<number>) => Point> {
     await this.rest();
