@@ -48,7 +48,9 @@ describe('Installed, `halfedge/gltf`', () => {
     const bin = 'node_modules/halfedge/dist/cli/main.js';
     const square = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n';
     const folder = projectWithThree('gltf-cli', { 'square.obj': square });
-    expect(await node(folder, bin, 'convert', 'square.obj', 'square.glb')).toBe('');
+    expect(await node(folder, bin, 'convert', 'square.obj', 'square.glb')).toBe(
+      'square.glb: Cut 1 face into 2 triangles: glTF has no polygons.',
+    );
     expect(await node(folder, bin, 'convert', 'square.glb', 'square.gltf')).toBe('');
     expect(JSON.parse(await node(folder, bin, 'info', '--json', 'square.gltf'))).toMatchObject({
       format: 'gltf',
