@@ -82,8 +82,8 @@ class Found {
  * Groups and morph targets are not shown: see `toBufferGeometry`. The attributes are those that the mesh had
  * when the geometry was made.
  *
- * To find what has changed, `update` reads the links, positions and attributes shown once: a million
- * triangles take some 5 ms. It keeps no copy of the links.
+ * To find what has changed, `update` makes a digest of the links, positions and attributes shown: of a
+ * million triangles that alone takes some 5 ms. It keeps no copy of the links.
  */
 export class MeshGeometry extends BufferGeometry {
   override readonly type = 'MeshGeometry' as 'BufferGeometry';
