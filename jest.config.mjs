@@ -43,5 +43,5 @@ export default {
       globalTeardown: '<rootDir>/tests/package/support/teardown.mjs',
     },
   ],
-  testTimeout: 60_000,
+  testTimeout: 180_000,
 };

@@ -55,6 +55,7 @@ export class ExplorerPage {
       reducedMotion: motion ? 'no-preference' : 'reduce',
       ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
     });
+    context.setDefaultTimeout(90_000); // a busy machine takes its time
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const explorer = new ExplorerPage(context, await context.newPage());
     await explorer.page.goto(shared.address + (settings.link ? `#${settings.link}` : ''));
