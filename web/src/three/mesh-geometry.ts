@@ -73,7 +73,7 @@ class Found {
  * const geometry = new MeshGeometry(mesh);
  * scene.add(new Mesh(geometry, material));
  * mesh.flipEdge(e);
- * geometry.update(); // { faces: 2, bytes: 24 }
+ * geometry.update(); // { faces: 2, bytes: 84 }
  * ```
  *
  * Without attributes of halfedges and with smooth normals it is indexed, and vertex v of it is vertex v of the
