@@ -1,6 +1,7 @@
-// Three suites with one runner: `web` tests the package that dist/ holds, `browser` drives the
-// explorer in Chromium, `package` tries the packed tarball. Modules are loaded as what they are,
-// ES modules (node --experimental-vm-modules), so that the shipped files are tested unchanged.
+// The suites of one runner: `web` tests the package that dist/ holds, `three-oldest` those parts of it that
+// use three.js with the oldest release of it that package.json allows, `browser` drives the explorer in
+// Chromium and Firefox, `package` tries the packed tarball. Modules are loaded as what they are, ES modules
+// (node --experimental-vm-modules), so that the shipped files are tested unchanged.
 
 const suite = (name) => ({
   displayName: name,
@@ -29,9 +30,22 @@ const suite = (name) => ({
   },
 });
 
+const web = suite('web');
+
 export default {
   projects: [
-    suite('web'),
+    { ...web, globals: { THREE: 'three' } },
+    {
+      ...web,
+      displayName: 'three-oldest',
+      testMatch: ['three-*', 'gltf'].map((name) => `<rootDir>/tests/web/${name}.test.ts`),
+      moduleNameMapper: {
+        ...web.moduleNameMapper,
+        '^three$': 'three-oldest',
+        '^three/addons/(.*)$': 'three-oldest/examples/jsm/$1',
+      },
+      globals: { THREE: 'three-oldest' },
+    },
     {
       ...suite('browser'),
       globalSetup: '<rootDir>/tests/browser/support/setup.mjs',

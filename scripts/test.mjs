@@ -26,6 +26,7 @@ const parts = {
 
   async web(steps) {
     await steps.run('Tests of the package (Jest)', () => runJest('web'));
+    await steps.run('... with the oldest three.js', () => runJest('three-oldest'));
   },
 
   async browser(steps) {

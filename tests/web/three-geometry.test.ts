@@ -187,6 +187,19 @@ describe('fromBufferGeometry', () => {
     });
   });
 
+  test('reads interleaved attributes of more than four components, normalised or not', () => {
+    const rows = Int8Array.from({ length: 40 }, (_, i) => (i % 10 < 5 ? i : 127));
+    const buffer = new THREE.InterleavedBuffer(rows, 10);
+    const geometry = square((g) => {
+      g.setAttribute('plain', new THREE.InterleavedBufferAttribute(buffer, 5, 0));
+      g.setAttribute('unit', new THREE.InterleavedBufferAttribute(buffer, 5, 5, true));
+    });
+    const { mesh } = fromBufferGeometry(geometry);
+    const plain = [0, 1, 2, 3].flatMap((row) => [0, 1, 2, 3, 4].map((k) => 10 * row + k));
+    expect([...mesh.attributes.get('vertex', 'plain')]).toEqual(plain);
+    expect([...mesh.attributes.get('vertex', 'unit')]).toEqual(Array(20).fill(1));
+  });
+
   test('gives faces the material of their group', () => {
     const { mesh, maps } = fromBufferGeometry(new THREE.BoxGeometry());
     const group = mesh.attributes.get('face', 'group');

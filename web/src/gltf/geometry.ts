@@ -19,6 +19,9 @@ export interface Triangles {
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 
+/** How components are read, normalised integers divided, by any three.js: `getComponent` is younger. */
+export const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const;
+
 /** three.js's names, and ours, with the numbers of components that they may have. */
 const ATTRIBUTES = [
   { theirs: 'normal', name: 'normal', components: [3] },
@@ -67,7 +70,7 @@ function floats(attribute: AnyAttribute): Float32Array {
   }
   const values = newArray('an attribute', Float32Array, count * itemSize);
   for (let i = 0; i < values.length; i++) {
-    values[i] = attribute.getComponent(Math.floor(i / itemSize), i % itemSize);
+    values[i] = attribute[GETTERS[i % itemSize]](Math.floor(i / itemSize));
   }
   return values;
 }
@@ -78,7 +81,7 @@ function colors(attribute: AnyAttribute): CornerValues {
   if (!(array instanceof Uint8Array && normalized)) return floats(attribute);
   const values = new Uint8Array(count * itemSize);
   for (let i = 0; i < values.length; i++) {
-    values[i] = Math.round(255 * attribute.getComponent(Math.floor(i / itemSize), i % itemSize));
+    values[i] = Math.round(255 * attribute[GETTERS[i % itemSize]](Math.floor(i / itemSize)));
   }
   return values;
 }

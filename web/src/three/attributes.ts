@@ -1,9 +1,15 @@
 // Between the attributes of three.js's geometries and plain arrays.
 
-import type { BufferAttribute, BufferGeometry, InterleavedBufferAttribute } from 'three';
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  MathUtils,
+} from 'three';
 import { describe, newArray } from '../arguments.js';
 import { HalfedgeError } from '../errors.js';
 import type { CornerAttribute, CornerValues } from '../gltf/corners.js';
+import { GETTERS } from '../gltf/geometry.js';
 
 export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 
@@ -47,8 +53,6 @@ export function checkAttribute(name: string, attribute: unknown, rows?: number):
   return attribute as AnyAttribute;
 }
 
-const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const;
-
 /** A copy of the numbers as floats: normalised integers divided, interleaved ones put in a row. */
 export function floatsOf(
   name: string,
@@ -70,11 +74,16 @@ export function floatsOf(
 function component(name: string, attribute: AnyAttribute, row: number, k: number): number {
   // Half floats are told by these only; matrices have more components than those.
   if (k < GETTERS.length) return attribute[GETTERS[k]](row);
-  if (!('isFloat16BufferAttribute' in attribute)) return attribute.getComponent(row, k);
-  throw geometryError(
-    'unsupported-attribute',
-    `geometry.attributes.${name} has ${attribute.itemSize} components of half precision; expected at most 4.`,
-  );
+  if ('isFloat16BufferAttribute' in attribute) {
+    throw geometryError(
+      'unsupported-attribute',
+      `geometry.attributes.${name} has ${attribute.itemSize} components of half precision; expected at most 4.`,
+    );
+  }
+  if (!('data' in attribute)) return attribute.getComponent(row, k);
+  const { array, stride } = attribute.data;
+  const value = array[row * stride + attribute.offset + k];
+  return attribute.normalized ? MathUtils.denormalize(value, array as Int8Array) : value;
 }
 
 const INTEGERS = [Int8Array, Uint8Array, Int16Array, Uint16Array, Int32Array, Uint32Array];
