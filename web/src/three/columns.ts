@@ -1,6 +1,6 @@
 // The attributes of a mesh that a geometry shows.
 
-import { describe } from '../arguments.js';
+import { describe, newArray } from '../arguments.js';
 import type { AttributeInfo } from '../attributes.js';
 import type { Column, CornerValues } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
@@ -65,10 +65,19 @@ export function shownAttributes(
 export const isNormalized = ({ name, type }: AttributeInfo) =>
   name === 'color' && (type === 'uint8' || type === 'uint16');
 
-/** A copy of the values, of a type that a graphics card takes. */
-export function valuesOf(mesh: HalfedgeMesh, { kind, name }: AttributeInfo): CornerValues {
+/** An array for so many numbers of an attribute, of a type that a graphics card takes. */
+export function arrayFor(mesh: HalfedgeMesh, { kind, name }: AttributeInfo, length: number) {
   const view = mesh.attributes.get(kind, name);
-  return view instanceof Float64Array ? new Float32Array(view) : view.slice();
+  const Kind = view instanceof Float64Array ? Float32Array : view.constructor;
+  return newArray<CornerValues>(name, Kind as new (length: number) => CornerValues, length);
+}
+
+/** A copy of the values, of such a type. */
+function valuesOf(mesh: HalfedgeMesh, info: AttributeInfo): CornerValues {
+  const view = mesh.attributes.get(info.kind, info.name);
+  const values = arrayFor(mesh, info, view.length);
+  values.set(view);
+  return values;
 }
 
 /** Copies of all that is shown, normals included. */

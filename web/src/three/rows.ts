@@ -6,6 +6,11 @@ const GAP = 16;
 /** With more ranges than this, waiting to be uploaded, all between them is uploaded as well. */
 const MOST_RANGES = 1000;
 
+/** Room for so much more than there is that few edits need new buffers. */
+export function roomFor(count: number): number {
+  return Math.ceil(1.125 * count) + 64;
+}
+
 /** A column of a geometry, and which of its rows have changed. */
 export class RowBuffer {
   readonly components: number;
@@ -38,16 +43,15 @@ export class RowBuffer {
     return !same;
   }
 
-  /** Makes the array long enough for so many rows; says whether it is another one now. */
-  reserve(rows: number): boolean {
+  /** Makes the array long enough for so many rows: then it is another one, and so is the attribute. */
+  reserve(rows: number): void {
     const { array, components, attribute } = this;
-    if (rows * components <= array.length) return false;
+    if (rows * components <= array.length) return;
     const Kind = array.constructor as new (length: number) => TypedArray;
     const grown = newArray('a buffer', Kind, rows * components);
     grown.set(array);
     this.attribute = new BufferAttribute(grown, attribute.itemSize, attribute.normalized);
     this.attribute.setUsage(DynamicDrawUsage);
-    return true;
   }
 
   /** What was written is not to be marked, because all of it is uploaded, or nothing. */

@@ -49,6 +49,17 @@ export class TriangleSlots {
     this.#count = count;
   }
 
+  /** Gives the triangles, from the first on, to the faces that they are of. pre: none has one yet */
+  assign(faceOf: ArrayLike<number>, faces: number): void {
+    this.resize(faces);
+    this.faceOf.set(faceOf);
+    this.end = faceOf.length;
+    for (let t = this.end - 1; t >= 0; t--) {
+      this.#first[faceOf[t]] = t;
+      this.#count[faceOf[t]] += 1;
+    }
+  }
+
   /** Frees the triangles of a face. */
   release(face: number): void {
     const count = this.count(face);

@@ -1,5 +1,6 @@
 import { newArray } from '../arguments.js';
-import { HalfedgeMesh } from '../mesh.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { PolygonCutter } from './polygon-cutter.js';
 
 /** Triangles of faces: for each the three halfedges that end in its corners, and its face. */
 export interface FaceTriangles {
@@ -9,165 +10,103 @@ export interface FaceTriangles {
   readonly faces: Uint32Array;
 }
 
-/** Polygons are cut up so many corners at a time, which bounds the memory it takes. */
-const BATCH = 2 ** 16;
+/** The faces that are there, in ascending order. */
+export function liveFaces(mesh: HalfedgeMesh): Uint32Array {
+  const { faceHalfedge } = mesh.connectivity;
+  const faces = newArray('the faces', Uint32Array, mesh.faceCount);
+  let count = 0;
+  for (let f = 0; f < faceHalfedge.length; f++) if (faceHalfedge[f] >= 0) faces[count++] = f;
+  return faces.subarray(0, count);
+}
 
 /**
  * The triangles of the live ones among `faces`, in that order: n - 2 of a face of degree n. Polygons may be
  * concave: they are cut as `mesh.triangulate()` cuts them, each for itself. The mesh is not changed.
  */
-export function triangulateFaces(mesh: HalfedgeMesh, faces: Iterable<number>): FaceTriangles {
-  const { next, faceHalfedge } = mesh.connectivity;
-  const live: number[] = [];
-  const degrees: number[] = [];
+export function triangulateFaces(mesh: HalfedgeMesh, faces: ArrayLike<number>): FaceTriangles {
+  const { next, faceHalfedge, toVertex } = mesh.connectivity;
+  const { positions } = mesh;
   let count = 0;
-  for (const f of faces) {
-    const first = faceHalfedge[f];
-    if (!(first >= 0)) continue;
-    let degree = 0;
-    let h = first;
-    do {
-      degree += 1;
-      h = next[h];
-    } while (h !== first);
-    if (degree < 3) continue; // a corrupt mesh: nothing to be drawn
-    live.push(f);
-    degrees.push(degree);
-    count += degree - 2;
-  }
+  for (let i = 0; i < faces.length; i++) count += trianglesIn(next, faceHalfedge[faces[i]]);
   const halfedges = newArray('the triangles', Uint32Array, 3 * count);
   const faceOf = newArray('the triangles', Uint32Array, count);
   const cutter = new PolygonCutter(mesh);
   let at = 0;
-  live.forEach((f, i) => {
-    faceOf.fill(f, at, at + degrees[i] - 2);
-    const a = faceHalfedge[f];
-    if (degrees[i] === 3) {
-      halfedges[3 * at] = a;
-      halfedges[3 * at + 1] = next[a];
-      halfedges[3 * at + 2] = next[next[a]];
-    } else {
-      cutter.add(a, degrees[i], 3 * at);
-    }
-    at += degrees[i] - 2;
-  });
+  for (let i = 0; i < faces.length; i++) {
+    const a = faceHalfedge[faces[i]];
+    const triangles = trianglesIn(next, a);
+    if (triangles === 0) continue;
+    const b = next[a];
+    const c = next[b];
+    const diagonal =
+      triangles === 2
+        ? quadDiagonal(positions, toVertex[a], toVertex[b], toVertex[c], toVertex[next[c]])
+        : NO_DIAGONAL;
+    if (triangles === 1 || diagonal === 0) writeTriangle(halfedges, at, a, b, c);
+    else if (diagonal === 1) writeTriangle(halfedges, at, a, b, next[c]);
+    else cutter.add(a, triangles + 2, 3 * at);
+    if (diagonal === 0) writeTriangle(halfedges, at + 1, a, c, next[c]);
+    if (diagonal === 1) writeTriangle(halfedges, at + 1, b, c, next[c]);
+    for (const end = at + triangles; at < end; at++) faceOf[at] = faces[i];
+  }
   cutter.cut(halfedges);
   return { halfedges, faces: faceOf };
 }
 
-/** Collects polygons, and has the core cut them up. */
-class PolygonCutter {
-  readonly #toVertex: Int32Array;
-  readonly #next: Int32Array;
-  readonly #positions: Float32Array;
-  readonly #polygons: { readonly corners: number[]; readonly at: number }[] = [];
-
-  constructor(mesh: HalfedgeMesh) {
-    this.#toVertex = mesh.connectivity.toVertex;
-    this.#next = mesh.connectivity.next;
-    this.#positions = mesh.positions;
-  }
-
-  /** Notes the polygon of a loop, whose triangles belong to `at` of the output. */
-  add(first: number, degree: number, at: number): void {
-    const corners: number[] = [];
-    for (let h = first; corners.length < degree; h = this.#next[h]) corners.push(h);
-    this.#polygons.push({ corners, at });
-  }
-
-  cut(out: Uint32Array): void {
-    // All that is read of the mesh is copied before the core allocates, which can detach its views.
-    const points = this.#polygons.map(({ corners }) => this.#pointsOf(corners));
-    for (let from = 0; from < this.#polygons.length; ) {
-      let to = from;
-      let size = 0;
-      do size += this.#polygons[to++].corners.length;
-      while (to < this.#polygons.length && size + this.#polygons[to].corners.length <= BATCH);
-      this.#cutSome(this.#polygons.slice(from, to), points.slice(from, to), out);
-      from = to;
-    }
-  }
-
-  #pointsOf(corners: number[]): Float32Array {
-    const points = new Float32Array(3 * corners.length);
-    corners.forEach((h, i) => {
-      const v = 3 * this.#toVertex[h];
-      for (let k = 0; k < 3; k++) {
-        const x = this.#positions[v + k];
-        points[3 * i + k] = Number.isFinite(x) ? x : 0;
-      }
-    });
-    return points;
-  }
-
-  /** As a mesh in which no two polygons touch, so that none is in the way of another's diagonals. */
-  #cutSome(
-    polygons: readonly { readonly corners: number[]; readonly at: number }[],
-    points: readonly Float32Array[],
-    out: Uint32Array,
-  ): void {
-    const ends = polygons.map(({ at }) => at);
-    const simple: number[] = [];
-    polygons.forEach(({ corners, at }, i) => {
-      const diagonal = corners.length === 4 ? quadDiagonal(points[i]) : -1;
-      if (diagonal < 0) simple.push(i);
-      else {
-        const order = diagonal === 0 ? [0, 1, 2, 0, 2, 3] : [0, 1, 3, 1, 2, 3];
-        order.forEach((corner, k) => {
-          out[at + k] = corners[corner];
-        });
-      }
-    });
-    if (simple.length === 0) return;
-    const sizes = simple.map((i) => polygons[i].corners.length);
-    const total = sizes.reduce((sum, size) => sum + size, 0);
-    const positions = new Float32Array(3 * total);
-    const polygonOf = new Uint32Array(total);
-    const halfedgeOf = new Uint32Array(total);
-    let first = 0;
-    for (const i of simple) {
-      positions.set(points[i], 3 * first);
-      polygonOf.fill(i, first, first + polygons[i].corners.length);
-      halfedgeOf.set(polygons[i].corners, first);
-      first += polygons[i].corners.length;
-    }
-    const apart = HalfedgeMesh.fromPolygons(positions, {
-      sizes,
-      corners: polygonOf.map((_, i) => i),
-    });
-    try {
-      apart.triangulate();
-      const { indices } = apart.toTriangles();
-      for (let i = 0; i < indices.length; i += 3) {
-        const polygon = polygonOf[indices[i]];
-        for (let k = 0; k < 3; k++) out[ends[polygon]++] = halfedgeOf[indices[i + k]];
-      }
-    } finally {
-      apart.dispose();
-    }
-  }
+/** How many triangles a face becomes, by one of its halfedges; 0 for one that can't be drawn. */
+function trianglesIn(next: Int32Array, first: number): number {
+  if (!(first >= 0)) return 0;
+  let degree = 1;
+  for (let h = next[first]; h !== first; h = next[h]) degree += 1;
+  return Math.max(0, degree - 2);
 }
 
-/** 0 or 1: the corner from which the shorter diagonal of a convex quad goes; -1 of any other. */
-function quadDiagonal(p: Float32Array): number {
-  const a = normalOf(p, 0, 1, 2);
-  const b = normalOf(p, 2, 3, 0);
-  const c = normalOf(p, 1, 2, 3);
-  const d = normalOf(p, 3, 0, 1);
-  if (!(dot(a, b) > 0 && dot(c, d) > 0 && dot(a, c) > 0 && dot(b, d) > 0)) return -1;
-  return squaredDistance(p, 0, 6) <= squaredDistance(p, 3, 9) ? 0 : 1;
+function writeTriangle(out: Uint32Array, at: number, a: number, b: number, c: number): void {
+  out[3 * at] = a;
+  out[3 * at + 1] = b;
+  out[3 * at + 2] = c;
 }
 
-type Vector = readonly [number, number, number];
+const NO_DIAGONAL = -1;
+/** The normals of the corners of a quad, counter-clockwise. */
+const normals = new Float64Array(12);
 
-function normalOf(p: Float32Array, i: number, j: number, k: number): Vector {
-  const [a, b, c] = [3 * i, 3 * j, 3 * k];
-  const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-  const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+/** 0 or 1: the corner from which the shorter diagonal of a convex quad goes; none of any other. */
+function quadDiagonal(p: Float32Array, a: number, b: number, c: number, d: number): number {
+  writeNormal(p, d, a, b, 0);
+  writeNormal(p, a, b, c, 3);
+  writeNormal(p, b, c, d, 6);
+  writeNormal(p, c, d, a, 9);
+  // The triangles on both sides of a diagonal face the same way, whichever it is.
+  const isConvex = dot(3, 9) > 0 && dot(6, 0) > 0 && dot(3, 6) > 0 && dot(9, 0) > 0;
+  if (!isConvex) return NO_DIAGONAL;
+  return squaredDistance(p, a, c) <= squaredDistance(p, b, d) ? 0 : 1;
 }
 
-const dot = (u: Vector, v: Vector) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+/** Writes the normal at corner `j` between its neighbours, as long as the parallelogram is large. */
+function writeNormal(p: Float32Array, i: number, j: number, k: number, at: number): void {
+  const [ux, uy, uz] = [
+    p[3 * j] - p[3 * i],
+    p[3 * j + 1] - p[3 * i + 1],
+    p[3 * j + 2] - p[3 * i + 2],
+  ];
+  const [vx, vy, vz] = [
+    p[3 * k] - p[3 * i],
+    p[3 * k + 1] - p[3 * i + 1],
+    p[3 * k + 2] - p[3 * i + 2],
+  ];
+  normals[at] = uy * vz - uz * vy;
+  normals[at + 1] = uz * vx - ux * vz;
+  normals[at + 2] = ux * vy - uy * vx;
+}
 
-const squaredDistance = (p: Float32Array, a: number, b: number) =>
-  (p[a] - p[b]) ** 2 + (p[a + 1] - p[b + 1]) ** 2 + (p[a + 2] - p[b + 2]) ** 2;
+function dot(i: number, j: number): number {
+  return (
+    normals[i] * normals[j] + normals[i + 1] * normals[j + 1] + normals[i + 2] * normals[j + 2]
+  );
+}
+
+function squaredDistance(p: Float32Array, a: number, b: number): number {
+  const [x, y, z] = [p[3 * a] - p[3 * b], p[3 * a + 1] - p[3 * b + 1], p[3 * a + 2] - p[3 * b + 2]];
+  return x * x + y * y + z * z;
+}

@@ -4,7 +4,7 @@ import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkMesh, columnsToShow, type GeometryOptions } from './columns.js';
 import { GROUP } from './read.js';
-import { type FaceTriangles, triangulateFaces } from './triangulate.js';
+import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.js';
 
 /** How to make a geometry of a mesh. */
 export interface ToGeometryOptions extends GeometryOptions {
@@ -46,7 +46,7 @@ export function toBufferGeometry(
   const columns = columnsToShow(mesh, options);
   const geometry = new BufferGeometry();
   const info = mesh.attributes.list().find(({ kind, name }) => kind === 'face' && name === GROUP);
-  let triangles = triangulateFaces(mesh, mesh.faces());
+  let triangles = triangulateFaces(mesh, liveFaces(mesh));
   if (groups && info?.components === 1) {
     triangles = inGroups(triangles, mesh.attributes.get('face', GROUP), geometry);
   }

@@ -1,0 +1,117 @@
+import type { AttributeInfo, AttributeView } from '../attributes.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { arrayFor, isNormalized } from './columns.js';
+import type { ItemSet } from './item-set.js';
+import { type Shape, shapeOf } from './normals.js';
+import { RowBuffer } from './rows.js';
+import type { Placement, TriangleIndex } from './triangle-index.js';
+import type { FaceTriangles } from './triangulate.js';
+
+/** An attribute as it lies in memory, until something allocates. */
+export interface ShownColumn {
+  readonly buffer: RowBuffer;
+  readonly isOfVertices: boolean;
+  readonly values: AttributeView;
+}
+
+/** What of a mesh is shown. */
+export interface ShownRows {
+  readonly mesh: HalfedgeMesh;
+  readonly attributes: readonly AttributeInfo[];
+  /** Whether normals are computed. */
+  readonly normals: boolean;
+}
+
+/**
+ * The rows that the vertices of a geometry are: positions, normals, attributes. An update comes in this order:
+ * `writeVertices`, `TriangleIndex.place`, `writeTriangles`.
+ */
+export abstract class GeometryRows {
+  readonly position = new RowBuffer(new Float32Array(0), 3);
+  readonly normal: RowBuffer | undefined;
+  protected readonly mesh: HalfedgeMesh;
+  protected readonly triangles: TriangleIndex;
+  readonly #shown: readonly { readonly info: AttributeInfo; readonly buffer: RowBuffer }[];
+
+  constructor({ mesh, attributes, normals }: ShownRows, triangles: TriangleIndex) {
+    this.mesh = mesh;
+    this.triangles = triangles;
+    if (normals) this.normal = new RowBuffer(new Float32Array(0), 3);
+    this.#shown = attributes.map((info) => {
+      const none = arrayFor(mesh, info, 0);
+      return { info, buffer: new RowBuffer(none, info.components, isNormalized(info)) };
+    });
+  }
+
+  /** By name, what three.js draws. */
+  get buffers(): [name: string, buffer: RowBuffer][] {
+    const shown = this.#shown.map(({ info, buffer }): [string, RowBuffer] => [info.name, buffer]);
+    const normal: [string, RowBuffer][] = this.normal ? [['normal', this.normal]] : [];
+    return [['position', this.position], ...normal, ...shown];
+  }
+
+  /** By vertex, where it is shown. */
+  abstract get points(): Float32Array;
+
+  /** Writes all, after the triangles were filled in. */
+  abstract fill(triangles: FaceTriangles): void;
+
+  /**
+   * Takes up these vertices; adds to `faces` those that are to be written because of them. Returns the
+   * vertices that have moved.
+   */
+  abstract writeVertices(vertices: readonly number[], faces: ItemSet): number[];
+
+  /** Takes up these faces, of which some have got other triangles, and the normals that follow from all. */
+  abstract writeTriangles(
+    faces: readonly number[],
+    triangles: FaceTriangles,
+    placement: Placement,
+    moved: readonly number[],
+  ): void;
+
+  /** Makes room for so many rows. */
+  protected reserve(rows: number): void {
+    for (const [, buffer] of this.buffers) buffer.reserve(rows);
+  }
+
+  /** The attributes shown, as they lie in memory until something allocates. */
+  protected columns(): ShownColumn[] {
+    return this.#shown.map(({ info: { kind, name }, buffer }) => ({
+      buffer,
+      isOfVertices: kind === 'vertex',
+      values: this.mesh.attributes.get(kind, name),
+    }));
+  }
+
+  /** The vertices whose normals may be others: those of triangles that came or went, and around moved ones. */
+  protected findStale(
+    vertices: readonly number[],
+    moved: readonly number[],
+    stale: ItemSet,
+  ): Shape {
+    const shape = shapeOf(this.mesh);
+    const { next, toVertex, face, vertexHalfedge } = shape;
+    stale.begin(vertexHalfedge.length);
+    for (const v of vertices) if (vertexHalfedge[v] >= -1) stale.add(v);
+    for (const v of moved) {
+      stale.add(v);
+      eachOutgoing(next, vertexHalfedge[v], (h) => {
+        stale.add(toVertex[h]);
+        if (face[h] < 0) return;
+        for (let g = next[h]; g !== h; g = next[g]) stale.add(toVertex[g]);
+      });
+    }
+    return shape;
+  }
+}
+
+/** Calls `use` with each halfedge that leaves a vertex, by one of them; none for a negative one. */
+export function eachOutgoing(next: Int32Array, first: number, use: (h: number) => void): void {
+  if (!(first >= 0)) return;
+  let h = first;
+  do {
+    use(h);
+    h = next[h ^ 1];
+  } while (h !== first);
+}
