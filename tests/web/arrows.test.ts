@@ -1,133 +1,92 @@
-import { ARROW_FLOATS, ArrowTracer, arrowSizes } from 'halfedge/three';
+import { ARROW_FLOATS, ArrowTracer, arrowSizes, CAP_SHARE, LineBatch } from 'halfedge/three';
+import { Color } from 'three';
+import { arrowsOf, faults, randomPlane } from './support/flat-arrows.js';
+import {
+  comb,
+  cross,
+  ell,
+  inside,
+  leaningSliver,
+  type Point,
+  type Polygon,
+  randomSimplePolygon,
+  randomSliver,
+  randomStar,
+  regularStar,
+  type Segment,
+  side,
+} from './support/polygons.js';
+import { random } from './support/random.js';
 
-type Point = readonly [number, number];
-type Segment = readonly [Point, Point];
-
-/** A small seeded generator (mulberry32), so that a failure names the seed that repeats it. */
-function random(seed: number): () => number {
-  let state = seed;
-  return () => {
-    state = (state + 0x6d2b79f5) | 0;
-    let t = Math.imul(state ^ (state >>> 15), 1 | state);
-    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
-    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
-  };
-}
-
-const side = (a: Point, b: Point, c: Point) =>
-  (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-
-/** Whether two segments have a point in common in their interiors. */
-function cross([a, b]: Segment, [c, d]: Segment): boolean {
-  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
-}
-
-function inside(point: Point, polygon: readonly Point[]): boolean {
-  let odd = false;
-  polygon.forEach((a, i) => {
-    const b = polygon[(i + 1) % polygon.length];
-    if (a[1] > point[1] === b[1] > point[1]) return;
-    if (point[0] < a[0] + ((point[1] - a[1]) / (b[1] - a[1])) * (b[0] - a[0])) odd = !odd;
-  });
-  return odd;
-}
-
-/** The shaft and the barb of each arrow of a flat polygon, with one pixel `pixel` long. */
-function arrowsOf(polygon: readonly Point[], pixel: number): { shaft: Segment; barb: Segment }[] {
-  const corners = polygon.flatMap(([x, y]) => [x, y, 0]);
-  const out = new Float32Array(polygon.length * ARROW_FLOATS);
-  new ArrowTracer().traceFace(corners, polygon.length, arrowSizes(pixel), out, 0);
-  return polygon.map((_, i) => {
-    const at = (k: number): Point => [
-      out[i * ARROW_FLOATS + 3 * k],
-      out[i * ARROW_FLOATS + 3 * k + 1],
-    ];
-    return { shaft: [at(0), at(1)], barb: [at(1), at(2)] };
-  });
-}
-
-/** Says what is wrong with the arrows of a polygon; an empty list if nothing is. */
-function faults(polygon: readonly Point[], pixel: number): string[] {
-  const arrows = arrowsOf(polygon, pixel);
-  const found: string[] = [];
-  const edges = polygon.map((p, i): Segment => [p, polygon[(i + 1) % polygon.length]]);
-  arrows.forEach((arrow, i) => {
-    for (const point of [...arrow.shaft, arrow.barb[1]]) {
-      if (!inside(point, polygon)) found.push(`arrow ${i} leaves the face at ${point}`);
-    }
-    for (const edge of edges) {
-      for (const part of [arrow.shaft, arrow.barb]) {
-        if (cross(part, edge)) found.push(`arrow ${i} crosses an edge`);
-      }
-    }
-    for (let j = i + 1; j < arrows.length; j++) {
-      for (const mine of [arrow.shaft, arrow.barb]) {
-        for (const other of [arrows[j].shaft, arrows[j].barb]) {
-          if (cross(mine, other)) found.push(`arrows ${i} and ${j} cross`);
-        }
-      }
-    }
-    const [[x0, y0], [x1, y1]] = arrow.shaft;
-    const [a, b] = edges[i];
-    if ((x1 - x0) * (b[0] - a[0]) + (y1 - y0) * (b[1] - a[1]) <= 0) {
-      found.push(`arrow ${i} does not run along its edge`);
-    }
-  });
-  return found;
-}
-
-/** A triangle with unit base whose apex angle is `degrees`; `lean` moves the apex sideways. */
-function sliver(degrees: number, lean: number): Point[] {
-  const height = 0.5 / Math.tan((degrees * Math.PI) / 360);
-  return [
-    [0, 0],
-    [1, 0],
-    [0.5 + lean * height, height],
-  ];
-}
-
-/** A polygon that is star-shaped around the origin, with reflex corners of every sharpness. */
-function star(corners: number, next: () => number): Point[] {
-  return Array.from({ length: corners }, (_, i): Point => {
-    const angle = (2 * Math.PI * (i + 0.8 * next())) / corners;
-    const radius = 0.1 + 0.9 * next();
-    return [radius * Math.cos(angle), radius * Math.sin(angle)];
-  });
-}
-
-const pixels = [1e-5, 1e-3, 0.01, 0.05, 1];
+/** Lengths of a pixel, from a face that fills many screens to one that is smaller than an arrow. */
+const pixels = [1e-4, 1e-3, 0.01, 0.05, 1];
 
 describe('arrows of a face', () => {
   for (const degrees of [2, 3, 5, 8, 20, 60, 120, 170]) {
     test(`stay inside and apart in triangles with an angle of ${degrees}°`, () => {
       for (const lean of [0, 0.3, 2, -5]) {
         for (const pixel of pixels) {
-          expect(faults(sliver(degrees, lean), pixel)).toEqual([]);
+          expect(faults(leaningSliver(degrees, lean), pixel)).toEqual([]);
         }
       }
     });
   }
 
-  test('stay inside and apart in random triangles', () => {
-    const seed = 7;
+  /** Draws polygons from a seed, and expects no fault at any scale; a failure names what to repeat. */
+  function expectNoFaults(seed: number, runs: number, draw: (next: () => number) => Polygon) {
     const next = random(seed);
-    for (let run = 0; run < 3000; run++) {
-      const p = Array.from({ length: 3 }, (): Point => [next(), next()]);
-      const triangle = side(p[0], p[1], p[2]) > 0 ? p : [p[0], p[2], p[1]];
-      if (Math.abs(side(p[0], p[1], p[2])) < 1e-4) continue;
-      expect({ seed, run, found: faults(triangle, 0.02) }).toEqual({ seed, run, found: [] });
+    for (let run = 0; run < runs; run++) {
+      const polygon = draw(next);
+      for (const pixel of pixels) {
+        const found = faults(polygon, pixel);
+        if (found.length > 0) expect({ seed, run, pixel, polygon, found }).toEqual({ seed, run });
+      }
+    }
+  }
+
+  test('stay inside and apart in random slivers of 2 to 8 degrees', () => {
+    expectNoFaults(3, 1000, randomSliver);
+  });
+
+  test('stay inside and apart in random triangles', () => {
+    expectNoFaults(7, 600, (next) => {
+      for (;;) {
+        const [a, b, c] = Array.from({ length: 3 }, (): Point => [next(), next()]);
+        if (Math.abs(side(a, b, c)) < 1e-4) continue;
+        return side(a, b, c) > 0 ? [a, b, c] : [a, c, b];
+      }
+    });
+  });
+
+  test('stay inside and apart in random star-shaped polygons', () => {
+    expectNoFaults(11, 400, (next) => randomStar(4 + Math.floor(next() * 9), next));
+  });
+
+  test('stay inside and apart in random simple polygons', () => {
+    expectNoFaults(13, 500, (next) => randomSimplePolygon(4 + Math.floor(next() * 12), next));
+  });
+
+  test('stay inside and apart in planes that are turned anyhow', () => {
+    const seed = 17;
+    const next = random(seed);
+    for (let run = 0; run < 300; run++) {
+      const polygon = run % 2 === 0 ? randomSliver(next) : randomSimplePolygon(9, next);
+      const found = faults(polygon, 0.01, randomPlane(next));
+      expect({ seed, run, found }).toEqual({ seed, run, found: [] });
     }
   });
 
-  test('stay inside and apart in random concave polygons', () => {
-    const seed = 11;
-    const next = random(seed);
-    for (let run = 0; run < 2000; run++) {
-      const polygon = star(4 + Math.floor(next() * 9), next);
-      for (const pixel of [0.002, 0.05]) {
-        expect({ seed, run, found: faults(polygon, pixel) }).toEqual({ seed, run, found: [] });
-      }
-    }
+  test.each([
+    ['an L', ell(0.5)],
+    ['an L with thin arms', ell(0.02)],
+    ['a comb', comb(5, 0.1, 0.1)],
+    ['a comb with thin teeth', comb(7, 0.01, 0.2)],
+    ['a comb with thin gaps', comb(7, 0.2, 0.01)],
+    ['a star', regularStar(5, 0.4)],
+    ['a star with needles', regularStar(12, 0.1)],
+    ['a cog', regularStar(40, 0.95)],
+  ])('stay inside and apart in %s', (_name, polygon) => {
+    for (const pixel of pixels) expect(faults(polygon, pixel)).toEqual([]);
   });
 
   test('stay inside and apart where a reflex corner nearly touches the edge across', () => {
@@ -158,13 +117,38 @@ describe('arrows of a face', () => {
     expect(first.shaft[1][0]).toBeCloseTo(10 - 0.65 - 0.25);
   });
 
-  test('have their barb on the face side, behind the tip', () => {
-    for (const { shaft, barb } of arrowsOf(sliver(40, 0.1), 0.01)) {
-      expect(side(shaft[0], shaft[1], barb[1])).toBeGreaterThan(0);
-      const back =
-        (barb[1][0] - barb[0][0]) * (shaft[1][0] - shaft[0][0]) +
-        (barb[1][1] - barb[0][1]) * (shaft[1][1] - shaft[0][1]);
-      expect(back).toBeLessThan(0);
+  test('keep the distance of the capped mitre, and end on the bisectors, in random slivers', () => {
+    const next = random(19);
+    for (let run = 0; run < 300; run++) {
+      const triangle = randomSliver(next);
+      const pixel = 10 ** (-4 * next());
+      const trim = arrowSizes(pixel).trim;
+      const cots = triangle.map((p, i) => {
+        const [before, after] = [triangle[(i + 2) % 3], triangle[(i + 1) % 3]];
+        const angle = (q: Point) => Math.atan2(q[1] - p[1], q[0] - p[0]);
+        const turn = (angle(before) - angle(after) + 4 * Math.PI) % (2 * Math.PI);
+        return 1 / Math.tan(turn / 2);
+      });
+      const lengths = triangle.map(([x, y], i) => {
+        const [u, v] = triangle[(i + 1) % 3];
+        return Math.hypot(u - x, v - y);
+      });
+      const caps = lengths.map((length, i) => length / (cots[i] + cots[(i + 1) % 3]));
+      const inset = Math.min(6.5 * pixel, CAP_SHARE * Math.min(...caps));
+      arrowsOf(triangle, pixel).forEach(({ shaft }, i) => {
+        const [a, b] = [triangle[i], triangle[(i + 1) % 3]];
+        const gap = Math.min(trim, 0.12 * lengths[i]);
+        const to = (p: Point) => ({
+          height: side(a, b, p) / lengths[i],
+          along: ((p[0] - a[0]) * (b[0] - a[0]) + (p[1] - a[1]) * (b[1] - a[1])) / lengths[i],
+        });
+        const close = (x: number, y: number) =>
+          expect(Math.abs(x - y)).toBeLessThan(1e-5 * Math.max(...lengths));
+        close(to(shaft[0]).height, inset);
+        close(to(shaft[1]).height, inset);
+        close(to(shaft[0]).along, cots[i] * inset + gap);
+        close(to(shaft[1]).along, lengths[i] - cots[(i + 1) % 3] * inset - gap);
+      });
     }
   });
 
@@ -192,7 +176,7 @@ describe('the arrow of a boundary halfedge', () => {
   ];
   const up = [0, 0, 1];
 
-  function boundaryArrow(points: readonly Point[], i: number, pixel: number): Segment[] {
+  function boundaryArrow(points: Polygon, i: number, pixel: number): [Segment, Segment] {
     const path = [i - 1, i, i + 1, i + 2].flatMap((k) => {
       const [x, y] = points[(k + points.length) % points.length];
       return [x, y, 0];
@@ -204,6 +188,19 @@ describe('the arrow of a boundary halfedge', () => {
       [at(0), at(1)],
       [at(1), at(2)],
     ];
+  }
+
+  /** Whether it lies outside, along its edge, with the barb away from the surface. */
+  function expectOutside(face: Polygon, pixel: number) {
+    const clockwise = [...face].reverse();
+    clockwise.forEach((a, i) => {
+      const b = clockwise[(i + 1) % clockwise.length];
+      const [shaft, barb] = boundaryArrow(clockwise, i, pixel);
+      for (const point of [...shaft, barb[1]]) expect(inside(point, face)).toBe(false);
+      const [x, y] = [shaft[1][0] - shaft[0][0], shaft[1][1] - shaft[0][1]];
+      expect(x * (b[0] - a[0]) + y * (b[1] - a[1])).toBeGreaterThan(0);
+      expect(side(...shaft, barb[1])).toBeGreaterThan(0);
+    });
   }
 
   test('lies outside the surface, along its edge', () => {
@@ -218,6 +215,16 @@ describe('the arrow of a boundary halfedge', () => {
     }
   });
 
+  test('lies outside of slivers, and of concave faces where there is room', () => {
+    const next = random(23);
+    for (let run = 0; run < 300; run++) {
+      for (const pixel of [0.01, 1]) expectOutside(randomSliver(next), pixel);
+    }
+    for (const face of [ell(0.5), regularStar(5, 0.4), comb(3, 0.2, 0.2)]) {
+      expectOutside(face, 0.001);
+    }
+  });
+
   test('stays near an edge that is short on the screen', () => {
     const [shaft] = boundaryArrow(loop, 0, 1);
     expect(Math.abs(shaft[0][0])).toBeLessThanOrEqual(0.3501);
@@ -228,7 +235,7 @@ describe('the arrow of a boundary halfedge', () => {
     // Seen from the hole these corners are sharp: the loop is the sliver, counter-clockwise.
     for (const degrees of [2, 5, 8, 30]) {
       for (const pixel of [0.05, 1]) {
-        const slit = sliver(degrees, 0.2);
+        const slit = leaningSliver(degrees, 0.2);
         const arrows = slit.map((_, i) => boundaryArrow(slit, i, pixel));
         arrows.forEach((mine, i) => {
           for (const other of arrows.slice(i + 1)) {
@@ -237,5 +244,32 @@ describe('the arrow of a boundary halfedge', () => {
         });
       }
     }
+  });
+});
+
+describe('a dotted line', () => {
+  const dotted = (length: number, period: number, duty: number) => {
+    const batch = new LineBatch();
+    batch.addDashed([0, 0, 0, length, 0, 0], 0, 3, new Color(), period, duty);
+    const { instanceStart, instanceEnd } = batch.geometry.attributes;
+    return Array.from({ length: batch.count }, (_, i) => [
+      instanceStart.getX(i),
+      instanceEnd.getX(i),
+    ]);
+  };
+
+  test('has gaps, and reaches from one end to the other', () => {
+    const dots = dotted(100, 5, 0.4);
+    expect(dots.length).toBeGreaterThan(15);
+    expect(dots[0][0]).toBe(0);
+    expect(dots.at(-1)?.[1]).toBeCloseTo(100, 4);
+    dots.forEach(([from, to], i) => {
+      expect(to - from).toBeGreaterThan(1);
+      if (i > 0) expect(from - dots[i - 1][1]).toBeGreaterThan(2);
+    });
+  });
+
+  test('is one stroke where there is room for one only', () => {
+    expect(dotted(2, 5, 0.4)).toEqual([[0, 2]]);
   });
 });
