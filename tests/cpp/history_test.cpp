@@ -136,8 +136,9 @@ TEST(History, NeedsNoNotesOfWhatNewItemsHold) {
   const Snapshot before(mesh);
   ASSERT_TRUE(operations::split_face(mesh, Face(0)));
   mesh.end_step();
-  // Sizes of three arrays; next and prev of three sides, the face of two of them.
-  EXPECT_EQ(mesh.history()->bytes(), (3 + 6 + 2) * sizeof(Journal::Write));
+  // Sizes of three arrays, and the links of three sides.
+  EXPECT_EQ(mesh.history()->bytes(),
+            (3 + 3 * Journal::kWritesOfLoopLinks) * sizeof(Journal::Write));
   const Snapshot after(mesh);
   ASSERT_TRUE(mesh.undo());
   EXPECT_EQ(Snapshot(mesh), before);

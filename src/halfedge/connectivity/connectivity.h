@@ -405,10 +405,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   };
   [[nodiscard]] Writer writer() { return Writer(*this); }
 
-  /// The same for slots that were appended in this step: history needs no note of what they hold.
-  class AppendedWriter {
+  /// The same without a look at history, for slots that were appended in this step, which need no
+  /// note of what they hold, and for halfedges after note_loop_links.
+  class UnnotedWriter {
    public:
-    explicit AppendedWriter(BasicConnectivity& mesh) : links_(mesh.links_) {}
+    explicit UnnotedWriter(BasicConnectivity& mesh) : links_(mesh.links_) {}
 
     void link(Halfedge h, Halfedge n) const {
       set_next(h, n);
@@ -429,7 +430,12 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
    private:
     Links& links_;
   };
-  [[nodiscard]] AppendedWriter appended_writer() { return AppendedWriter(*this); }
+  [[nodiscard]] UnnotedWriter unnoted_writer() { return UnnotedWriter(*this); }
+  /// Notes all links of `h` but its vertex: sooner, and in less room, than one by one.
+  void note_loop_links(Halfedge h) {
+    if (journal_ != nullptr && !journal_->is_new_halfedge(h.index())) [[unlikely]]
+      note_loop_links_at(h.index());
+  }
 
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
@@ -535,6 +541,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
   [[nodiscard]] Halfedge add_edge_slot();
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
+  void note_loop_links_at(Index h);
+  void exchange_loop_links(Journal::Write& first);
   void note_freed(Edge e, bool is_taken);
   void exchange_freed_edge(Journal::Write& first);
   void exchange_new_halfedges(Journal::Write& write);

@@ -320,6 +320,24 @@ void BasicConnectivity<kStored>::release(Edge e) {
   ++version_;
 }
 
+template <Storage kStored>
+void BasicConnectivity<kStored>::note_loop_links_at(Index h) {
+  Index prev = kNone;
+  Index face = kNone;
+  if constexpr (kStored.prev) prev = links_.prev[h];
+  if constexpr (kStored.face) face = links_.face[h];
+  journal_->record_loop_links(h, links_.next[h], prev, face);
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
+  const Index h = first.index;
+  Journal::Write& second = (&first)[1];
+  std::swap(links_.next[h], first.word);
+  if constexpr (kStored.prev) std::swap(links_.prev[h], second.index);
+  if constexpr (kStored.face) std::swap(links_.face[h], second.word);
+}
+
 // The words in the order in which `exchange_freed_edge` takes them.
 template <Storage kStored>
 void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
@@ -468,6 +486,8 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
     case Field::kFreedFace:
       free_faces_.exchange(write.index, links_.face_halfedge[write.index]);
       return exchange_word(links_.face_halfedge);
+    case Field::kLoopLinks:
+      return exchange_loop_links(write);
     case Field::kFreedEdge:
       return exchange_freed_edge(write);
     case Field::kNothing:

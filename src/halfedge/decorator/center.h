@@ -26,7 +26,7 @@ template <class Mesh>
 class AppendedItems {
  public:
   AppendedItems(Mesh& mesh, Index edges, Index faces)
-      : writer_(mesh.appended_writer()), edge_(mesh.append_edges(edges)) {
+      : writer_(mesh.unnoted_writer()), edge_(mesh.append_edges(edges)) {
     if constexpr (StoresFaces<Mesh>) face_ = mesh.append_faces(faces);
   }
   [[nodiscard]] const auto& writer() const { return writer_; }
@@ -47,7 +47,7 @@ class AppendedItems {
   }
 
  private:
-  typename Mesh::AppendedWriter writer_;
+  typename Mesh::UnnotedWriter writer_;
   Edge edge_;
   Face face_;
 };
@@ -72,7 +72,7 @@ class RecycledItems {
 template <class Mesh, class Items>
 [[nodiscard]] Halfedge fan_out(Mesh& mesh, Halfedge h, Vertex c, Items items) {
   const Face f = face_of(mesh, h);
-  const auto writer = mesh.writer();
+  const auto of_sides = mesh.unnoted_writer();
   const auto& of_new = items.writer();
   const Halfedge k = items.new_edge(mesh.to_vertex(h), c);
   const bool has_attributes = mesh.attributes().has_any();
@@ -87,12 +87,13 @@ template <class Mesh, class Items>
   // A triangle consists of a side, the spoke from its end to c, and the one from its beginning,
   // back. The last one is that of h.
   const auto make_triangle = [&](Halfedge side, Halfedge spoke, Halfedge back, Face triangle) {
-    writer.set_next(side, spoke);
+    mesh.note_loop_links(side);
+    of_sides.set_next(side, spoke);
     of_new.set_prev(spoke, side);
     of_new.link(spoke, back);
     of_new.set_next(back, side);
-    writer.set_prev(side, back);
-    writer.set_face(side, triangle);
+    of_sides.set_prev(side, back);
+    of_sides.set_face(side, triangle);
     for (const Halfedge corner : {spoke, back}) of_new.set_face(corner, triangle);
   };
   Halfedge before = k;

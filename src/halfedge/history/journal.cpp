@@ -38,12 +38,18 @@ void Journal::record_in_new_place(Field field, Index index, Index word) {
   if (!writes_.push_back({field, index, word})) lose();
 }
 
+void Journal::record_loop_links(Index h, Index next, Index prev, Index face) {
+  if (has_undone_ || writes_.room_in_chunk() < kWritesOfLoopLinks) [[unlikely]] {
+    forget_redo();
+    if (!make_room_in_row(kWritesOfLoopLinks)) return lose();
+  }
+  writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
+  writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
+}
+
 void Journal::record_freed_edge(Index edge, const Index (&words)[8], bool is_taken) {
   forget_redo();
-  // All four shall be in one chunk.
-  while (writes_.room_in_chunk() < kWritesOfEdge) {
-    if (!writes_.push_back({Field::kNothing, 0, 0})) return lose();
-  }
+  if (!make_room_in_row(kWritesOfEdge)) return lose();
   writes_.push_back_in_chunk({Field::kFreedEdge, edge, words[0]});
   writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
   writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
@@ -59,6 +65,14 @@ void Journal::record_new(Field field, Index slots) {
   if (new_from != kNone) return;
   record(field, 0, slots);
   new_from = slots;
+}
+
+// So that as many are in one chunk. False when memory is exhausted.
+bool Journal::make_room_in_row(std::size_t writes) {
+  while (writes_.room_in_chunk() < writes) {
+    if (!writes_.push_back({Field::kNothing, 0, 0})) return false;
+  }
+  return true;
 }
 
 void Journal::keep_dropped(const void* words, std::size_t count) {
@@ -97,6 +111,7 @@ void Journal::limit(HistoryLimits limits) {
 }
 
 void Journal::forget_beyond_limits() {
+  if (limits_.is_none()) return;
   const std::size_t first = first_;
   while (done_ - first_ > 1 && (done_ - first_ > limits_.steps || bytes() > limits_.bytes)) {
     ++first_;

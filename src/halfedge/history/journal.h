@@ -34,6 +34,7 @@ enum class Field : std::uint32_t {
   kFreedVertex,  // the link of a slot that was given back to its free list, or taken, and the list
   kFreedFace,
   kFreedEdge,  // the same of an edge, with the eight links of its sides
+  kLoopLinks,  // next, prev and face of a halfedge
   kNothing,
   kFirstAttribute  // attributes have numbers from here on
 };
@@ -43,14 +44,18 @@ enum class Field : std::uint32_t {
 struct HistoryLimits {
   std::size_t steps = std::numeric_limits<std::size_t>::max();
   std::size_t bytes = std::numeric_limits<std::size_t>::max();
+
+  [[nodiscard]] bool is_none() const {
+    return steps == HistoryLimits().steps && bytes == HistoryLimits().bytes;
+  }
 };
 
 /// A record of writes, by which a mesh goes back and forth exactly. Each write is noted with the
 /// word that it replaced; to undo a step is to exchange its words with those of the arrays, last
 /// one first, and to redo it, first one first. So the cost is that of what was touched, 12 bytes a
-/// word; 12 for a vertex or face that is deleted, 48 for an edge. What is written to slots that
-/// are new in a step needs no note: to undo it is to drop them. What they held is kept then, for
-/// redo.
+/// word; 24 for all links of a halfedge in its loop; 12 for a vertex or face that is deleted, 48
+/// for an edge. What is written to slots that are new in a step needs no note: to undo it is to
+/// drop them. What they held is kept then, for redo.
 ///
 /// A step is all that was written since the end of the step before.
 class Journal {
@@ -78,11 +83,17 @@ class Journal {
     each(first[3].word);
   }
 
+  /// The links of a halfedge in its loop are noted by two in a row: with its index and `next`, and
+  /// with `prev` and `face`.
+  static constexpr std::size_t kWritesOfLoopLinks = 2;
+
   explicit Journal(HistoryLimits limits) : limits_(limits) {}
 
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word);
+  /// The same for the links of `h` in its loop. pre: `h` isn't new in this step
+  void record_loop_links(Index h, Index next, Index prev, Index face);
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
   void record_freed_edge(Index edge, const Index (&words)[8], bool is_taken);
@@ -126,7 +137,7 @@ class Journal {
   [[nodiscard]] std::size_t bytes() const;
 
   /// Takes back the last step, or repeats the one taken back last: calls `exchange` with each of
-  /// its writes (of an edge with the first of four), whose words it exchanges with those of the
+  /// its writes (of several in a row with the first), whose words it exchanges with those of the
   /// mesh. False if there is none.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
@@ -160,12 +171,14 @@ class Journal {
 
  private:
   [[nodiscard]] static std::size_t length_of(const Write& write) {
+    if (write.field == Field::kLoopLinks) return kWritesOfLoopLinks;
     return write.field == Field::kFreedEdge ? kWritesOfEdge : 1;
   }
   [[nodiscard]] std::size_t begin_of(std::size_t step) const {
     return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
   }
   [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
+  [[nodiscard]] bool make_room_in_row(std::size_t writes);
   void forget_undone();
   void forget_beyond_limits();
   void lose();
