@@ -18,8 +18,8 @@ const parts = {
   check,
 
   async cpp(steps) {
-    await steps.run('Build with g++, release', () => buildPreset('native'));
-    await steps.run('C++ tests, OpenMesh, examples', () => runCtest('native'));
+    await steps.run('Build with g++, release', () => buildPreset('release'));
+    await steps.run('C++ tests of memory, OpenMesh, CGAL, examples', () => runCtest('release'));
     await steps.run('Build with clang++, ASan + UBSan', () => buildPreset('asan'));
     await steps.run('C++ tests under ASan + UBSan', () => runCtest('asan'));
   },
