@@ -1,7 +1,7 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import type { Operation } from 'halfedge/teaching';
+import { repairs } from 'halfedge/teaching';
 import { Editor } from '../../web/explorer/app/editor.js';
-import type { Operation } from '../../web/explorer/app/operation.js';
-import { repairs } from '../../web/explorer/app/operations-that-repair.js';
 import { bytesInUse } from './support/core.js';
 
 beforeEach(() => import.meta.jest.useFakeTimers()); // what is measured later has no mesh any more

@@ -1,15 +1,20 @@
 import { HalfedgeMesh, init } from 'halfedge';
+import { changedEdges, changedTriangles, RayTree, Surface } from 'halfedge/scene';
+import type { Item } from 'halfedge/teaching';
+import {
+  checkOperation,
+  motionOf,
+  type Operation,
+  operations,
+  operationsFor,
+  reversed,
+  runOperation,
+  stateBefore,
+} from 'halfedge/teaching';
 import { Ray, Vector3 } from 'three';
 import { digestOf } from '../../web/explorer/app/digest.js';
-import type { Item } from '../../web/explorer/app/items.js';
-import { motionOf, reversed, stateBefore } from '../../web/explorer/app/motion.js';
-import { checkOperation, type Operation, runOperation } from '../../web/explorer/app/operation.js';
-import { operations, operationsFor } from '../../web/explorer/app/operations.js';
 import { Signal, together } from '../../web/explorer/app/signal.js';
-import { changedEdges, changedTriangles } from '../../web/explorer/geometry/change.js';
 import * as generate from '../../web/explorer/samples/generators.js';
-import { RayTree } from '../../web/explorer/scene/ray-tree.js';
-import { Surface } from '../../web/explorer/scene/surface.js';
 
 beforeAll(() => init());
 

@@ -1,20 +1,19 @@
 import { HalfedgeMesh, init, NONE } from 'halfedge';
 import {
+  CirculatorPlayer,
   circulators,
-  type Query,
-  queriesFor,
-  queryCode,
-} from '../../web/explorer/app/circulators.js';
-import { type Dialect, dialects } from '../../web/explorer/app/dialects.js';
-import {
+  type Dialect,
+  dialects,
   factsOf,
   type Item,
   itemName,
   itemSlots,
   linksOf,
   parseItemName,
-} from '../../web/explorer/app/items.js';
-import { CirculatorPlayer } from '../../web/explorer/app/player.js';
+  type Query,
+  queriesFor,
+  queryCode,
+} from 'halfedge/teaching';
 import * as generate from '../../web/explorer/samples/generators.js';
 
 beforeAll(() => init());

@@ -28,9 +28,10 @@ import { pictureSwitch } from './ui/picture-switch.js';
 import { listenToPointer } from './ui/pointer.js';
 import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
-import { Theme } from './ui/theme.js';
+import { addPictureStyles, Theme } from './ui/theme.js';
 import { topBar } from './ui/top-bar.js';
 
+addPictureStyles();
 const theme = new Theme();
 const explorer = new Explorer();
 const canvas = h('canvas', {

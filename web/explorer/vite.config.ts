@@ -13,7 +13,7 @@ export default defineConfig({
     alias: [
       { find: /^halfedge$/, replacement: fromHere('../../dist/index.js') },
       {
-        find: /^halfedge\/(dialects|gltf|three)$/,
+        find: /^halfedge\/(dialects|gltf|scene|teaching|three)$/,
         replacement: fromHere('../../dist/$1/index.js'),
       },
       { find: /^halfedge\/(worker)$/, replacement: fromHere('../../dist/$1.js') },

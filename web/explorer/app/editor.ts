@@ -1,18 +1,29 @@
-import { HalfedgeMesh, type MendReport, NONE } from 'halfedge';
-import type { PickMode } from '../scene/picking.js';
-import type { Explorer } from './explorer.js';
-import { type Item, isLive, item, itemName } from './items.js';
-import { type Edit, motionOf, renumbering, reversed, stateBefore } from './motion.js';
+import { HalfedgeMesh, type MendReport } from 'halfedge';
+import type { PickMode } from 'halfedge/scene';
 import {
   checkOperation,
+  type Deed,
+  deedName,
+  deedTitle,
+  type Edit,
+  type Item,
+  isLive,
+  itemName,
+  motionOf,
   type Operands,
   type Operation,
+  operandsOf,
+  operationsFor,
   type Refusal,
   refusalOf,
+  renumbering,
+  reversed,
   runOperation,
+  selectionAfter,
+  stateBefore,
   witnessItems,
-} from './operation.js';
-import { operationsFor } from './operations.js';
+} from 'halfedge/teaching';
+import type { Explorer } from './explorer.js';
 import { Signal, together } from './signal.js';
 
 /** An operation as it stands for the selection: possible, or refused. */
@@ -184,15 +195,17 @@ export class Editor {
   #apply(operation: Operation, first: Item | null, second: Item | null): void {
     const mesh = this.#mesh;
     if (!mesh) return;
-    const operands: Operands = { mesh, item: first ?? { kind: 'face', index: NONE }, second };
-    const title = titleOf(operation, first, second);
+    const deed: Deed = { operation, first, second };
+    const operands = operandsOf(mesh, deed);
     const refusal = checkOperation(operation, operands);
-    if (refusal) this.#refuse(title, refusal);
-    else this.#commit(operation, operands, first, title);
+    if (refusal) this.#refuse(deedTitle(deed), refusal);
+    else this.#commit(deed, operands);
   }
 
-  #commit(operation: Operation, operands: Operands, first: Item | null, title: string): void {
+  #commit(deed: Deed, operands: Operands): void {
     const { mesh } = operands;
+    const { operation, first } = deed;
+    const title = deedTitle(deed);
     const state = stateBefore(operation, operands);
     const { version } = mesh;
     let result: unknown;
@@ -219,7 +232,7 @@ export class Editor {
       return;
     }
     const report = operation.reports ? reportWords(result as MendReport) : '';
-    const told = (deed: string) => [`${deed}: ${title}.`, report].join(' ').trimEnd();
+    const told = (verb: string) => [`${verb}: ${title}.`, report].join(' ').trimEnd();
     if (mesh.version === version) {
       this.outcome.value = told('Nothing to do');
       this.report.value = report;
@@ -227,8 +240,7 @@ export class Editor {
     }
     const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
     const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
-    const deed = deedOf(operation, first, operands.second);
-    this.#record({ title, deed, edit, before: first, after });
+    this.#record({ title, deed: deedName(deed), edit, before: first, after });
     this.#finish(told('Done'), { ...edit }, after, report);
   }
 
@@ -318,30 +330,4 @@ function reportWords({ summary, problems }: MendReport): string {
   if (!first) return summary;
   const more = others.length > 0 ? ` (and ${others.length} more)` : '';
   return `${summary} ${first.message}${more}`;
-}
-
-/** `flip e12`, `insert edge h3, h9`, `reverse`. */
-function titleOf({ label, on }: Operation, first: Item | null, second: Item | null): string {
-  const name = label.toLowerCase();
-  if (on === 'mesh') return name;
-  return [`${name} ${itemName(first)}`, ...(second ? [itemName(second)] : [])].join(', ');
-}
-
-function deedOf({ stem, on }: Operation, first: Item | null, second: Item | null): string {
-  const items = on === 'mesh' ? [] : [first, second].filter((item) => item !== null);
-  return [stem, ...items.map(itemName)].join(' ');
-}
-
-/** What the operation returned, if it is an item; else the first of `candidates` that is left. */
-function selectionAfter(
-  { returns, renumbers }: Operation,
-  result: unknown,
-  mesh: HalfedgeMesh,
-  candidates: readonly (Item | null)[],
-): Item | null {
-  const [selected] = candidates;
-  if (renumbers && selected) return item(selected.kind, renumbers(result, selected));
-  const returned = returns && typeof result === 'number' ? item(returns, result) : null;
-  const found = [returned, ...candidates].find((it) => it && isLive(mesh, it));
-  return found ?? null;
 }

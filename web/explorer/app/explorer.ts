@@ -1,8 +1,21 @@
 import type { Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
+import type { PickMode } from 'halfedge/scene';
+import {
+  type Circulator,
+  CirculatorPlayer,
+  type DialectId,
+  dialectOf,
+  type Item,
+  isLive,
+  itemName,
+  itemSlots,
+  linksOf,
+  type QueryGroup,
+  queriesFor,
+  sameItem,
+  type WalkKey,
+} from 'halfedge/teaching';
 import { samples } from '../samples/index.js';
-import type { PickMode } from '../scene/picking.js';
-import { type Circulator, type QueryGroup, queriesFor } from './circulators.js';
-import { type DialectId, dialectOf } from './dialects.js';
 import {
   failureOf,
   fileOfText,
@@ -14,16 +27,6 @@ import {
 } from './documents.js';
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts } from './facts.js';
-import {
-  type Item,
-  isLive,
-  itemName,
-  itemSlots,
-  linksOf,
-  sameItem,
-  type WalkKey,
-} from './items.js';
-import { CirculatorPlayer } from './player.js';
 import { Signal } from './signal.js';
 
 /** Steps a second, by the position of the speed slider. */

@@ -1,7 +1,6 @@
 import { type HalfedgeMesh, type ItemKind, NONE } from 'halfedge';
+import { type Item, itemName, itemSlots, stepOf } from 'halfedge/teaching';
 import type { Play } from './explorer.js';
-import { type Item, itemName, itemSlots } from './items.js';
-import { stepOf } from './program.js';
 
 /** The kinds of items that have records of their own: an edge is two halfedges side by side. */
 export type RecordKind = 'vertex' | 'halfedge' | 'face';

@@ -1,11 +1,17 @@
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { type Direction, HalfedgeMesh } from 'halfedge';
+import {
+  type Deed,
+  type DialectId,
+  dialects,
+  type Item,
+  itemName,
+  parseDeed,
+  parseItemName,
+} from 'halfedge/teaching';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
-import { type DialectId, dialects } from './dialects.js';
 import type { Explorer } from './explorer.js';
-import { type Item, itemName, parseItemName } from './items.js';
-import { operations } from './operations.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
 export type Viewpoint = readonly number[];
@@ -108,19 +114,23 @@ function meshOf(text: string): HalfedgeMesh {
 function repeatEdits(text: string | null, explorer: Explorer): void {
   const { editor } = explorer;
   for (const deed of text ? text.split(',') : []) {
-    const [stem, first, second] = deed.split(' ');
-    const item = first === undefined ? null : itemOf(first);
-    const on = item?.kind ?? 'mesh';
-    const operation = operations.find((known) => known.stem === stem && known.on === on);
-    if (!operation) throw new Error(`It has the edit “${deed}”, which this page does not know.`);
+    const { operation, first, second } = deedOf(deed);
     const before = editor.past.value.undoCount;
-    if (item) explorer.select(item);
+    if (first) explorer.select(first);
     editor.run(operation);
-    if (second !== undefined) editor.complete(itemOf(second));
+    if (second) editor.complete(second);
     if (editor.past.value.undoCount === before) {
       const why = editor.refused.value?.refusal.message ?? '';
       throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
     }
+  }
+}
+
+function deedOf(text: string): Deed {
+  try {
+    return parseDeed(text);
+  } catch {
+    throw new Error(`It has the edit “${text}”, which this page does not know.`);
   }
 }
 

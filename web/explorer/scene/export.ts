@@ -1,3 +1,4 @@
+import type { Stage } from 'halfedge/scene';
 import {
   Color,
   GreaterDepth,
@@ -7,7 +8,6 @@ import {
   Vector3,
 } from 'three';
 import type { LineSegments2 } from 'three/examples/jsm/lines/LineSegments2.js';
-import type { Stage } from './stage.js';
 
 /** A part of the canvas, in CSS pixels. */
 export interface Frame {

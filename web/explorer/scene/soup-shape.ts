@@ -1,7 +1,7 @@
 import type { FileSoup, Problem } from 'halfedge';
+import { type Sight, triangulateRing } from 'halfedge/scene';
 import { newellNormal } from 'halfedge/three';
 import { type Matrix4, Vector3 } from 'three';
-import { triangulateRing } from './surface.js';
 
 /** A problem with more faces than this is not outlined whole. */
 const MOST_FACES = 500;
@@ -16,14 +16,10 @@ export interface DrawnSoup {
 }
 
 /** Where a problem is: what is lit of it, and how to look at it. */
-export interface Place {
+export interface Place extends Sight {
   /** Corners of each face in the witness. */
   readonly rings: readonly (readonly number[])[];
   readonly vertices: readonly number[];
-  readonly centre: Vector3;
-  readonly radius: number;
-  /** Away from the surface, where the faces agree on that. */
-  readonly normal: Vector3;
 }
 
 /** The polygons of a file, placed in the scene beside the mesh that was made of them. */

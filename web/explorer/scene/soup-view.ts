@@ -1,3 +1,5 @@
+import type { SurfaceLook } from 'halfedge/scene';
+import { Discs, FILE_LAYER, type Palette, readPalette, type Stage } from 'halfedge/scene';
 import { LineBatch, lineMaterial, lines } from 'halfedge/three';
 import {
   BufferAttribute,
@@ -11,11 +13,7 @@ import {
   MeshLambertMaterial,
 } from 'three';
 import { type Diagnosis, FACE_FATES, type Fate } from '../app/diagnosis.js';
-import { type Palette, readPalette } from './palette.js';
-import { Discs } from './points.js';
 import { SoupShape } from './soup-shape.js';
-import { FILE_LAYER, type Stage } from './stage.js';
-import type { SurfaceLook } from './surface-view.js';
 
 /** The colour of a fate, the same as in the list of problems. */
 export function colorOfFate(palette: Palette, fate: Fate): Color {

@@ -1,10 +1,8 @@
+import type { Palette } from 'halfedge/scene';
+import { Discs, FILE_LAYER, type Stage, triangulateRing } from 'halfedge/scene';
 import { ghostOf, LineBatch, lineMaterial, lines } from 'halfedge/three';
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from 'three';
-import type { Palette } from './palette.js';
-import { Discs } from './points.js';
 import type { Place, SoupShape } from './soup-shape.js';
-import { FILE_LAYER, type Stage } from './stage.js';
-import { triangulateRing } from './surface.js';
 
 /** Once so many corners of triangles are lit, no more faces are filled: their outlines show them. */
 const MOST_LIT = 300_000;

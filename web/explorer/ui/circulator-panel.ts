@@ -1,6 +1,5 @@
-import { hasDirection } from '../app/circulators.js';
+import { hasDirection, itemName } from 'halfedge/teaching';
 import { type Explorer, type Play, SPEEDS } from '../app/explorer.js';
-import { itemName } from '../app/items.js';
 import { codeListing } from './code-listing.js';
 import { fill, h, type IconName, icon, setAttribute } from './dom.js';
 

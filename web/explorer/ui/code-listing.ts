@@ -1,5 +1,4 @@
-import { queryCode } from '../app/circulators.js';
-import { type DialectId, dialects } from '../app/dialects.js';
+import { type DialectId, dialects, queryCode } from 'halfedge/teaching';
 import type { Explorer, Play } from '../app/explorer.js';
 import { fill, h } from './dom.js';
 

@@ -1,5 +1,5 @@
+import { itemName } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { itemName } from '../app/items.js';
 import { fill, h, icon } from './dom.js';
 
 /** The sentence of a refusal, and the items that show why, which are lit in the picture. */

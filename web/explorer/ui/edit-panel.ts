@@ -1,6 +1,6 @@
+import type { Operation } from 'halfedge/teaching';
 import type { Offer } from '../app/editor.js';
 import type { Explorer } from '../app/explorer.js';
-import type { Operation } from '../app/operation.js';
 import { fill, h, icon } from './dom.js';
 import { itemTitle } from './inspector.js';
 

@@ -1,6 +1,13 @@
-import { dialectOf } from '../app/dialects.js';
+import {
+  dialectOf,
+  factsOf,
+  type Item,
+  itemName,
+  type Link,
+  linksOf,
+  parseItemName,
+} from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { factsOf, type Item, itemName, type Link, linksOf, parseItemName } from '../app/items.js';
 import { fill, h } from './dom.js';
 
 const TITLES = { vertex: 'Vertex', halfedge: 'Halfedge', edge: 'Edge', face: 'Face' } as const;

@@ -1,5 +1,5 @@
+import type { WalkKey } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import type { WalkKey } from '../app/items.js';
 import type { Signal } from '../app/signal.js';
 import type { View } from '../scene/view.js';
 import type { Tab } from './panel.js';

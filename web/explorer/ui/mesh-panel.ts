@@ -1,6 +1,6 @@
+import type { Item } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
 import { grouped, type MeshFacts, type Numbers } from '../app/facts.js';
-import type { Item } from '../app/items.js';
 import { fill, h, icon } from './dom.js';
 import { downloads, type TakePicture } from './downloads.js';
 import { changeBadge } from './history-bar.js';

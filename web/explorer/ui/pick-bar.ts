@@ -1,6 +1,6 @@
+import type { PickMode } from 'halfedge/scene';
+import { factsOf, itemName } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { factsOf, itemName } from '../app/items.js';
-import type { PickMode } from '../scene/picking.js';
 import { fill, h, icon } from './dom.js';
 
 const MODES: readonly [PickMode, string, string][] = [

@@ -1,5 +1,5 @@
+import { sameItem } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { sameItem } from '../app/items.js';
 import type { View } from '../scene/view.js';
 
 /** A press that moves further than this many pixels turns the camera instead of picking. */

@@ -1,5 +1,5 @@
+import { type Item, isLive, itemName, sameItem } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { type Item, isLive, itemName, sameItem } from '../app/items.js';
 import {
   type Cell,
   cellKey,

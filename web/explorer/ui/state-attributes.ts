@@ -1,6 +1,6 @@
+import { itemName } from 'halfedge/teaching';
 import { digestOf } from '../app/digest.js';
 import type { Explorer } from '../app/explorer.js';
-import { itemName } from '../app/items.js';
 import type { View } from '../scene/view.js';
 import { setAttribute } from './dom.js';
 

@@ -1,6 +1,17 @@
+import { DARK, declarations, LABEL_STYLES, LIGHT } from 'halfedge/scene';
 import { Signal } from '../app/signal.js';
 
 const KEY = 'halfedge-explorer-theme';
+
+/** The colours of page and picture, and the looks of labels, as the package has them. */
+export function addPictureStyles(): void {
+  const styles = document.createElement('style');
+  styles.textContent = `
+    :root { color-scheme: light; ${declarations(LIGHT)} }
+    :root[data-theme="dark"] { color-scheme: dark; ${declarations(DARK)} }
+    ${LABEL_STYLES}`;
+  document.head.prepend(styles);
+}
 
 /** Light or dark: what the system prefers, until somebody chooses otherwise here. */
 export class Theme {

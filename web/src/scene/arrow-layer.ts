@@ -1,0 +1,172 @@
+import { Color, Matrix4 } from 'three';
+import { NONE } from '../api.js';
+import { ARROW_FLOATS, LineBatch, lineMaterial, lines } from '../three/index.js';
+import type { FaceFrames } from './faces.js';
+import { Glyphs } from './glyphs.js';
+import type { Stage } from './stage.js';
+import type { Surface } from './surface.js';
+
+/** Faces whose edges are shorter than this on the screen show no arrows. */
+export const ARROWS_FROM_PX = 28;
+/** Away from the selection and the pointer they fade in from here to there. */
+const FADE_PX = [33, 52] as const;
+/** How many rings of faces around the selection and the pointer show full arrows. */
+const NEAR_RINGS = 3;
+/** No more faces than this show arrows. */
+const FACE_CAP = 8000;
+
+/** The half-arrows of all faces that are seen large enough, and of the boundary beside them. */
+export class ArrowLayer {
+  readonly #stage: Stage;
+  readonly #batch = new LineBatch(4096);
+  readonly #material = lineMaterial(1.5, 2);
+  readonly #view = new Matrix4();
+  readonly #tint = new Color();
+  #surface: Surface | null = null;
+  #frames: FaceFrames | null = null;
+  #glyphs: Glyphs | null = null;
+  #closed = true;
+  #stamp = 0;
+  #seen = new Uint32Array(0);
+  #queue: number[] = [];
+  #colors = { faded: new Color(), arrow: new Color(), boundary: new Color() };
+  /** Whether any arrows are drawn. */
+  visible = true;
+  /** Faces that show no arrows, while they are changing. */
+  hidden: ReadonlySet<number> = new Set();
+  /** Boundary halfedges that have an arrow in the picture: what can be picked beside the surface. */
+  readonly boundary: number[] = [];
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+    stage.scene.add(lines(this.#batch, this.#material, 3));
+  }
+
+  show(surface: Surface, frames: FaceFrames): void {
+    this.#surface = surface;
+    this.#frames = frames;
+    this.#glyphs = new Glyphs(surface, frames, this.#stage);
+    this.#seen = new Uint32Array(surface.mesh.faceSlots);
+    this.#stamp = 0;
+    const { face, next } = surface.mesh.connectivity;
+    this.#closed = !face.some((f, h) => f === NONE && next[h] >= 0);
+  }
+
+  setColors(faded: Color, arrow: Color, boundary: Color): void {
+    this.#colors = { faded, arrow, boundary };
+  }
+
+  /**
+   * Before each frame: draws what is large enough, boldly within three rings of the faces in
+   * `near` (the selection, the pointer). On meshes with more faces than the cap it spreads from
+   * them and from `middle`, the face in the middle of the picture, to neighbours in sight.
+   */
+  update(near: readonly number[], middle: number | null): void {
+    const surface = this.#surface;
+    if (!surface) return;
+    this.#batch.clear();
+    this.boundary.length = 0;
+    if (!this.visible) {
+      this.#batch.upload();
+      return;
+    }
+    const { camera } = this.#stage;
+    this.#view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const stamp = ++this.#stamp;
+    const queue = this.#queue;
+    queue.length = 0;
+    const push = (f: number) => {
+      if (f < 0 || this.#seen[f] === stamp) return;
+      this.#seen[f] = stamp;
+      queue.push(f);
+    };
+    for (const f of near) push(f);
+    let at = 0;
+    for (let ring = 0; ring < NEAR_RINGS; ring++) {
+      for (const end = queue.length; at < end && at < FACE_CAP; at++) {
+        this.#draw(queue[at], 1);
+        this.#pushNeighbours(surface, queue[at], push);
+      }
+    }
+    if (surface.mesh.faceSlots <= FACE_CAP) {
+      for (const f of surface.mesh.faces()) {
+        if (this.#seen[f] !== stamp) this.#draw(f, 0);
+      }
+      for (; at < queue.length; at++) this.#draw(queue[at], 0);
+      this.#batch.upload();
+      return;
+    }
+    if (middle !== null) push(middle);
+    for (; at < queue.length && at < FACE_CAP; at++) {
+      if (this.#draw(queue[at], 0)) this.#pushNeighbours(surface, queue[at], push);
+    }
+    this.#batch.upload();
+  }
+
+  #pushNeighbours({ mesh }: Surface, f: number, push: (f: number) => void): void {
+    const { next, face, faceHalfedge } = mesh.connectivity;
+    let h = faceHalfedge[f];
+    do {
+      push(face[h ^ 1]);
+      h = next[h];
+    } while (h !== faceHalfedge[f]);
+  }
+
+  /**
+   * Draws the arrows of a face, at least as strongly as `strength`, unless it is too small or out
+   * of sight; says whether it did.
+   */
+  #draw(f: number, strength: number): boolean {
+    if (this.hidden.has(f)) return true;
+    const frames = this.#frames as FaceFrames;
+    const at = frames.at(f);
+    const { data } = frames;
+    const [x, y, z] = [data[at], data[at + 1], data[at + 2]];
+    const m = this.#view.elements;
+    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+    if (w <= 0) return false;
+    const reach = 1.15 * w + data[at + 6] * 4;
+    if (Math.abs(m[0] * x + m[4] * y + m[8] * z + m[12]) > reach) return false;
+    if (Math.abs(m[1] * x + m[5] * y + m[9] * z + m[13]) > reach) return false;
+    const { position } = this.#stage.camera;
+    const [dx, dy, dz] = [position.x - x, position.y - y, position.z - z];
+    const facing =
+      (data[at + 3] * dx + data[at + 4] * dy + data[at + 5] * dz) / Math.hypot(dx, dy, dz);
+    if (this.#closed && facing < 0) return false;
+    // Edges of a face seen from the side are foreshortened, on average about this much.
+    const pixels = (data[at + 6] / this.#stage.pixelAt(w)) * (0.35 + 0.65 * Math.abs(facing));
+    if (pixels < ARROWS_FROM_PX) return false;
+    const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
+    if (strength === 0 && faded <= 0) return true;
+    this.#write(f, Math.min(1, Math.max(faded, strength)));
+    return true;
+  }
+
+  #write(f: number, strength: number): void {
+    const glyphs = this.#glyphs as Glyphs;
+    const { next, face, faceHalfedge } = (this.#surface as Surface).mesh.connectivity;
+    this.#tint.lerpColors(this.#colors.faded, this.#colors.arrow, strength);
+    const degree = glyphs.face(f);
+    for (let i = 0; i < degree; i++) {
+      this.#batch.add(glyphs.arrows, i * ARROW_FLOATS, i * ARROW_FLOATS + 3, this.#tint);
+      this.#batch.add(glyphs.arrows, i * ARROW_FLOATS + 3, i * ARROW_FLOATS + 6, this.#tint);
+    }
+    const first = faceHalfedge[f];
+    let h = first;
+    do {
+      if (face[h ^ 1] < 0) this.#writeBoundary(h ^ 1);
+      h = next[h];
+    } while (h !== first);
+  }
+
+  #writeBoundary(h: number): void {
+    const glyphs = this.#glyphs as Glyphs;
+    glyphs.boundary(h);
+    const pixel = this.#stage.pixelAt(
+      this.#stage.depthOf(glyphs.arrows[0], glyphs.arrows[1], glyphs.arrows[2]),
+    );
+    this.#batch.addDashed(glyphs.arrows, 0, 3, this.#colors.boundary, 5 * pixel, 0.4);
+    this.#batch.add(glyphs.arrows, 3, 6, this.#colors.boundary);
+    this.boundary.push(h);
+  }
+}

@@ -1,0 +1,58 @@
+import { newellNormal } from '../three/index.js';
+import type { Surface } from './surface.js';
+
+const FIELDS = 7;
+
+/** Centre, unit normal and mean edge length of faces, computed when first asked for. */
+export class FaceFrames {
+  readonly #surface: Surface;
+  readonly #data: Float32Array;
+  readonly #corners: number[] = [];
+  readonly #normal = new Float64Array(3);
+
+  constructor(surface: Surface) {
+    this.#surface = surface;
+    this.#data = new Float32Array(FIELDS * surface.mesh.faceSlots);
+  }
+
+  /**
+   * The offset of a face in `data`: three numbers each for centre and normal, then the mean edge
+   * length.
+   */
+  at(face: number): number {
+    const at = FIELDS * face;
+    // A mean edge of 0 is one that was not computed yet (or a face that is a point).
+    if (this.#data[at + 6] === 0) this.#measure(face, at);
+    return at;
+  }
+
+  /** Forgets all that was computed, after vertices have moved. */
+  clear(): void {
+    this.#data.fill(0);
+  }
+
+  get data(): Float32Array {
+    return this.#data;
+  }
+
+  #measure(face: number, at: number): void {
+    const corners = this.#corners;
+    const degree = this.#surface.corners(face, corners);
+    const normal = newellNormal(corners, degree, this.#normal);
+    const data = this.#data;
+    let perimeter = 0;
+    for (let k = 0; k < 3; k++) data[at + k] = 0;
+    for (let i = 0; i < degree; i++) {
+      const a = 3 * i;
+      const b = 3 * ((i + 1) % degree);
+      perimeter += Math.hypot(
+        corners[b] - corners[a],
+        corners[b + 1] - corners[a + 1],
+        corners[b + 2] - corners[a + 2],
+      );
+      for (let k = 0; k < 3; k++) data[at + k] += corners[a + k] / degree;
+    }
+    for (let k = 0; k < 3; k++) data[at + 3 + k] = normal[k];
+    data[at + 6] = perimeter / degree;
+  }
+}

@@ -1,0 +1,28 @@
+// The picture that the explorer and `halfedge/figure` show of a mesh. three.js and three-mesh-bvh are
+// peer dependencies of this entry.
+
+export {
+  type ChangedEdge,
+  type ChangedTriangles,
+  changedEdges,
+  changedTriangles,
+  type Drawn,
+} from './change.js';
+export { DARK, declarations, LIGHT } from './colors.js';
+export type { Mark } from './highlights.js';
+export { FILLED_ICONS, ICONS, type IconName } from './icons.js';
+export { LABEL_STYLES } from './label-styles.js';
+export type { Label } from './labels.js';
+export { type Anchors, type Overlay, overlayOf, type Shows } from './marks.js';
+export { type Palette, readPalette } from './palette.js';
+export type { PickMode } from './picking.js';
+export { MeshPicture, type PictureSource } from './picture.js';
+export { Discs } from './points.js';
+export { type RayHit, RayTree } from './ray-tree.js';
+export { prefersReducedMotion } from './reduced-motion.js';
+export { OwnScreen, type Screen } from './screen.js';
+export { SharedScreen } from './shared-screen.js';
+export { FILE_LAYER, type Insets, MESH_LAYER, Stage } from './stage.js';
+export { Surface, triangulateRing } from './surface.js';
+export { SurfaceLook } from './surface-view.js';
+export { type Shown, type Sight, Travel } from './travel.js';

@@ -1,0 +1,232 @@
+import { Color, Matrix4, Vector3 } from 'three';
+import type { HalfedgeMesh } from '../api.js';
+import type { Item } from '../teaching/items.js';
+import type { Edit } from '../teaching/motion.js';
+import { anchorOf, facesAt, sideOf } from './anchors.js';
+import { ArrowLayer } from './arrow-layer.js';
+import { FaceFrames } from './faces.js';
+import { Glyphs } from './glyphs.js';
+import { Highlights } from './highlights.js';
+import { IsolatedVertices } from './isolated.js';
+import { Labels } from './labels.js';
+import type { Anchors, Overlay } from './marks.js';
+import { AT_REST, type InMotion, Morph } from './morph.js';
+import type { Palette } from './palette.js';
+import { Picker, type PickMode } from './picking.js';
+import type { Stage } from './stage.js';
+import { Surface } from './surface.js';
+import { SurfaceLook, SurfaceView } from './surface-view.js';
+import { type Shown, Travel } from './travel.js';
+import { Wire } from './wire.js';
+
+/** What a picture asks of who shows something in it. */
+export interface PictureSource {
+  /** What is drawn over the mesh, as things stand. */
+  overlay(anchors: Anchors): Overlay;
+  /** The items around which arrows are strongest. */
+  near(): readonly Item[];
+  /** Told before each frame, once the camera stands. */
+  beforeFrame?(): void;
+}
+
+/** The picture of a mesh: surface, edges, arrows, marks and labels, and the motion of edits. */
+export class MeshPicture {
+  readonly stage: Stage;
+  readonly travel: Travel;
+  /** The looks of the surface, for whatever else shows one. */
+  readonly look = new SurfaceLook();
+  readonly #source: PictureSource;
+  readonly #surfaceView = new SurfaceView(this.look);
+  readonly #wire: Wire;
+  readonly #arrows: ArrowLayer;
+  readonly #highlights: Highlights;
+  readonly #isolated: IsolatedVertices;
+  readonly #labels: Labels;
+  readonly #morph: Morph;
+  #shown: Shown | null = null;
+  #inMotion: InMotion = AT_REST;
+  /** How far away the camera was when labels were placed. */
+  #markedFrom = 0;
+
+  /** Labels become children of `labels`, which lies over the canvas of the stage. */
+  constructor(stage: Stage, labels: HTMLElement, source: PictureSource) {
+    this.stage = stage;
+    this.#source = source;
+    this.travel = new Travel(stage);
+    stage.scene.add(this.#surfaceView.object);
+    this.#wire = new Wire(stage);
+    this.#arrows = new ArrowLayer(stage);
+    this.#highlights = new Highlights(stage);
+    this.#isolated = new IsolatedVertices(stage);
+    this.#labels = new Labels(stage, labels);
+    this.#morph = new Morph(stage, this.look);
+    stage.onFrame(() => this.#beforeFrame());
+  }
+
+  /** The mesh on show, made ready for the scene. */
+  get shown(): Shown | null {
+    return this.#shown;
+  }
+
+  /** Which of arrows and boundary edges are drawn. */
+  setLayers({ arrows, boundary }: { arrows: boolean; boundary: boolean }): void {
+    this.#arrows.visible = arrows;
+    this.#wire.showsBoundary = boundary;
+    this.stage.invalidate();
+  }
+
+  setPalette(palette: Palette): void {
+    this.look.setColors(palette.surface.toArray(), palette.back.toArray());
+    this.#morph.setColor(palette.self);
+    this.#wire.setColors(palette.wire, palette.boundary);
+    this.#arrows.setColors(palette.arrowFar, palette.arrow, palette.boundary);
+    this.#highlights.setColors(palette.surface, palette.background);
+    this.#isolated.setColors(palette.vertex, palette.background);
+    // Dark surfaces need more contrast to show their shape.
+    const [ambient, key] = palette.dark ? [2, 2.1] : [2.2, 1.15];
+    this.stage.setLight(new Color(1, 1, 1), new Color(0.62, 0.66, 0.74), ambient, key);
+    this.mark();
+  }
+
+  /** Shows another mesh, or none. The camera is for the caller to move. */
+  show(mesh: HalfedgeMesh | null): void {
+    this.#morph.stop();
+    this.#shown = this.travel.shown = null;
+    if (!mesh) return;
+    this.#present(new Surface(mesh));
+    this.#rest();
+  }
+
+  /** Moves on to the mesh as it is after an edit; the camera stays. */
+  change(edit: Edit): void {
+    const before = this.#shown;
+    if (!before) return;
+    this.#morph.stop();
+    const { surface, frames } = this.#present(new Surface(before.surface.mesh, before.surface));
+    const moved = () => {
+      frames.clear();
+      this.mark();
+    };
+    const inMotion = this.#morph.start(before.surface, surface, edit, moved, () => {
+      frames.clear();
+      this.#rest();
+    });
+    this.#rest(inMotion);
+  }
+
+  /** Draws marks and labels anew, as the source has them now. */
+  mark(): void {
+    if (!this.#shown) return;
+    const { surface, frames, glyphs } = this.#shown;
+    this.#markedFrom = this.#distance();
+    const { marks, labels } = this.#source.overlay({
+      point: (item) => anchorOf(item, surface, frames, glyphs),
+      side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
+    });
+    const { edges } = this.#inMotion;
+    const still = marks.filter(({ item: { kind, index } }) => {
+      if (kind === 'edge') return !edges.has(index);
+      return kind !== 'halfedge' || !edges.has(index >> 1);
+    });
+    this.#highlights.setMarks(still);
+    this.#labels.set(labels);
+  }
+
+  /** The item at (x, y) in CSS pixels of the canvas; `reach` is 1 for a mouse, larger for a finger. */
+  pick(x: number, y: number, mode: PickMode, reach: number): Item | null {
+    if (mode === 'auto' || mode === 'vertex') {
+      const isolated = this.#isolated.at(x, y, reach, this.hides);
+      if (isolated !== null) return { kind: 'vertex', index: isolated };
+    }
+    return this.#shown?.picker.pick(x, y, mode, this.#arrows.boundary, reach) ?? null;
+  }
+
+  /** Whether the surface hides a point of the scene. */
+  readonly hides = (point: Vector3): boolean => this.#shown?.picker.hides(point) ?? false;
+
+  /** Where the camera stands, and the middle of the picture, in the coordinates of the mesh. */
+  viewpoint(): number[] | null {
+    if (!this.#shown) return null;
+    const { camera, controls } = this.stage;
+    const toMesh = this.#shown.surface.placement.clone().invert();
+    return [camera.position, controls.target].flatMap((point) =>
+      point.clone().applyMatrix4(toMesh).toArray(),
+    );
+  }
+
+  /** Takes the camera to where `viewpoint` told. */
+  lookFrom(viewpoint: readonly number[]): void {
+    if (!this.#shown) return;
+    const { placement } = this.#shown.surface;
+    const [position, target] = [0, 3].map((at) =>
+      new Vector3().fromArray(viewpoint, at).applyMatrix4(placement),
+    );
+    const offset = position.sub(target);
+    if (offset.lengthSq() > 0) this.stage.look(target, offset.clone(), offset.length());
+  }
+
+  /**
+   * The sixteen numbers, column by column, of the matrix that takes a position of the file to clip
+   * space.
+   */
+  cameraState(): string {
+    const { camera } = this.stage;
+    const matrix = new Matrix4().multiplyMatrices(
+      camera.projectionMatrix,
+      camera.matrixWorldInverse,
+    );
+    if (this.#shown) matrix.multiply(this.#shown.surface.placement);
+    return matrix.elements.map((x) => Number(x.toPrecision(8))).join(' ');
+  }
+
+  /** The vertex nearest to the middle of the picture. */
+  vertexInFront(): Item | null {
+    if (!this.#shown) return null;
+    this.stage.camera.updateMatrixWorld();
+    const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
+    return this.#shown.picker.pick(x, y, 'vertex', []);
+  }
+
+  #present(surface: Surface): Shown {
+    const frames = new FaceFrames(surface);
+    const glyphs = new Glyphs(surface, frames, this.stage);
+    const picker = new Picker(this.stage, surface, frames, glyphs);
+    this.#arrows.show(surface, frames);
+    this.#highlights.show(surface, glyphs);
+    this.#isolated.show(surface);
+    this.#shown = { surface, frames, glyphs, picker };
+    this.travel.shown = this.#shown;
+    return this.#shown;
+  }
+
+  /** Draws the mesh as it lies, but for what is in motion. */
+  #rest(inMotion: InMotion = AT_REST): void {
+    this.#inMotion = inMotion;
+    if (!this.#shown) return;
+    const { surface } = this.#shown;
+    this.#surfaceView.show(surface, inMotion.triangles);
+    this.#wire.show(surface, inMotion.edges);
+    this.#arrows.hidden = inMotion.faces;
+    this.mark();
+    this.stage.invalidate();
+  }
+
+  #beforeFrame(): void {
+    const shown = this.#shown;
+    if (!shown) return;
+    // Arrows keep their size on the screen, and labels lie beside them.
+    if (Math.abs(this.#distance() / this.#markedFrom - 1) > 1e-4) this.mark();
+    this.#wire.update();
+    this.#source.beforeFrame?.();
+    const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
+    const near = this.#source.near().flatMap((item) => facesAt(shown.surface, item));
+    this.#arrows.update(near, shown.picker.faceAt(x, y));
+    this.#highlights.update();
+    this.#labels.update(this.hides);
+  }
+
+  #distance(): number {
+    const { camera, controls } = this.stage;
+    return camera.position.distanceTo(controls.target);
+  }
+}

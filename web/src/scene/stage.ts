@@ -1,0 +1,349 @@
+import {
+  type Color,
+  DirectionalLight,
+  HemisphereLight,
+  type Mesh,
+  type Object3D,
+  PerspectiveCamera,
+  Scene,
+  type ShaderMaterial,
+  Vector2,
+  Vector3,
+} from 'three';
+import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import { prefersReducedMotion } from './reduced-motion.js';
+import type { Screen } from './screen.js';
+
+/** Space that panels cover, in CSS pixels: the picture is centred in what is left. */
+export interface Insets {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
+/** What shows the mesh, and what shows the file that it was made of: the camera sees one of them. */
+export const MESH_LAYER = 0;
+export const FILE_LAYER = 1;
+
+const FIELD_OF_VIEW = 32;
+const FLIGHT_MS = 420;
+/** Pixels of an exported picture to the CSS pixel. */
+const CAPTURE_RATIO = 2;
+
+/**
+ * Canvas, camera and orbit controls. Nothing runs while nothing changes: a frame is drawn when
+ * `invalidate` asked for one, and as long as the camera moves.
+ */
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.001, 100);
+  readonly controls: OrbitControls;
+  readonly size = new Vector2(1, 1);
+  readonly #screen: Screen;
+  readonly #observer = new ResizeObserver(() => this.#resize());
+  readonly #listeners: (() => void)[] = [];
+  readonly #woken: (() => void)[] = [];
+  readonly #rested: (() => void)[] = [];
+  readonly #hemisphere = new HemisphereLight();
+  readonly #key = new DirectionalLight();
+  #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  #frame = 0;
+  #flight: ((now: number) => boolean) | null = null;
+  #motion: ((now: number) => boolean) | null = null;
+  #asleep = false;
+  #missed = false;
+
+  constructor(screen: Screen) {
+    const { canvas } = screen;
+    this.#screen = screen;
+    this.scene.add(this.#hemisphere, this.camera);
+    for (const light of [this.#hemisphere, this.#key]) light.layers.enable(FILE_LAYER);
+    this.#key.position.set(-0.5, 0.8, 1.2);
+    this.camera.add(this.#key, this.#key.target);
+    this.#key.target.position.set(0, 0, -1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = !prefersReducedMotion();
+    this.controls.dampingFactor = 0.12;
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', () => this.invalidate());
+    this.controls.addEventListener('start', () => {
+      this.#flight = null;
+    });
+    this.#observer.observe(canvas);
+    this.#resize();
+  }
+
+  /** Whether nobody sees the picture: then no frame is drawn, until it is seen again. */
+  set asleep(asleep: boolean) {
+    this.#asleep = asleep;
+    if (asleep || !this.#missed) return;
+    this.#missed = false;
+    this.invalidate();
+  }
+
+  /** Frees what it has on the graphics card, and lets go of the canvas. */
+  dispose(): void {
+    this.#asleep = true;
+    cancelAnimationFrame(this.#frame);
+    this.#observer.disconnect();
+    this.controls.dispose();
+    this.scene.traverse((object) => {
+      const { geometry, material } = object as Partial<Mesh>;
+      geometry?.dispose();
+      for (const one of [material].flat()) one?.dispose();
+    });
+    this.#screen.dispose();
+  }
+
+  /** Calls `listener` before each frame is drawn. */
+  onFrame(listener: () => void): void {
+    this.#listeners.push(listener);
+  }
+
+  /** Calls `listener` when the picture begins to change, and when it has come to rest. */
+  onChange(begins: () => void, rests: () => void): void {
+    this.#woken.push(begins);
+    this.#rested.push(rests);
+  }
+
+  /** Calls `step` before each frame as long as it says that it goes on; instead of one before. */
+  animate(step: (now: number) => boolean): void {
+    this.#motion = step;
+    this.invalidate();
+  }
+
+  /** Asks for one more frame. */
+  invalidate(): void {
+    if (this.#asleep) {
+      this.#missed = true;
+      return;
+    }
+    if (this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    for (const listener of this.#woken) listener();
+  }
+
+  /** Shows the objects of one layer. */
+  showLayer(layer: number): void {
+    this.camera.layers.set(layer);
+    this.invalidate();
+  }
+
+  /** The part of the canvas that no panel covers. */
+  get freeFrame(): { x: number; y: number; width: number; height: number } {
+    const { left, right, bottom } = this.#insets;
+    // Beside a panel the picture reaches down to the edge of the window.
+    const height = this.size.y - (right > 0 ? 0 : bottom);
+    return { x: left, y: 0, width: Math.max(1, this.size.x - left - right), height };
+  }
+
+  /** A part of the picture, two pixels to the CSS pixel, on the colour of the page. */
+  capture(
+    frame: { x: number; y: number; width: number; height: number },
+    without: ReadonlySet<Object3D> = new Set(),
+  ): HTMLCanvasElement {
+    const { canvas } = this.#screen;
+    const taken = document.createElement('canvas');
+    taken.width = Math.round(CAPTURE_RATIO * frame.width);
+    taken.height = Math.round(CAPTURE_RATIO * frame.height);
+    for (const object of without) object.visible = false;
+    this.#screen.resize(this.size.x, this.size.y, CAPTURE_RATIO);
+    const sized = this.#setPointRatio(CAPTURE_RATIO);
+    this.#screen.render(this.scene, this.camera);
+    const context = taken.getContext('2d') as CanvasRenderingContext2D;
+    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--page');
+    context.fillRect(0, 0, taken.width, taken.height);
+    const [x, y] = [CAPTURE_RATIO * frame.x, CAPTURE_RATIO * frame.y];
+    context.drawImage(canvas, x, y, taken.width, taken.height, 0, 0, taken.width, taken.height);
+    for (const object of without) object.visible = true;
+    this.#setPointRatio(sized);
+    this.#resize();
+    return taken;
+  }
+
+  /** Discs know their size in pixels of the canvas. Returns the ratio before. */
+  #setPointRatio(ratio: number): number {
+    let before = ratio;
+    this.scene.traverse((object) => {
+      const { uniforms } = (object as { material?: ShaderMaterial }).material ?? {};
+      if (!uniforms?.pixelRatio) return;
+      before = uniforms.pixelRatio.value;
+      uniforms.pixelRatio.value = ratio;
+    });
+    return before;
+  }
+
+  setLight(sky: Color, ground: Color, ambient: number, key: number): void {
+    this.#hemisphere.color.copy(sky);
+    this.#hemisphere.groundColor.copy(ground);
+    this.#hemisphere.intensity = ambient;
+    this.#key.color.set(1, 1, 1);
+    this.#key.intensity = key;
+    this.invalidate();
+  }
+
+  setInsets(insets: Insets): void {
+    this.#insets = insets;
+    this.#resize();
+  }
+
+  /** The length in the scene of one CSS pixel at this depth in front of the camera. */
+  pixelAt(depth: number): number {
+    return (2 * depth * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / this.size.y;
+  }
+
+  /** How far in front of the camera a point lies. */
+  depthOf(x: number, y: number, z: number): number {
+    const m = this.camera.matrixWorldInverse.elements;
+    return -(m[2] * x + m[6] * y + m[10] * z + m[14]);
+  }
+
+  /** The distance from which a sphere of this radius fills `share` of the free part of the canvas. */
+  distanceFor(radius: number, share = 0.86): number {
+    const { x, y } = this.#freeSlopes(share);
+    const slope = Math.min(x, y);
+    return (radius * Math.hypot(1, slope)) / slope;
+  }
+
+  /** Jumps to where all points fill the free part of the canvas, seen from `direction`. */
+  lookAtAll(points: Float32Array, direction: Vector3, share = 0.86): void {
+    const { target, distance } = this.#framing(points, direction, share);
+    this.look(target, direction, distance);
+  }
+
+  /** As `lookAtAll`, in a short flight. */
+  flyToAll(points: Float32Array, direction: Vector3, share = 0.86): void {
+    const { target, distance } = this.#framing(points, direction, share);
+    this.fly(target, direction, distance);
+  }
+
+  /** Jumps to look at `target` from `direction`. */
+  look(target: Vector3, direction: Vector3, distance: number): void {
+    this.#flight = null;
+    this.controls.target.copy(target);
+    this.camera.position.copy(direction).setLength(distance).add(target);
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /** Moves there in a short flight; at once where motion is to be reduced. */
+  fly(target: Vector3, direction: Vector3, distance: number): void {
+    if (prefersReducedMotion()) {
+      this.look(target, direction, distance);
+      return;
+    }
+    const fromTarget = this.controls.target.clone();
+    const from = this.camera.position.clone().sub(fromTarget);
+    const fromLength = from.length();
+    from.divideScalar(fromLength);
+    const to = direction.clone().normalize();
+    const began = performance.now();
+    this.#flight = (now) => {
+      const linear = Math.min(1, Math.max(0, (now - began) / FLIGHT_MS));
+      const t = linear * linear * (3 - 2 * linear);
+      const heading = from.clone().lerp(to, t);
+      if (heading.lengthSq() < 1e-6) heading.copy(to);
+      this.controls.target.lerpVectors(fromTarget, target, t);
+      this.camera.position
+        .copy(heading)
+        .setLength(fromLength * (distance / fromLength) ** t)
+        .add(this.controls.target);
+      return linear < 1;
+    };
+    this.invalidate();
+  }
+
+  /** Whether a point is in the part of the picture that no panel covers. */
+  inSight(point: Vector3): boolean {
+    const { x, y, z } = this.project(point, new Vector3());
+    const { top, right, bottom, left } = this.#insets;
+    const inside = x > left && x < this.size.x - right && y > top && y < this.size.y - bottom;
+    return inside && z < 1;
+  }
+
+  /** Where a point appears: CSS pixels from the canvas's top left; `z` beyond 1 is out of sight. */
+  project(point: Vector3, out: Vector3): Vector3 {
+    out.copy(point).project(this.camera);
+    out.x = ((out.x + 1) * this.size.x) / 2;
+    out.y = ((1 - out.y) * this.size.y) / 2;
+    return out;
+  }
+
+  /** How far from the axis a point may be at depth 1 to be in the free part of the canvas. */
+  #freeSlopes(share: number): { x: number; y: number } {
+    const { top, right, bottom, left } = this.#insets;
+    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / (this.size.y / 2);
+    const x = Math.max(60, this.size.x - left - right) / 2;
+    const y = Math.max(60, this.size.y - top - bottom) / 2;
+    return { x: share * slope * x, y: share * slope * y };
+  }
+
+  /**
+   * The nearest place that has all points in sight. A point at (x, y, z) of the camera's frame is
+   * in sight where |x - cx| ≤ slope (d - z), which the extremes of x ± slope z decide.
+   */
+  #framing(points: Float32Array, direction: Vector3, share: number) {
+    const back = direction.clone().normalize();
+    const right = new Vector3().crossVectors(this.camera.up, back);
+    if (right.lengthSq() < 1e-9) right.set(1, 0, 0);
+    right.normalize();
+    const up = new Vector3().crossVectors(back, right);
+    const slopes = this.#freeSlopes(share);
+    const point = new Vector3();
+    const limits = [-Infinity, -Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < points.length; i += 3) {
+      point.fromArray(points, i);
+      const [x, y, z] = [right.dot(point), up.dot(point), back.dot(point)];
+      limits[0] = Math.max(limits[0], x + slopes.x * z);
+      limits[1] = Math.max(limits[1], -x + slopes.x * z);
+      limits[2] = Math.max(limits[2], y + slopes.y * z);
+      limits[3] = Math.max(limits[3], -y + slopes.y * z);
+    }
+    if (!limits.every(Number.isFinite)) limits.fill(1);
+    const distance = Math.max(
+      (limits[0] + limits[1]) / (2 * slopes.x),
+      (limits[2] + limits[3]) / (2 * slopes.y),
+      1e-3,
+    );
+    const target = right
+      .multiplyScalar((limits[0] - limits[1]) / 2)
+      .addScaledVector(up, (limits[2] - limits[3]) / 2);
+    return { target, distance };
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#screen.canvas;
+    const width = Math.max(1, clientWidth);
+    const height = Math.max(1, clientHeight);
+    this.#screen.resize(width, height, Math.min(2, window.devicePixelRatio));
+    this.size.set(width, height);
+    this.camera.aspect = width / height;
+    const { top, right, bottom, left } = this.#insets;
+    const [x, y] = [(right - left) / 2, (bottom - top) / 2];
+    this.camera.setViewOffset(width, height, x, y, width, height);
+    // A resized canvas is blank until it is drawn again: do not wait for the next frame.
+    if (this.#frame !== 0) cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    if (this.#asleep) this.#missed = true;
+    else this.#draw(performance.now());
+  }
+
+  #draw(now: number): void {
+    this.#frame = 0;
+    const flying = this.#flight?.(now) ?? false;
+    if (!flying) this.#flight = null;
+    const animated = this.#motion?.(now) ?? false;
+    if (!animated) this.#motion = null;
+    const moving = this.controls.update();
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = Math.max(distance / 500, 1e-5);
+    this.camera.far = distance + 20;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    for (const listener of this.#listeners) listener();
+    this.#screen.render(this.scene, this.camera);
+    if (flying || animated || moving) this.invalidate();
+    else for (const listener of this.#rested) listener();
+  }
+}

@@ -1,0 +1,157 @@
+import { Spherical, Vector3 } from 'three';
+import type { Item } from '../teaching/items.js';
+import type { CirculatorPlayer } from '../teaching/player.js';
+import { anchorOf, facesAt, reachOf } from './anchors.js';
+import type { FaceFrames } from './faces.js';
+import type { Glyphs } from './glyphs.js';
+import type { Picker } from './picking.js';
+import type { Stage } from './stage.js';
+import type { Surface } from './surface.js';
+
+/** A walk whose edges are shorter than this on the screen is looked at more closely. */
+const TOO_SMALL_PX = 44;
+/** Walks longer than this go too far to be looked at from near. */
+const LONG_WALK = 40;
+
+/** A place of the scene, and how to look at it. */
+export interface Sight {
+  readonly centre: Vector3;
+  readonly radius: number;
+  /** Away from the surface, where the faces agree on that. */
+  readonly normal: Vector3;
+}
+
+/** Everything that belongs to the mesh on show. */
+export interface Shown {
+  readonly surface: Surface;
+  readonly frames: FaceFrames;
+  readonly glyphs: Glyphs;
+  readonly picker: Picker;
+}
+
+/** Moves the camera: around the mesh, to items, and after the player. */
+export class Travel {
+  /** The mesh on show, if there is one. */
+  shown: Shown | null = null;
+  readonly #stage: Stage;
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+  }
+
+  /** Flies to an item, near enough to see its arrows; to the whole mesh if there is none. */
+  focus(item: Item | null): void {
+    const { shown } = this;
+    if (!shown || !item) {
+      this.fit();
+      return;
+    }
+    const distance = this.#stage.distanceFor(1.8 * reachOf(item, shown.surface));
+    this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
+  }
+
+  /** Flies to a place of the file, as near as shows it with what is around it. */
+  visit({ centre, radius, normal }: Sight): void {
+    const distance = this.#stage.distanceFor(Math.min(1.1, 2.6 * radius));
+    this.#stage.fly(centre, this.#facing(normal), distance);
+  }
+
+  /** Flies back to where the whole mesh is seen. */
+  fit(): void {
+    if (this.shown) this.#stage.flyToAll(this.shown.surface.points, this.#offset());
+  }
+
+  /** Turns the camera around the middle of the picture, by angles in radians. */
+  orbit(horizontal: number, vertical: number): void {
+    const offset = new Spherical().setFromVector3(this.#offset());
+    offset.theta += horizontal;
+    offset.phi += vertical;
+    offset.makeSafe();
+    const direction = new Vector3().setFromSpherical(offset);
+    this.#stage.look(this.#stage.controls.target.clone(), direction, offset.radius);
+  }
+
+  /** Moves the camera to `factor` times its distance. */
+  zoom(factor: number): void {
+    const offset = this.#offset();
+    this.#stage.look(this.#stage.controls.target.clone(), offset, factor * offset.length());
+  }
+
+  /**
+   * Keeps the player in sight: comes near when a walk around `selected` begins that is too small to
+   * be seen, and turns to the current item when it has left the picture.
+   */
+  follow(player: CirculatorPlayer, selected: Item, begins: boolean): void {
+    const { shown } = this;
+    const item = player.current?.item;
+    if (!shown || !item) return;
+    const point = this.#anchor(item, shown);
+    const depth = this.#stage.depthOf(point.x, point.y, point.z);
+    const pixels = reachOf(selected, shown.surface) / this.#stage.pixelAt(depth);
+    if (begins && pixels < TOO_SMALL_PX && player.count < LONG_WALK) this.focus(selected);
+    else if (!this.#stage.inSight(point)) this.#turnTo(item, shown);
+  }
+
+  /** Turns to the first of the items that can't be seen from here, if there is one. */
+  bringIntoSight(items: readonly Item[]): void {
+    const { shown } = this;
+    const hidden = shown && this.#hidden(items, shown);
+    if (hidden) this.#turnTo(hidden, shown);
+  }
+
+  /** The first of the items that can't be seen from here. */
+  #hidden(items: readonly Item[], shown: Shown): Item | undefined {
+    return items.find((item) => {
+      const point = this.#anchor(item, shown);
+      return !this.#stage.inSight(point) || shown.picker.hides(point);
+    });
+  }
+
+  /** Flies to an item, from as far away as it is now. */
+  #turnTo(item: Item, shown: Shown): void {
+    const distance = this.#offset().length();
+    this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
+  }
+
+  #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
+    return anchorOf(item, surface, frames, glyphs);
+  }
+
+  /** From the middle of the picture to the camera. */
+  #offset(): Vector3 {
+    const { camera, controls } = this.#stage;
+    return camera.position.clone().sub(controls.target);
+  }
+
+  /** Flies to where the whole mesh is seen with all of the items before it, where one can't be seen now. */
+  turnTo(items: readonly Item[]): void {
+    const { shown } = this;
+    const hidden = shown && this.#hidden(items, shown);
+    if (hidden) this.#stage.flyToAll(shown.surface.points, this.#towards(hidden, shown));
+  }
+
+  /** As `turnTo`, without a flight. */
+  lookAtAll(item: Item): void {
+    const { shown } = this;
+    if (shown) this.#stage.lookAtAll(shown.surface.points, this.#towards(item, shown));
+  }
+
+  /** The direction to look from: the present one, turned to the front of the item if it is behind. */
+  #towards(item: Item, { surface, frames }: Shown): Vector3 {
+    const normal = new Vector3();
+    for (const f of facesAt(surface, item)) {
+      const at = frames.at(f) + 3;
+      normal.add(new Vector3().fromArray(frames.data, at));
+    }
+    return this.#facing(normal);
+  }
+
+  /** The present direction, turned towards `normal` where that is far off. */
+  #facing(normal: Vector3): Vector3 {
+    const direction = this.#offset().normalize();
+    if (normal.lengthSq() < 1e-9) return direction;
+    normal.normalize();
+    if (direction.dot(normal) > 0.55) return direction;
+    return direction.lerp(normal, 0.7).normalize();
+  }
+}

@@ -1,0 +1,108 @@
+import type { HalfedgeMesh } from '../api.js';
+import type { Query } from './circulators.js';
+import { type Dialect, dialectOf } from './dialects.js';
+import type { Item } from './items.js';
+import { type Hop, type Program, programOf, run } from './program.js';
+import { hopWords, startWords } from './words.js';
+
+/** One visit: the halfedge where the circulator stood, and the item it showed. */
+export interface Visit {
+  readonly halfedge: number;
+  readonly item: Item;
+  /** The lines of the program that ran since the visit before, by their places; the last yielded. */
+  readonly ran: readonly number[];
+}
+
+/**
+ * Runs the code of a query through one lap, and remembers what it visited: back is where it was. Position 0 is before the first visit; `count` is the length of the lap.
+ */
+export class CirculatorPlayer {
+  readonly query: Query;
+  readonly count: number;
+  readonly dialect: Dialect;
+  /** The code that runs. */
+  readonly program: Program;
+  readonly #mesh: HalfedgeMesh;
+  readonly #visits: Visit[] = [];
+  /** What the code has visited; it does not run back. */
+  readonly #known: Visit[] = [];
+  readonly #running: Iterator<Hop, void>;
+
+  constructor(mesh: HalfedgeMesh, query: Query, dialect = dialectOf('halfedge')) {
+    this.#mesh = mesh;
+    this.query = query;
+    this.dialect = dialect;
+    this.program = programOf(query, dialect);
+    this.count = lapLength(mesh, query);
+    this.#running = run(this.program, mesh, query, dialect);
+  }
+
+  /** How many items are visited; the last of them is the current one. */
+  get position(): number {
+    return this.#visits.length;
+  }
+
+  /** The items visited so far, in order. */
+  get visits(): readonly Visit[] {
+    return this.#visits;
+  }
+
+  get current(): Visit | null {
+    return this.#visits.at(-1) ?? null;
+  }
+
+  get done(): boolean {
+    return this.position === this.count;
+  }
+
+  /** Visits one more item. False at the end of the lap. */
+  forward(): boolean {
+    if (this.done) return false;
+    const visit = this.#known[this.position] ?? this.#look();
+    if (!visit) return false;
+    this.#visits.push(visit);
+    return true;
+  }
+
+  /** Takes the last visit back. False at the beginning. */
+  back(): boolean {
+    if (this.position === 0) return false;
+    this.#visits.pop();
+    return true;
+  }
+
+  /** Steps until `position` items are visited. */
+  seek(position: number): void {
+    const target = Math.max(0, Math.min(this.count, Math.round(position)));
+    while (this.position < target && this.forward());
+    while (this.position > target) this.back();
+  }
+
+  /** What the last step did, in words; empty before the first. */
+  get words(): string {
+    const last = this.current;
+    if (!last) return '';
+    const before = this.#visits.at(-2);
+    return before
+      ? hopWords(this.#mesh, this.query, before.halfedge, last.halfedge, this.dialect)
+      : startWords(this.#mesh, this.query, last.halfedge, this.dialect);
+  }
+
+  #look(): Visit | null {
+    const step = this.#running.next();
+    if (step.done) return null;
+    const { halfedge, index, ran } = step.value;
+    const visit = { halfedge, item: { kind: this.query.circulator.yields, index }, ran };
+    this.#known.push(visit);
+    return visit;
+  }
+}
+
+function lapLength(mesh: HalfedgeMesh, { circulator, index, direction, start }: Query): number {
+  const range = (
+    mesh[circulator.name] as (i: number, d?: string, s?: number) => Iterable<number>
+  ).call(mesh, index, direction, start);
+  let length = 0;
+  for (const _ of range) length += 1;
+  return length;
+}
