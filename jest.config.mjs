@@ -23,7 +23,7 @@ const suite = (name) => ({
     '^halfedge$': '<rootDir>/dist/index.js',
     '^halfedge/inline$': '<rootDir>/dist/inline.js',
     '^halfedge/dialects$': '<rootDir>/dist/dialects/index.js',
-    '^halfedge/gltf$': '<rootDir>/dist/gltf/index.js',
+    '^halfedge/(figure|gltf|scene|teaching)$': '<rootDir>/dist/$1/index.js',
     '^halfedge/three$': '<rootDir>/dist/three/index.js',
     '^halfedge/worker$': '<rootDir>/dist/worker.js',
     '^(\\.{1,2}/.*)\\.js$': '$1',

@@ -78,6 +78,29 @@ export async function buildWeb() {
   // From here `halfedge/inline` takes the module without a request.
   const text = readFileSync(wasm).toString('base64');
   writeFileSync(join(dist, 'core-base64.js'), `export const coreBase64 =\n  '${text}';\n`);
+  await buildStandalone();
+}
+
+/** Makes `halfedge/figure/standalone` one file that needs no other, and puts the page for frames beside it. */
+async function buildStandalone() {
+  const { build: bundle } = await import('vite');
+  const outDir = join(root, 'build/standalone');
+  await bundle({
+    configFile: false,
+    root,
+    logLevel: 'warn',
+    publicDir: false,
+    build: {
+      outDir,
+      emptyOutDir: true,
+      target: 'es2022',
+      chunkSizeWarningLimit: 4000,
+      lib: { entry: join(dist, 'figure/standalone.js'), formats: ['es'], fileName: 'standalone' },
+      rolldownOptions: { output: { codeSplitting: false, minify: true } },
+    },
+  });
+  cpSync(join(outDir, 'standalone.js'), join(dist, 'figure/standalone.js'));
+  cpSync(join(sources, 'figure/frame.html'), join(dist, 'figure/frame.html'));
 }
 
 /** The whole package. */

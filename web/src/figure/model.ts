@@ -1,0 +1,155 @@
+import type { HalfedgeMesh } from '../api.js';
+import { circulators } from '../teaching/circulators.js';
+import { type Item, isLive, itemName, linksOf, sameItem, type WalkKey } from '../teaching/items.js';
+import type { Edit } from '../teaching/motion.js';
+import { CirculatorPlayer } from '../teaching/player.js';
+import { DEFAULT_OVERLAYS, type OverlayName, overlaysNamed } from './overlays.js';
+import { Player } from './player.js';
+import { DeedStory, type Story, WalkStory } from './story.js';
+import { dialectNamed, directionNamed, itemNamed, queryNamed } from './words.js';
+
+/** What a figure is told to show, as its attributes say it. */
+export interface Settings {
+  readonly select: string | null;
+  readonly query: string | null;
+  readonly direction: string;
+  readonly operation: string | null;
+  readonly dialect: string;
+  readonly overlays: string | null;
+}
+
+/** What a model tells its figure. */
+export interface ModelListener {
+  /** The story has moved on, or back; `edit` is the change of the mesh, where there was one. */
+  moved(edit: Edit | null): void;
+  /** It began to play by itself, or stopped. */
+  played(): void;
+}
+
+/** The state of a figure, and what can be done to it. Knows nothing of the DOM. */
+export class FigureModel {
+  mesh: HalfedgeMesh | null = null;
+  selected: Item | null = null;
+  hovered: Item | null = null;
+  overlays: ReadonlySet<OverlayName> = overlaysNamed(DEFAULT_OVERLAYS);
+  readonly player: Player;
+  /** What the story was made of. */
+  #told = '';
+
+  constructor(listener: ModelListener) {
+    this.player = new Player({
+      moved: (edit) => {
+        this.#follow();
+        listener.moved(edit);
+      },
+      played: () => listener.played(),
+    });
+  }
+
+  get story(): Story | null {
+    return this.player.story;
+  }
+
+  /** What is to be read beside the picture. */
+  get words(): string {
+    const { mesh, story, selected } = this;
+    if (story) return story.words;
+    if (!mesh) return '';
+    if (selected) return linkWords(mesh, selected);
+    return `${mesh.vertexCount} vertices, ${mesh.edgeCount} edges, ${mesh.faceCount} faces.`;
+  }
+
+  /** Shows another mesh, or none; the one before is disposed of. */
+  take(mesh: HalfedgeMesh | null): void {
+    this.player.story = null;
+    this.mesh?.dispose();
+    this.mesh = mesh;
+    this.selected = this.hovered = null;
+    this.#told = '';
+  }
+
+  /** Whether these are the settings that it was told last. */
+  follows(settings: Settings): boolean {
+    return JSON.stringify(settings) === this.#told;
+  }
+
+  /**
+   * Follows the settings as far as they have changed; returns the change of the mesh, where operations
+   * were taken back. Throws a sentence for what can't be shown, and then shows the rest.
+   */
+  tell(settings: Settings): Edit | null {
+    const { mesh } = this;
+    if (!mesh || this.follows(settings)) return null;
+    this.#told = JSON.stringify(settings);
+    this.overlays = overlaysNamed(settings.overlays ?? DEFAULT_OVERLAYS);
+    const edit = this.story instanceof DeedStory ? this.story.seek(0) : null;
+    this.player.story = null;
+    this.selected = settings.select === null ? null : itemNamed(mesh, settings.select);
+    this.#begin(mesh, settings);
+    return edit;
+  }
+
+  /** Selects what a reader has picked; where the query does not go around it, its links are shown. */
+  choose(item: Item | null, settings: Settings): boolean {
+    const { mesh } = this;
+    if (!mesh || sameItem(item, this.selected) || (item && !isLive(mesh, item))) return false;
+    this.#told = JSON.stringify(settings);
+    this.selected = item;
+    if (this.story instanceof DeedStory) return true;
+    this.player.story = null;
+    try {
+      if (item) this.#begin(mesh, settings);
+    } catch {
+      this.player.story = null;
+    }
+    return true;
+  }
+
+  /** Where the link with that key leads; null for nowhere. */
+  walk(key: WalkKey): Item | null {
+    const { mesh, selected } = this;
+    if (!mesh || !selected) return null;
+    return linksOf(mesh, selected).find((link) => link.key === key)?.target ?? null;
+  }
+
+  #begin(mesh: HalfedgeMesh, { query, operation, direction, dialect }: Settings): void {
+    if (operation) {
+      this.player.story = new DeedStory(mesh, operation);
+      this.selected ??= this.story?.current ?? null;
+    } else if (query) {
+      this.selected ??= firstFor(mesh, query);
+      if (!this.selected) return;
+      const asked = queryNamed(mesh, query, this.selected, directionNamed(direction));
+      this.player.story = new WalkStory(new CirculatorPlayer(mesh, asked, dialectNamed(dialect)));
+    }
+  }
+
+  /** The selection goes with the operations: what they are done to may be gone. */
+  #follow(): void {
+    if (this.story instanceof DeedStory) this.selected = this.story.current;
+    this.hovered = null;
+  }
+}
+
+/** The first item that a circulator can go around. */
+function firstFor(mesh: HalfedgeMesh, query: string): Item | null {
+  const kind = circulators.find(({ name }) => name === query)?.around ?? 'vertex';
+  const items = {
+    vertex: () => mesh.vertices(),
+    halfedge: () => mesh.halfedges(),
+    edge: () => mesh.edges(),
+    face: () => mesh.faces(),
+  }[kind]();
+  for (const index of items) return { kind, index };
+  return null;
+}
+
+/** `h4: toVertex v2 (3), face f1 (4), …` */
+function linkWords(mesh: HalfedgeMesh, selected: Item): string {
+  const links = linksOf(mesh, selected).map(({ name, number, target }) =>
+    number === undefined
+      ? `${name} ${itemName(target)}`
+      : `(${number}) ${name} ${itemName(target)}`,
+  );
+  return `${itemName(selected)}: ${links.join(', ')}.`;
+}

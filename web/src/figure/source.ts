@@ -1,0 +1,95 @@
+import { HalfedgeMesh } from '../api.js';
+
+/** Where the mesh of a figure comes from: an address, a shape by its name, or the text of a file. */
+export interface Source {
+  readonly src: string | null;
+  /** The text of a file inside of the element. */
+  readonly text: string | null;
+}
+
+const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
+const SHAPE = /^shape:\s*(\w+)\s*(?:\(([^()]*)\))?\s*$/;
+
+/** The shapes that `src="shape:…"` can name: the static methods of `HalfedgeMesh`. */
+export const SHAPES = [
+  'tetrahedron',
+  'cube',
+  'octahedron',
+  'icosahedron',
+  'dodecahedron',
+  'prism',
+  'cone',
+  'cylinder',
+  'grid',
+  'torus',
+  'uvSphere',
+  'icoSphere',
+] as const;
+
+/** The mesh of a figure. Throws a sentence where there is none. */
+export async function openSource(
+  { src, text }: Source,
+  signal: AbortSignal,
+): Promise<HalfedgeMesh> {
+  if (src?.startsWith('shape:')) return shapeOf(src);
+  if (src) return fetchMesh(new URL(src, document.baseURI), signal);
+  if (text?.trim()) return HalfedgeMesh.parse(text).mesh;
+  throw new Error(
+    'This figure has no mesh: expected src="…", or the text of an OBJ, OFF, PLY or STL file in a <script type="text/plain"> inside of it.',
+  );
+}
+
+/**
+ * A shape as it would be called: `shape:torus(8, 6)`; options are words or assignments, as in
+ * `shape:grid(4, 3, triangles)` and `shape:cylinder(8, rings=2, caps=open)`.
+ */
+export function shapeOf(src: string): HalfedgeMesh {
+  const [, name, list = ''] = SHAPE.exec(src) ?? [];
+  const shape = SHAPES.find((known) => known === name);
+  if (!shape) {
+    throw new Error(`src is “${src}”; expected shape: and one of ${SHAPES.join(', ')}.`);
+  }
+  const parts: number[] = [];
+  const options: Record<string, unknown> = {};
+  for (const word of list.split(',').map((it) => it.trim())) {
+    const [key, value] = word.split('=').map((it) => it.trim());
+    if (word === '') continue;
+    if (value !== undefined) options[key] = optionOf(value);
+    else if (/^[a-z]\w*$/i.test(key)) options[key] = true;
+    else parts.push(Number(key));
+  }
+  const make = HalfedgeMesh[shape] as (...parameters: unknown[]) => HalfedgeMesh;
+  return make.call(HalfedgeMesh, ...parts, options);
+}
+
+function optionOf(text: string): unknown {
+  if (text === 'true' || text === 'false') return text === 'true';
+  return Number.isFinite(Number(text)) ? Number(text) : text;
+}
+
+async function fetchMesh(address: URL, signal: AbortSignal): Promise<HalfedgeMesh> {
+  let response: Response;
+  try {
+    response = await fetch(address, { signal });
+  } catch (cause) {
+    signal.throwIfAborted();
+    throw new Error(`${address.href} could not be fetched.`, { cause });
+  }
+  if (!response.ok) {
+    throw new Error(
+      `${address.href} could not be fetched: the server answered ${response.status}.`,
+    );
+  }
+  const content = await response.arrayBuffer();
+  signal.throwIfAborted();
+  if (/\.(glb|gltf)$/i.test(address.pathname)) {
+    // Only pages that show such a file load three.js's reader of them.
+    const { readGltf } = await import('../gltf/index.js');
+    const resource = async (uri: string) =>
+      (await fetch(new URL(uri, address), { signal })).arrayBuffer();
+    return (await readGltf(content, { resource })).mesh;
+  }
+  const extension = address.pathname.slice(address.pathname.lastIndexOf('.') + 1).toLowerCase();
+  const format = FORMATS.find((known) => known === extension);
+  return HalfedgeMesh.parse(content, format ? { format } : {}).mesh;
+}

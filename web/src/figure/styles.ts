@@ -1,0 +1,395 @@
+import { css, unsafeCSS } from 'lit';
+import { DARK, declarations, LIGHT } from '../scene/colors.js';
+import { LABEL_STYLES } from '../scene/label-styles.js';
+
+const light = unsafeCSS(declarations(LIGHT, 'halfedge'));
+const dark = unsafeCSS(declarations(DARK, 'halfedge'));
+
+/** The looks of a figure. A page can set each colour as `--halfedge-…`, and style the parts. */
+export const figureStyles = css`
+  :host {
+    ${light}
+    color-scheme: light;
+    --sans: var(--halfedge-sans, system-ui, sans-serif);
+    --mono: var(--halfedge-mono, ui-monospace, "SF Mono", "Cascadia Mono", Menlo, monospace);
+    --quick: 0.12s;
+    display: block;
+    color: var(--text);
+    font: 400 14px / 1.45 var(--sans);
+    text-align: start;
+  }
+
+  @media (prefers-color-scheme: dark) {
+    :host(:not([theme="light"])) {
+      ${dark}
+      color-scheme: dark;
+    }
+  }
+
+  :host([theme="dark"]) {
+    ${dark}
+    color-scheme: dark;
+  }
+
+  :host([hidden]) {
+    display: none;
+  }
+
+  @media (prefers-reduced-motion: reduce) {
+    :host {
+      --quick: 0s;
+    }
+  }
+
+  *,
+  ::before,
+  ::after {
+    box-sizing: border-box;
+  }
+
+  figure {
+    container-type: inline-size;
+    margin: 0;
+    overflow: hidden;
+    border: 1px solid var(--line);
+    border-radius: var(--halfedge-radius, 12px);
+    background: var(--page);
+  }
+
+  .stage {
+    position: relative;
+    aspect-ratio: var(--halfedge-aspect, 16 / 10);
+    overflow: hidden;
+    background: radial-gradient(ellipse at 50% 45%, var(--page) 35%, var(--page-far));
+  }
+
+  canvas {
+    position: absolute;
+    inset: 0;
+    width: 100%;
+    height: 100%;
+    cursor: grab;
+    outline: none;
+    touch-action: pan-y pinch-zoom;
+    -webkit-tap-highlight-color: transparent;
+  }
+
+  canvas:active {
+    cursor: grabbing;
+  }
+
+  canvas:focus-visible {
+    box-shadow: inset 0 0 0 2px var(--focus);
+  }
+
+  .poster {
+    position: absolute;
+    inset: 0;
+    display: grid;
+    place-items: center;
+    overflow: hidden;
+    color: var(--muted);
+  }
+
+  .poster ::slotted(*),
+  .poster svg {
+    width: 100%;
+    height: 100%;
+    object-fit: contain;
+  }
+
+  .poster.waiting {
+    animation: appear 0.2s 0.4s both;
+  }
+
+  @keyframes appear {
+    from {
+      opacity: 0;
+    }
+  }
+
+  .error {
+    position: absolute;
+    right: 10px;
+    bottom: 10px;
+    left: 10px;
+    display: grid;
+    grid-template-columns: auto 1fr;
+    gap: 8px;
+    margin: 0;
+    padding: 9px 12px;
+    border: 1px solid color-mix(in srgb, var(--danger) 35%, var(--line));
+    border-radius: 9px;
+    background: var(--raised);
+    font-size: 13px;
+    overflow-wrap: anywhere;
+  }
+
+  .error .icon,
+  .sentence .icon {
+    width: 17px;
+    height: 17px;
+    margin-top: 1px;
+    color: var(--danger);
+  }
+
+  .icon {
+    flex: none;
+    width: 18px;
+    height: 18px;
+    fill: none;
+    stroke: currentcolor;
+    stroke-width: 2;
+    stroke-linecap: round;
+    stroke-linejoin: round;
+  }
+
+  .icon.filled {
+    fill: currentcolor;
+  }
+
+  .bar {
+    display: flex;
+    align-items: center;
+    gap: 10px;
+    padding: 8px 10px;
+    border-top: 1px solid var(--line);
+  }
+
+  .buttons {
+    display: flex;
+    gap: 4px;
+  }
+
+  button,
+  select {
+    color: inherit;
+    font: inherit;
+  }
+
+  button {
+    display: grid;
+    place-items: center;
+    width: 34px;
+    height: 34px;
+    padding: 0;
+    border: 1px solid var(--line);
+    border-radius: 9px;
+    background: var(--raised);
+    cursor: pointer;
+    transition: border-color var(--quick), background var(--quick);
+  }
+
+  button:hover:not(:disabled) {
+    border-color: var(--line-strong);
+  }
+
+  button:disabled {
+    color: color-mix(in srgb, var(--muted) 55%, transparent);
+    cursor: default;
+  }
+
+  button.play {
+    width: 44px;
+    border-color: var(--accent);
+    background: var(--accent);
+    color: var(--page);
+  }
+
+  button.play:disabled {
+    border-color: var(--line);
+    background: var(--well);
+    color: var(--muted);
+  }
+
+  button.wide {
+    display: flex;
+    align-items: center;
+    width: auto;
+    gap: 5px;
+    padding: 0 10px 0 8px;
+    font-size: 13px;
+    font-weight: 550;
+  }
+
+  .home {
+    position: absolute;
+    top: 8px;
+    right: 8px;
+    width: 30px;
+    height: 30px;
+    background: color-mix(in srgb, var(--raised) 85%, transparent);
+    color: var(--muted);
+    opacity: 0;
+    transition: opacity var(--quick);
+  }
+
+  .stage:hover .home,
+  .home:focus-visible {
+    opacity: 1;
+  }
+
+  :focus-visible {
+    outline: 2px solid var(--focus);
+    outline-offset: 1px;
+  }
+
+  input[type="range"] {
+    flex: 1;
+    width: 100%;
+    min-width: 40px;
+    height: 24px;
+    margin: 0;
+    background: none;
+    appearance: none;
+    cursor: pointer;
+  }
+
+  input[type="range"]::-webkit-slider-runnable-track {
+    height: 4px;
+    border-radius: 2px;
+    background: linear-gradient(var(--accent), var(--accent)) 0 / var(--filled, 0%) 100% no-repeat
+      var(--line);
+  }
+
+  input[type="range"]::-moz-range-track {
+    height: 4px;
+    border-radius: 2px;
+    background: linear-gradient(var(--accent), var(--accent)) 0 / var(--filled, 0%) 100% no-repeat
+      var(--line);
+  }
+
+  input[type="range"]::-webkit-slider-thumb {
+    width: 14px;
+    height: 14px;
+    margin-top: -5px;
+    border: 2px solid var(--accent);
+    border-radius: 50%;
+    background: var(--raised);
+    appearance: none;
+  }
+
+  input[type="range"]::-moz-range-thumb {
+    width: 10px;
+    height: 10px;
+    border: 2px solid var(--accent);
+    border-radius: 50%;
+    background: var(--raised);
+  }
+
+  output {
+    color: var(--muted);
+    font-size: 12.5px;
+    font-variant-numeric: tabular-nums;
+    white-space: nowrap;
+  }
+
+  .sentence {
+    display: flex;
+    gap: 8px;
+    min-height: 2.9em;
+    margin: 0;
+    padding: 8px 12px 9px;
+    border-top: 1px solid var(--line);
+    font-size: 13px;
+    overflow-wrap: anywhere;
+  }
+
+  .sentence.code-words {
+    font: 450 12.5px / 1.5 var(--mono);
+    font-variant-ligatures: none;
+  }
+
+  .hidden {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    margin: -1px;
+    padding: 0;
+    overflow: hidden;
+    border: 0;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+
+  .code {
+    border-top: 1px solid var(--line);
+    background: var(--well);
+  }
+
+  .code header {
+    display: flex;
+    align-items: center;
+    gap: 8px;
+    padding: 5px 6px 5px 12px;
+    border-bottom: 1px solid var(--line);
+    font: 450 12px / 1.5 var(--mono);
+  }
+
+  .code header code {
+    flex: 1;
+    min-width: 0;
+    overflow: hidden;
+    font: inherit;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+
+  .code select {
+    height: 26px;
+    padding: 0 4px;
+    border: 1px solid var(--line);
+    border-radius: 7px;
+    background: var(--raised);
+    font: 450 12px / 1 var(--sans);
+  }
+
+  .code .lines {
+    overflow-x: auto;
+  }
+
+  .code ol {
+    width: max-content;
+    min-width: 100%;
+    margin: 0;
+    padding: 5px 0;
+    font: 450 12px / 18px var(--mono);
+    font-variant-ligatures: none;
+    list-style: none;
+  }
+
+  .code li {
+    padding: 0 12px 0 9px;
+    border-left: 3px solid transparent;
+    white-space: pre;
+  }
+
+  .code .ran {
+    border-left-color: color-mix(in srgb, var(--next-text) 45%, transparent);
+  }
+
+  .code [aria-current] {
+    border-left-color: var(--next-text);
+    background: color-mix(in srgb, var(--next) 11%, transparent);
+  }
+
+  figcaption {
+    padding: 8px 12px 10px;
+    border-top: 1px solid var(--line);
+    color: var(--muted);
+    font-size: 13px;
+  }
+
+  figcaption.empty {
+    display: none;
+  }
+
+  @container (max-width: 360px) {
+    .restart,
+    .direction span {
+      display: none;
+    }
+  }
+
+  ${unsafeCSS(LABEL_STYLES)}
+`;

@@ -1,0 +1,199 @@
+import { Vector3 } from 'three';
+import type { HalfedgeMesh } from '../api.js';
+import { type Anchors, type Overlay, overlayOf } from '../scene/marks.js';
+import { type Palette, readPalette } from '../scene/palette.js';
+import { MeshPicture } from '../scene/picture.js';
+import { SharedScreen } from '../scene/shared-screen.js';
+import { Stage } from '../scene/stage.js';
+import type { Item } from '../teaching/items.js';
+import type { Edit } from '../teaching/motion.js';
+import { addItems, type OverlayName } from './overlays.js';
+import type { Story } from './story.js';
+
+/** What a figure shows at a moment. */
+export interface FigureState {
+  readonly mesh: HalfedgeMesh | null;
+  readonly selected: Item | null;
+  readonly hovered: Item | null;
+  readonly story: Story | null;
+  readonly overlays: ReadonlySet<OverlayName>;
+}
+
+/** A press that moves further than this many pixels turns the camera instead of picking. */
+const CLICK_SLOP = 5;
+const FINGER = 1.9;
+/** Surfaces that are flatter than this, seen from the side, are looked at from the front. */
+const FLAT = 0.05;
+const SPACE = { top: 12, right: 12, bottom: 12, left: 12 };
+
+/** The picture of a figure, on a canvas that shares its WebGL context with all others of the page. */
+export class FigureView {
+  readonly stage: Stage;
+  readonly #picture: MeshPicture;
+  readonly #host: Element;
+  readonly #state: () => FigureState;
+  #palette: Palette;
+
+  /** Throws where there is no WebGL. */
+  constructor(
+    host: Element,
+    canvas: HTMLCanvasElement,
+    labels: HTMLElement,
+    state: () => FigureState,
+  ) {
+    this.#host = host;
+    this.#state = state;
+    this.#palette = readPalette(host);
+    this.stage = new Stage(new SharedScreen(canvas, () => this.stage.invalidate()));
+    this.stage.setInsets(SPACE);
+    this.#picture = new MeshPicture(this.stage, labels, {
+      overlay: (anchors) => this.#overlay(anchors),
+      near: () => [state().selected, state().hovered].filter((item) => item !== null),
+    });
+    this.focused = false;
+    this.applyTheme();
+  }
+
+  /** Whether the wheel zooms, and touch turns instead of scrolling the page. */
+  set focused(focused: boolean) {
+    this.stage.controls.enableZoom = focused;
+    this.stage.controls.enablePan = focused;
+    const { domElement } = this.stage.controls;
+    if (domElement) domElement.style.touchAction = focused ? 'none' : 'pan-y pinch-zoom';
+  }
+
+  /** Takes over the colours that the element has now. */
+  applyTheme(): void {
+    this.#palette = readPalette(this.#host);
+    this.#picture.setPalette(this.#palette);
+  }
+
+  /** Shows the mesh of the figure, seen from `camera`: a direction, or where it stands and what it looks at. */
+  show(camera: readonly number[] | null): void {
+    const { mesh, overlays } = this.#state();
+    this.#picture.show(mesh);
+    this.#picture.setLayers({
+      arrows: overlays.has('halfedges'),
+      boundary: overlays.has('boundary'),
+    });
+    this.look(camera);
+  }
+
+  /** See {@link FigureView.show}; without a camera, a place from which the whole mesh is seen well. */
+  look(camera: readonly number[] | null): void {
+    const surface = this.#picture.shown?.surface;
+    if (!surface) return;
+    const direction = camera ? new Vector3().fromArray(camera) : frontOf(surface.points);
+    this.stage.lookAtAll(surface.points, direction);
+    const { selected } = this.#state();
+    if (camera?.length === 6) this.#picture.lookFrom(camera);
+    else if (!camera && selected) this.#picture.travel.lookAtAll(selected);
+  }
+
+  /** Flies to where the whole mesh is seen. */
+  fit(): void {
+    this.#picture.travel.fit();
+  }
+
+  /** Where the camera stands and what it looks at. */
+  viewpoint(): number[] | null {
+    return this.#picture.viewpoint();
+  }
+
+  /** Draws what has changed of the state; `edit` is a change of the mesh. */
+  update(edit: Edit | null = null): void {
+    const { story, overlays } = this.#state();
+    this.#picture.setLayers({
+      arrows: overlays.has('halfedges'),
+      boundary: overlays.has('boundary'),
+    });
+    if (edit) this.#picture.change(edit);
+    else this.#picture.mark();
+    if (story?.witness) this.#picture.travel.turnTo(story.witness);
+    else if (story && story.visits.length > 0 && story.current) {
+      this.#picture.travel.turnTo([story.current]);
+    }
+  }
+
+  /** Turns by angles in radians. */
+  orbit(horizontal: number, vertical: number): void {
+    this.#picture.travel.orbit(horizontal, vertical);
+  }
+
+  zoom(factor: number): void {
+    this.#picture.travel.zoom(factor);
+  }
+
+  focus(item: Item | null): void {
+    this.#picture.travel.focus(item);
+  }
+
+  dispose(): void {
+    this.stage.dispose();
+  }
+
+  /** Tells what the pointer is over, and what is picked: an item, or null for nothing. */
+  listen(hovers: (item: Item | null) => void, picks: (item: Item | null) => void): void {
+    const canvas = this.stage.controls.domElement as HTMLElement;
+    let pressed: { x: number; y: number; moved: boolean } | null = null;
+    const itemAt = (event: PointerEvent) => {
+      const { left, top } = canvas.getBoundingClientRect();
+      const reach = event.pointerType === 'touch' ? FINGER : 1;
+      return this.#picture.pick(event.clientX - left, event.clientY - top, 'auto', reach);
+    };
+    canvas.addEventListener('pointermove', (event) => {
+      if (pressed) {
+        const distance = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y);
+        if (distance > CLICK_SLOP) pressed.moved = true;
+      } else if (event.pointerType !== 'touch') hovers(itemAt(event));
+    });
+    canvas.addEventListener('pointerleave', () => hovers(null));
+    canvas.addEventListener('pointerdown', (event) => {
+      if (!event.isPrimary || event.button !== 0) return;
+      pressed = { x: event.clientX, y: event.clientY, moved: false };
+      hovers(null);
+    });
+    canvas.addEventListener('pointerup', (event) => {
+      const click = pressed && !pressed.moved && event.isPrimary;
+      pressed = null;
+      if (click) picks(itemAt(event));
+    });
+    canvas.addEventListener('pointercancel', () => {
+      pressed = null;
+    });
+    canvas.addEventListener('dblclick', () => this.focus(this.#state().selected));
+  }
+
+  #overlay(anchors: Anchors): Overlay {
+    const { mesh, selected, hovered, story, overlays } = this.#state();
+    if (!mesh) return { marks: [], labels: [] };
+    const overlay = overlayOf(
+      {
+        mesh,
+        selected,
+        hovered,
+        visits: story?.visits ?? [],
+        links: overlays.has('links') && story === null,
+        witness: story?.witness ?? null,
+        first: null,
+      },
+      this.#palette,
+      anchors,
+    );
+    addItems(overlay, overlays, mesh, this.#palette, anchors);
+    return overlay;
+  }
+}
+
+/** Flat surfaces are seen best from the front, others from the side and from above. */
+function frontOf(points: Float32Array): Vector3 {
+  const extent = [0, 1, 2].map((k) => {
+    let most = 0;
+    for (let i = k; i < points.length; i += 3) most = Math.max(most, Math.abs(points[i]));
+    return most;
+  });
+  if (extent[2] < FLAT) return new Vector3(0, 0, 1);
+  if (extent[1] < FLAT) return new Vector3(0, 1, 0.001);
+  if (extent[0] < FLAT) return new Vector3(1, 0, 0);
+  return new Vector3(0.45, 0.35, 1);
+}
