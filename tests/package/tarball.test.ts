@@ -21,6 +21,7 @@ function meantToShip(): string[] {
     'dist/core.d.wasm.ts',
     'dist/core.wasm',
     'dist/core-base64.js',
+    'dist/figure/frame.html',
     // The command-line tool is no module to import: it needs no types.
     ...modules.flatMap((path) =>
       path.startsWith('dist/cli/') ? [`${path}.js`] : [`${path}.js`, `${path}.d.ts`],
@@ -33,11 +34,20 @@ describe('The tarball', () => {
     expect(packed.files).toEqual(meantToShip());
   });
 
-  test('has no dependencies, and one that a single entry needs: three.js', () => {
+  test('has no dependencies, and three that single entries need', () => {
     const manifest = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
     expect(manifest).not.toHaveProperty('dependencies');
-    expect(manifest.peerDependencies).toEqual({ three: expect.stringMatching(/^>=/) });
-    expect(manifest.peerDependenciesMeta).toEqual({ three: { optional: true } });
+    expect(manifest.peerDependencies).toEqual({
+      lit: expect.stringMatching(/^\^/),
+      three: expect.stringMatching(/^>=/),
+      'three-mesh-bvh': expect.stringMatching(/^>=/),
+    });
+    const optional = { optional: true };
+    expect(manifest.peerDependenciesMeta).toEqual({
+      lit: optional,
+      three: optional,
+      'three-mesh-bvh': optional,
+    });
     const installed = JSON.parse(
       readFileSync(join(packed.folder, 'installed/package-lock.json'), 'utf8'),
     );
@@ -74,9 +84,13 @@ describe('The tarball', () => {
       '.',
       './core.wasm',
       './dialects',
+      './figure',
+      './figure/standalone',
       './gltf',
       './inline',
       './package.json',
+      './scene',
+      './teaching',
       './three',
       './worker',
       './worker-thread',
