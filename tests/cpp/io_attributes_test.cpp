@@ -189,7 +189,115 @@ TEST(PlyAttributes, HaveTheUsualNames) {
   EXPECT_EQ(values_of(mesh, ItemKind::kFace, "material"), Doubles{-5});
   // A corner lies where its halfedge ends.
   EXPECT_EQ(mesh.to_vertex(mesh.face_halfedge(Face(0))), Vertex(0));
-  EXPECT_EQ(read.notes, Strings{"ignored the property \"neighbours\" of \"vertex\""});
+  EXPECT_EQ(read.notes, Strings{"ignored the list \"neighbours\" of \"vertex\": expected 1 to 16 "
+                                "numbers, as many in each row"});
+}
+
+// The same file in text and in both byte orders.
+void expect_lists(const Mesh& mesh) {
+  EXPECT_EQ(describe_all(mesh),
+            (Strings{"vertex quality float32 1 interpolate", "vertex normal float64 3 normalize",
+                     "vertex one uint8 1 copy", "face flags int16 4 copy"}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "quality"), (Doubles{7, 8, 9}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "normal"),
+            (Doubles{0, 0, 1, 0, 1, 0, 0.1, 0, 1e-300}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "one"), (Doubles{1, 2, 255}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kFace, "flags"), (Doubles{-1, 2, -3, 4}));
+}
+
+TEST(PlyAttributes, KeepListsOfOneLength) {
+  const test::MeshFile read = read_mesh(R"(ply
+format ascii 1.0
+element vertex 3
+property float x
+property list uchar double normal
+property float y
+property float z
+property list int uchar one
+property float quality
+element face 1
+property list uchar short flags
+property list uchar int vertex_indices
+end_header
+0 3 0 0 1 0 0 1 1 7
+1 3 0 1 0 0 0 1 2 8
+0 3 0.1 0 1e-300 1 0 1 255 9
+4 -1 2 -3 4 3 0 1 2
+)");
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(read.notes, Strings());
+  expect_lists(read.mesh);
+  for (const Encoding encoding : {Encoding::kText, Encoding::kBinary, Encoding::kBinaryBigEndian}) {
+    expect_round_trip(read.mesh, Format::kPly, encoding);
+  }
+}
+
+TEST(PlyAttributes, KeepListsOfBinaryFiles) {
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\n"
+      "property float y\nproperty float z\nproperty list uchar ushort pair\n"
+      "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
+  for (int v = 0; v < 3; ++v) {
+    text += std::string(12, '\0');
+    text += {'\2', char(v), '\1', '\0', char(v)};
+  }
+  text += {'\3', '\0', '\1', '\2'};
+  const test::MeshFile read = read_mesh(text);
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "pair"), (Doubles{256, 0, 257, 256, 258, 512}));
+}
+
+TEST(PlyAttributes, SaysWhichListsItCannotKeep) {
+  const auto read_lists = [](const std::string& rows) {
+    return read_mesh(
+        "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty "
+        "float z\nproperty list uchar float a\nproperty list uchar float b\nproperty float a\n"
+        "element face 0\nproperty list uchar int vertex_indices\nend_header\n" +
+            rows,
+        true);
+  };
+  const auto uneven = [](const std::string& name) {
+    return "ignored the list \"" + name +
+           "\" of \"vertex\": expected 1 to 16 numbers, as many in each row";
+  };
+  const std::string taken = "ignored the property \"a\" of \"vertex\"";
+  const std::string seventeen = "17 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1";
+  const std::string sixteen = "16 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1";
+  EXPECT_EQ(read_lists("0 0 0 0 1 5 0\n0 0 0 0 1 6 0\n").notes, Strings{taken});
+  EXPECT_EQ(read_lists("0 0 0 0 0 0\n0 0 0 0 0 0\n").notes, (Strings{taken, uneven("b")}));
+  EXPECT_EQ(read_lists("0 0 0 0 1 5 0\n0 0 0 0 2 6 7 0\n").notes, (Strings{taken, uneven("b")}));
+  EXPECT_EQ(read_lists("0 0 0 0 0 0\n0 0 0 0 1 6 0\n").notes, (Strings{taken, uneven("b")}));
+  const std::string long_rows = "0 0 0 0 " + seventeen + " 0\n0 0 0 0 " + seventeen + " 0\n";
+  EXPECT_EQ(read_lists(long_rows).notes, (Strings{taken, uneven("b")}));
+  const test::MeshFile longest =
+      read_lists("0 0 0 0 " + sixteen + " 0\n0 0 0 0 " + sixteen + " 0\n");
+  EXPECT_EQ(longest.notes, Strings{taken});
+  EXPECT_EQ(values_of(longest.mesh, ItemKind::kVertex, "b"), Doubles(32, 1));
+  EXPECT_EQ(read_lists("0 0 0 0 1 5 0\n0 0 0 0 1 x 0\n").error,
+            "line 14: expected a number for \"b\" of \"vertex\" 1 of 2, found \"x\" (read as PLY)");
+}
+
+// Memory is in proportion to the file, also where strips make faces of single bytes.
+TEST(PlyAttributes, OfFacesEndBeforeThoseOfStrips) {
+  const std::string vertices =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+      "float z\n";
+  const std::string faces =
+      "element face 1\nproperty list uchar int vertex_indices\nproperty int label\nproperty list "
+      "uchar float pair\n";
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  const std::string points = "end_header\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const test::MeshFile before =
+      read_mesh(vertices + faces + strips + points + "3 0 1 2 5 2 8 9\n3 2 1 3\n");
+  ASSERT_EQ(before.error, "");
+  EXPECT_EQ(before.notes, Strings());
+  EXPECT_EQ(values_of(before.mesh, ItemKind::kFace, "label"), (Doubles{5, 0}));
+  EXPECT_EQ(values_of(before.mesh, ItemKind::kFace, "pair"), (Doubles{8, 9, 0, 0}));
+  const test::MeshFile after =
+      read_mesh(vertices + strips + faces + points + "3 2 1 3\n3 0 1 2 5 2 8 9\n");
+  EXPECT_EQ(after.notes, Strings{"ignored the properties \"label\", \"pair\" of \"face\""});
+  EXPECT_EQ(describe_all(after.mesh), Strings());
+  EXPECT_EQ(after.mesh.face_count(), 2U);
 }
 
 TEST(PlyAttributes, SaysThatPositionsWereDoubles) {

@@ -26,8 +26,8 @@ struct SoupAttribute {
   OnSplit on_split = OnSplit::kInterpolate;
   /// Rows of numbers, as they lie in memory.
   Array<std::byte> values;
-  /// By item: its row, kNone for none; items after the last of these have none. Left empty, row i
-  /// is that of item i.
+  /// By item: its row, kNone for none. Left empty, row i is that of item i. Items after the last of
+  /// these have none.
   Array<Index> rows;
 
   /// Of a row, in bytes.

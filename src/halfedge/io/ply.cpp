@@ -1,4 +1,5 @@
 #include <halfedge/io/ply_faces.h>
+#include <halfedge/io/ply_lists.h>
 #include <halfedge/io/ply_reader.h>
 #include <halfedge/io/ply_vertices.h>
 

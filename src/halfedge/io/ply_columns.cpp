@@ -34,6 +34,15 @@ OnSplit policy_of(std::string_view name, PlyType type) {
   return is_integer(type) && name != "color" ? OnSplit::kCopy : OnSplit::kInterpolate;
 }
 
+/// Looking for names takes time in proportion to their number.
+constexpr std::size_t kMostColumns = 256;
+
+bool is_named(std::span<const SoupAttribute> columns, SoupItem item, std::string_view name) {
+  return std::any_of(columns.begin(), columns.end(), [&](const SoupAttribute& column) {
+    return column.item == item && column.name == name;
+  });
+}
+
 class ColumnChooser {
  public:
   ColumnChooser(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
@@ -54,9 +63,6 @@ class ColumnChooser {
   }
 
  private:
-  /// Looking for names takes time in proportion to their number.
-  static constexpr std::size_t kMostColumns = 256;
-
   [[nodiscard]] bool is_free(std::size_t i) const {
     const PlyProperty& property = element_.properties[i];
     return !property.length_type && targets_[i].column == PlyTarget::kNowhere &&
@@ -100,9 +106,7 @@ class ColumnChooser {
   }
 
   [[nodiscard]] bool add(std::string_view name, std::span<const std::size_t> parts) {
-    for (const SoupAttribute& column : columns_) {
-      if (column.item == item_ && column.name == name) return false;
-    }
+    if (is_named(columns_, item_, name)) return false;
     const PlyType type = element_.properties[parts[0]].type;
     for (std::size_t k = 0; k < parts.size(); ++k) {
       targets_[parts[k]] = {columns_.size(), k * size_of(type)};
@@ -144,6 +148,29 @@ std::vector<PlyTarget> choose_columns(const PlyElement& element, SoupItem item,
                                       std::span<const PlyProperty* const> taken,
                                       std::vector<SoupAttribute>& columns) {
   return ColumnChooser(element, item, taken, columns).choose();
+}
+
+std::vector<SoupAttribute> choose_lists(const PlyElement& element, SoupItem item,
+                                        std::span<const PlyProperty* const> taken,
+                                        std::span<const SoupAttribute> columns,
+                                        std::vector<PlyTarget>& targets) {
+  std::vector<SoupAttribute> lists;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const PlyProperty& property = element.properties[k];
+    if (!property.length_type || columns.size() + lists.size() >= kMostColumns ||
+        std::find(taken.begin(), taken.end(), &property) != taken.end() ||
+        is_named(columns, item, property.name) || is_named(lists, item, property.name)) {
+      continue;
+    }
+    targets[k].column = lists.size();
+    SoupAttribute& column = lists.emplace_back();
+    column.name = property.name;
+    column.item = item;
+    column.type = scalar_of(property.type);
+    column.components = 0;
+    column.on_split = policy_of(property.name, property.type);
+  }
+  return lists;
 }
 
 bool is_texture_list(const PlyProperty& property) {

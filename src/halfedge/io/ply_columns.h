@@ -13,8 +13,8 @@ namespace halfedge::io {
 
 /// Where the values of a property go.
 struct PlyTarget {
-  std::size_t column = kNowhere;
-  std::size_t offset = 0;  // within a row of the column, in bytes
+  std::size_t column = kNowhere;  // of those of numbers, or of those of lists
+  std::size_t offset = 0;         // within a row of the column, in bytes
 
   static constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
 };
@@ -25,6 +25,13 @@ struct PlyTarget {
 [[nodiscard]] std::vector<PlyTarget> choose_columns(const PlyElement& element, SoupItem item,
                                                     std::span<const PlyProperty* const> taken,
                                                     std::vector<SoupAttribute>& columns);
+
+/// The same for lists, of which each makes a column of its own. How many components that has, and
+/// whether it can be one, is known when its rows have been read.
+[[nodiscard]] std::vector<SoupAttribute> choose_lists(const PlyElement& element, SoupItem item,
+                                                      std::span<const PlyProperty* const> taken,
+                                                      std::span<const SoupAttribute> columns,
+                                                      std::vector<PlyTarget>& targets);
 
 /// Whether this list of a face holds the texture coordinates of its corners.
 [[nodiscard]] bool is_texture_list(const PlyProperty& property);

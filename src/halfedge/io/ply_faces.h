@@ -19,9 +19,11 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
   out_.reserve(0, static_cast<std::size_t>(corners));
   const auto texture =
       std::find_if(element.properties.begin(), element.properties.end(), &is_texture_list);
-  const bool has_texture = options_.attributes && texture != element.properties.end();
+  // Behind the faces of strips, which come first, nothing would be where it belongs.
+  const bool keeps = options_.attributes && out_.face_count() == 0;
+  const bool has_texture = keeps && texture != element.properties.end();
   const std::array taken = {list, has_texture ? &*texture : list};
-  choose(element, SoupItem::kFace, taken, out_.face_count());
+  choose(element, SoupItem::kFace, taken, keeps);
   if (has_texture) {
     texture_ = columns_.size();
     columns_.push_back(texture_column(*texture));

@@ -44,12 +44,17 @@ class PlyReader {
   [[nodiscard]] bool read_texture(const PlyProperty& list);
   void end_texture();
   [[nodiscard]] bool skip(const PlyElement& element, const PlyProperty& property);
+  [[nodiscard]] bool skip_values(const PlyElement& element, const PlyProperty& property,
+                                 std::int64_t count);
   [[nodiscard]] bool keep_or_skip(const PlyElement& element, std::size_t property);
+  [[nodiscard]] bool read_list(const PlyElement& element, const PlyProperty& property,
+                               SoupAttribute& column);
+  void keep_even_lists(const PlyElement& element);
   [[nodiscard]] bool skip_rows(const PlyElement& element);
 
-  /// Decides which properties become attributes, and makes room for so many more rows.
+  /// Decides which properties become attributes, if any may, and makes room for their rows.
   void choose(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
-              std::size_t rows_before);
+              bool keeps);
   void note_unread(const PlyElement& element, std::span<const PlyProperty* const> read);
   [[nodiscard]] std::string in_row(const PlyElement& element) const {
     return " of " + quoted(element.name) + " " + std::to_string(row_) + " of " +
@@ -69,7 +74,7 @@ class PlyReader {
   std::uint64_t row_ = 0;
   std::vector<SoupAttribute> columns_;
   std::vector<PlyTarget> targets_;      // by property of the element that is read
-  std::size_t rows_before_ = 0;         // of the columns that it fills
+  std::vector<SoupAttribute> lists_;    // of the same, while it is read
   std::optional<std::size_t> texture_;  // the column of the corners
   std::size_t texture_begin_ = 0;       // the first corner of the face that is read
   std::size_t wrong_textures_ = 0;
@@ -93,27 +98,23 @@ std::optional<Error> PlyReader<Source>::read() {
     }
     if (!ok) return error_;
     if (out_.out_of_memory()) break;
-  }
-  // Faces made of strips have no values.
-  for (SoupAttribute& column : columns_) {
-    if (column.item == SoupItem::kVertex) continue;
-    const bool of_faces = column.item == SoupItem::kFace;
-    const std::size_t rows = of_faces ? out_.face_count() : out_.corner_count();
-    if (!column.values.resize(rows * column.stride(), std::byte{})) out_.set_out_of_memory();
+    keep_even_lists(element);
   }
   return check_size(out_);
 }
 
 template <class Source>
 void PlyReader<Source>::choose(const PlyElement& element, SoupItem item,
-                               std::span<const PlyProperty* const> taken, std::size_t rows_before) {
+                               std::span<const PlyProperty* const> taken, bool keeps) {
   targets_.assign(element.properties.size(), {});
-  rows_before_ = rows_before;
-  if (options_.attributes) targets_ = choose_columns(element, item, taken, columns_);
+  if (keeps) {
+    targets_ = choose_columns(element, item, taken, columns_);
+    lists_ = choose_lists(element, item, taken, columns_, targets_);
+  }
   note_unread(element, taken);
   for (SoupAttribute& column : columns_) {
     if (column.item != item) continue;
-    const std::size_t rows = rows_before + static_cast<std::size_t>(element.count);
+    const auto rows = static_cast<std::size_t>(element.count);
     if (!column.values.resize(rows * column.stride(), std::byte{})) out_.set_out_of_memory();
   }
 }
@@ -124,8 +125,9 @@ bool PlyReader<Source>::keep_or_skip(const PlyElement& element, std::size_t prop
   const PlyTarget& target = targets_[property];
   const PlyProperty& what = element.properties[property];
   if (target.column == PlyTarget::kNowhere) return skip(element, what);
+  if (what.length_type) return read_list(element, what, lists_[target.column]);
   SoupAttribute& column = columns_[target.column];
-  const std::size_t row = rows_before_ + static_cast<std::size_t>(row_);
+  const auto row = static_cast<std::size_t>(row_);
   if (source_.read(what.type, &column.values[row * column.stride() + target.offset])) return true;
   return fail(source_.unexpected("a number for " + quoted(what.name) + in_row(element)));
 }
@@ -152,6 +154,12 @@ template <class Source>
 bool PlyReader<Source>::skip(const PlyElement& element, const PlyProperty& property) {
   std::int64_t count = 1;
   if (property.length_type && !read_length(property, count)) return false;
+  return skip_values(element, property, count);
+}
+
+template <class Source>
+bool PlyReader<Source>::skip_values(const PlyElement& element, const PlyProperty& property,
+                                    std::int64_t count) {
   if (source_.skip(property.type, static_cast<std::uint64_t>(count))) return true;
   return fail(source_.unexpected("the value of " + quoted(property.name) + in_row(element)));
 }

@@ -21,7 +21,7 @@ std::uint8_t* bytes_at(T* value) {
 template <class Source>
 bool PlyReader<Source>::read_vertices(const PlyElement& element) {
   const std::array axes = {element.find("x"), element.find("y"), element.find("z")};
-  choose(element, SoupItem::kVertex, axes, 0);
+  choose(element, SoupItem::kVertex, axes, options_.attributes);
   if (std::any_of(axes.begin(), axes.end(),
                   [](const PlyProperty* axis) { return axis->type == PlyType::kFloat64; })) {
     notes_.push_back("read the positions of " + std::to_string(element.count) +

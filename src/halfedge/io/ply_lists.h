@@ -1,0 +1,59 @@
+#pragma once
+
+#include <halfedge/io/ply_reader.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+/// How PlyReader reads lists of numbers beside vertices and faces: those that have the same length
+/// in all rows become attributes with so many components.
+namespace halfedge::io {
+
+/// A column with no components knows no length yet, one with more than an attribute can have is
+/// given up.
+inline constexpr Index kUneven = Attribute::kMaxComponents + 1;
+
+template <class Source>
+bool PlyReader<Source>::read_list(const PlyElement& element, const PlyProperty& property,
+                                  SoupAttribute& column) {
+  std::int64_t length = 0;
+  if (!read_length(property, length)) return false;
+  if (row_ == 0 && length <= Attribute::kMaxComponents) {
+    column.components = static_cast<Index>(length);
+  }
+  if (column.components == kUneven || length != column.components || length == 0) {
+    column.components = kUneven;
+    column.values.reset();
+    return skip_values(element, property, length);
+  }
+  const std::size_t begin = column.values.size();
+  if (!column.values.reserve_more(column.stride())) {
+    out_.set_out_of_memory();
+    return true;
+  }
+  column.values.grow_to(begin + column.stride());
+  for (std::size_t at = begin; at < column.values.size(); at += size_of(property.type)) {
+    if (source_.read(property.type, &column.values[at])) continue;
+    return fail(source_.unexpected("a number for " + quoted(property.name) + in_row(element)));
+  }
+  return true;
+}
+
+/// Without rows there is nothing to keep, and nothing to say.
+template <class Source>
+void PlyReader<Source>::keep_even_lists(const PlyElement& element) {
+  for (SoupAttribute& column : lists_) {
+    if (column.components == kUneven) {
+      notes_.push_back("ignored the list " + quoted(column.name) + " of " + quoted(element.name) +
+                       ": expected 1 to " + std::to_string(Attribute::kMaxComponents) +
+                       " numbers, as many in each row");
+    } else if (column.components > 0) {
+      columns_.push_back(std::move(column));
+    }
+  }
+  lists_.clear();
+}
+
+}  // namespace halfedge::io
