@@ -100,6 +100,12 @@ val strings_of(const std::vector<std::string>& strings) {
   return list;
 }
 
+val names_of(const ParsedFile& file) {
+  val names = val::object();
+  for (const SoupNames& table : file.names) names.set(table.attribute, strings_of(table.names));
+  return names;
+}
+
 /// What the user says the format is: a value of Format, or -1.
 std::optional<Format> claim(int format) {
   return format < 0 ? std::nullopt : std::optional(static_cast<Format>(format));
@@ -147,11 +153,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   val result = success("mesh", val(mesh.release()));
   result.set("format", static_cast<int>(format));
   result.set("notes", strings_of(file.value().notes));
-  val names = val::object();
-  for (const SoupNames& table : file.value().names) {
-    names.set(table.attribute, strings_of(table.names));
-  }
-  result.set("names", names);
+  result.set("names", names_of(file.value()));
   if (repair) add_repair(result, repaired);
   return result;
 }
@@ -177,17 +179,35 @@ std::vector<SoupNames> names_in(std::string_view text) {
   return tables;
 }
 
+/// `item` and `type` are values of SoupItem and Scalar; `values` are counted in bytes.
+val columns_of(std::vector<SoupAttribute>& columns) {
+  val list = val::array();
+  for (SoupAttribute& column : columns) {
+    val item = val::object();
+    item.set("name", column.name);
+    item.set("item", static_cast<int>(column.item));
+    item.set("type", static_cast<int>(column.type));
+    item.set("components", column.components);
+    item.set("values", hand_over(column.values));
+    item.set("rows", hand_over(column.rows));
+    list.call<void>("push", item);
+  }
+  return list;
+}
+
 /// The faces of a file as they stand there, whatever they are. `sizes` has none if all are
 /// triangles.
-val parse_soup(Address address, std::size_t count, int claimed) {
+val parse_soup(Address address, std::size_t count, int claimed, bool welds, bool attributes) {
   Result<ParsedFile> file = parse(array_at<std::uint8_t>(address, count), claim(claimed),
-                                  {.attributes = false, .for_repair = true});
+                                  {.attributes = attributes, .for_repair = true, .weld = welds});
   if (!file) return failure(file.error());
   const RoomForReport room;
   PolygonSoup& soup = file.value().soup;
   val result = success("positions", hand_over(soup.positions));
   result.set("sizes", hand_over(soup.sizes));
   result.set("corners", hand_over(soup.corners));
+  result.set("attributes", columns_of(file.value().attributes));
+  result.set("names", names_of(file.value()));
   result.set("format", static_cast<int>(file.value().format));
   result.set("notes", strings_of(file.value().notes));
   return result;

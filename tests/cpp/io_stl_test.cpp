@@ -68,6 +68,17 @@ TEST(Stl, WeldsTheTrianglesOfBothForms) {
   }
 }
 
+TEST(Stl, KeepsVerticesApartIfAsked) {
+  for (const std::string& text : {kText, binary({kFirst, kSecond})}) {
+    const Parsed file = test::flatten(read_stl(bytes_of(text), {.weld = false}));
+    EXPECT_EQ(file.error, "");
+    std::vector<float> positions(kFirst.begin(), kFirst.end());
+    positions.insert(positions.end(), kSecond.begin(), kSecond.end());
+    EXPECT_EQ(file.positions, positions);
+    EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {3, 4, 5}}));
+  }
+}
+
 TEST(Stl, TellsTheFormsApartByTheContent) {
   for (const std::string& header : {"solid cube"s, "facet normal"s, "ply\nformat"s, "OFF 1 2 3\n"s,
                                     "\0v\0 \0001"s, "\xFF\xFE"s, "v 0 0 0\n"s}) {

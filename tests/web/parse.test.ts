@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { collected } from './support/collection.js';
+import { bytesInUse } from './support/core.js';
 
 beforeAll(() => init());
 
@@ -305,6 +306,63 @@ nan 0 0
     expect(soup.mesh.toBytes()).toEqual(file.mesh.toBytes());
     soup.mesh.dispose();
     file.mesh.dispose();
+  });
+
+  test('gives what the file says beside positions, a row for each item', () => {
+    const { attributes, names, positions } = HalfedgeMesh.parseSoup(
+      'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 1 1 0 1 1 1\nvt 0.5 0.25\nvt 1 0\n' +
+        'f 1 2 3\nusemtl wood\nf 2/2 4/1 3/2\n',
+    );
+    expect(positions).toHaveLength(12);
+    expect(names).toEqual({ material: ['', 'wood'] });
+    expect(attributes).toEqual([
+      {
+        name: 'uv',
+        item: 'corner',
+        type: 'float32',
+        components: 2,
+        values: Float32Array.of(0, 0, 0, 0, 0, 0, 1, 0, 0.5, 0.25, 1, 0),
+      },
+      {
+        name: 'color',
+        item: 'vertex',
+        type: 'float32',
+        components: 3,
+        values: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1),
+      },
+      {
+        name: 'material',
+        item: 'face',
+        type: 'int32',
+        components: 1,
+        values: Int32Array.of(0, 1),
+      },
+    ]);
+    expect(HalfedgeMesh.parseSoup(triangle, { attributes: false }).attributes).toEqual([]);
+  });
+
+  test('leaves the triangles of STL apart if asked', () => {
+    const { mesh } = HalfedgeMesh.parse(cube);
+    const stl = mesh.write('stl', { encoding: 'binary' });
+    mesh.dispose();
+    expect(HalfedgeMesh.parseSoup(stl).positions).toHaveLength(3 * 8);
+    const { positions, faces } = HalfedgeMesh.parseSoup(stl, { weld: false });
+    expect(positions).toHaveLength(9 * 12);
+    expect(faces.corners).toEqual(Uint32Array.from({ length: 36 }, (_, i) => i));
+    const numbers = new DataView(stl.buffer, stl.byteOffset);
+    for (let t = 0; t < 12; t++) {
+      for (let i = 0; i < 9; i++) {
+        expect(positions[9 * t + i]).toBe(numbers.getFloat32(84 + 50 * t + 12 + 4 * i, true));
+      }
+    }
+  });
+
+  test('loses no memory, whatever becomes of it', () => {
+    HalfedgeMesh.parseSoup(cube);
+    const before = bytesInUse();
+    HalfedgeMesh.parseSoup(`${cube}vt 0 0\nf 1/1 2/1 3/1\n`);
+    expect(() => HalfedgeMesh.parseSoup(cube, { weld: 1 as never })).toThrow(TypeError);
+    expect(bytesInUse()).toBe(before);
   });
 
   test('says the size of triangles, too', () => {

@@ -18,6 +18,7 @@ export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directe
 export type { Position, Refusal } from './edit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export type { CollapseOptions, SplitVertexOptions } from './euler.js';
+export type { FileAttribute, FileSoup, FileSoupOptions } from './file-soup.js';
 export type { Generations, Reference } from './generations.js';
 export type { History, HistoryLimits } from './history.js';
 export {
@@ -50,7 +51,6 @@ export type { Orbit } from './orbit.js';
 export type {
   AttributeNames,
   FileFormat,
-  FileSoup,
   ParseOptions,
   ParseReport,
 } from './parse.js';

@@ -6,7 +6,7 @@ import { withInputs } from './memory.js';
 import { unwrap } from './reports.js';
 
 /** The types of the numbers of an attribute; in the order of the enum Scalar in C++. */
-const TYPES = {
+export const TYPES = {
   float32: Float32Array,
   float64: Float64Array,
   int8: Int8Array,
@@ -18,7 +18,7 @@ const TYPES = {
 };
 /** In the order of the enum OnSplit in C++. */
 const POLICIES = ['interpolate', 'normalize', 'copy', 'default'] as const;
-const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
+export const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
 
 /** The type of the numbers of an attribute. */
 export type AttributeType = keyof typeof TYPES;

@@ -35,6 +35,19 @@ export interface RawWords {
   count: number;
 }
 
+/** A column beside the polygons of a file. */
+export interface RawColumn {
+  name: string;
+  /** Values of the enums SoupItem and Scalar. */
+  item: number;
+  type: number;
+  components: number;
+  /** Counted in bytes. */
+  values: RawWords;
+  /** By item its row; empty where row i is that of item i. */
+  rows: RawWords;
+}
+
 export interface RawRows {
   offsets: RawWords;
   items: RawWords;
@@ -136,11 +149,15 @@ export interface RawCore {
     bytes: number,
     count: number,
     claimed: number,
+    welds: boolean,
+    attributes: boolean,
   ):
     | {
         positions: RawWords;
         sizes: RawWords;
         corners: RawWords;
+        attributes: RawColumn[];
+        names: Record<string, string[]>;
         format: number;
         notes: string[];
       }

@@ -13,19 +13,13 @@ import {
   triangleLinks,
 } from './build.js';
 import type { Problem } from './errors.js';
+import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import type { Halfedge } from './items.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
-import {
-  type FileFormat,
-  type FileSoup,
-  type ParseOptions,
-  type ParseReport,
-  parseFile,
-  parseSoup,
-} from './parse.js';
+import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
 import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
 import { unwrap } from './reports.js';
 import { makeMeshesWith, Shapes } from './shapes.js';
@@ -180,11 +174,14 @@ export class HalfedgeMesh extends Shapes {
    * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: 1e-6 });
    * ```
    *
+   * Who only reads files, to draw them for example, needs no more: `attributes` has what else the file
+   * says of vertices, corners and faces, and `weld: false` leaves the triangles of STL apart.
+   *
    * @throws HalfedgeError as {@link parse}, where the file itself can't be read
    */
   static parseSoup(
     data: string | ArrayBuffer | Uint8Array,
-    options: Pick<ParseOptions, 'format'> = {},
+    options: FileSoupOptions = {},
   ): FileSoup {
     return parseSoup(data, options);
   }

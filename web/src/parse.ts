@@ -1,5 +1,5 @@
-import { bytesOf, checkOptions, newArray } from './arguments.js';
-import { type Polygons, type StorageOptions, storesPrev } from './build.js';
+import { bytesOf } from './arguments.js';
+import { type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
 import { Links } from './links.js';
@@ -8,13 +8,12 @@ import { withInputs } from './memory.js';
 import { follow, type ProgressOptions } from './progress.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
 import { fileReport, sentence, unwrap } from './reports.js';
-import { take } from './rings.js';
 
 /** The file formats that can be read and written. */
 export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
 
 /** In the order of the enum Format in C++. */
-const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
+export const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
 
 /** How to read a file. */
 export interface ParseOptions extends StorageOptions, ProgressOptions {
@@ -75,39 +74,6 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   });
 }
 
-/** What a file holds before a mesh is made of it: its faces as they stand there, good or bad. */
-export interface FileSoup {
-  /** xyz of each vertex. */
-  readonly positions: Float32Array;
-  /** Corners may be vertices that do not exist, and faces may have any number of them. */
-  readonly faces: Polygons & { readonly sizes: Uint32Array; readonly corners: Uint32Array };
-  /** The format of the content. */
-  readonly format: FileFormat;
-  /** What was ignored, a sentence each. */
-  readonly notes: readonly string[];
-}
-
-/** The polygons of a file. */
-export function parseSoup(data: unknown, options: unknown): FileSoup {
-  const { format } = checkOptions(options) as Pick<ParseOptions, 'format'>;
-  const claimed = claimOf(format);
-  const bytes = contentOf(data);
-  const wasm = core();
-  const raw = withInputs(wasm, (inputs) => {
-    const { address, count } = inputs.bytes('data', bytes);
-    return wasm.parseSoup(address, count, claimed);
-  });
-  const { notes, ...file } = unwrap(raw);
-  const [positions, sizes, corners] = take(wasm, file.positions, file.sizes, file.corners);
-  const all = sizes.length > 0 ? sizes : newArray('sizes', Uint32Array, corners.length / 3).fill(3);
-  return {
-    positions: new Float32Array(positions.buffer),
-    faces: { sizes: all, corners },
-    format: FORMATS[file.format],
-    notes: notes.map(sentence),
-  };
-}
-
 export function checkParseOptions(options: ParseOptions) {
   const { format, repair = true, attributes = true } = options;
   checkFlag('options.repair', repair);
@@ -116,7 +82,7 @@ export function checkParseOptions(options: ParseOptions) {
 }
 
 /** What the core is told of the format. */
-function claimOf(format: unknown): number {
+export function claimOf(format: unknown): number {
   return format === undefined ? -1 : formatIndex('options.format', format);
 }
 
@@ -125,7 +91,8 @@ export function formatIndex(argument: string, format: unknown): number {
   return indexOfChoice(argument, format, FORMATS);
 }
 
-function contentOf(data: unknown): Uint8Array {
+/** The bytes of a file, which may be given as text. */
+export function contentOf(data: unknown): Uint8Array {
   if (typeof data === 'string') return new TextEncoder().encode(data);
   const bytes = bytesOf('data', data);
   if (bytes !== undefined) return bytes;

@@ -22,7 +22,7 @@ enum class Format : std::uint8_t { kObj, kOff, kPly, kStl };
 
 /// What a file holds: faces over shared vertices as written, not yet a mesh. Vertex i and face j
 /// are the i-th vertex and the j-th face of the file; of an STL file, which repeats its vertices,
-/// vertex i is the i-th position that differs from those before.
+/// vertex i is the i-th position that differs from those before, if they are welded.
 struct ParsedFile {
   Format format = Format::kObj;
   PolygonSoup soup;
@@ -47,6 +47,9 @@ struct ParseOptions {
   /// are let through, for `build_from_soup` to leave them out and say so. Otherwise they are an
   /// error here, which names the place.
   bool for_repair = false;
+  /// Whether vertices of STL with the same position are one. If not, corner k of triangle i is
+  /// vertex 3 i + k, as the file has it.
+  bool weld = true;
   /// Is told about every MiB how much has been read, and may cancel that (code cancelled).
   Progress progress = {};
 };
@@ -87,15 +90,17 @@ struct ParseOptions {
 
 /// Reads a PLY file, in text or in either binary form: elements and properties in any order, x, y
 /// and z of `vertex` and the list vertex_indices (or vertex_index) of `face` of any types, and
-/// `tristrips`. All other properties of vertices and faces that are numbers become attributes, and
-/// so does the list `texcoord` of faces; other lists and elements are ignored, and named in a note.
+/// `tristrips`. All other properties of vertices and faces become attributes, lists if they have
+/// the same length in all rows, and the list `texcoord` of faces one of corners; other lists and
+/// elements are ignored, and named in a note.
 [[nodiscard]] Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 
 /// Reads an STL file, in text or binary form. Positions are welded where all bits are equal, but
-/// for the sign of zero; what is no number has no place in that, and is an error that names the
-/// triangle. The two bytes behind a triangle of the binary form become the attribute `attribute` of
-/// faces, if any of them isn't 0; normals are ignored, as the corners tell them.
+/// for the sign of zero, unless the options say otherwise; what is no number has no place in that,
+/// and is an error that names the triangle. The two bytes behind a triangle of the binary form
+/// become the attribute `attribute` of faces, if any of them isn't 0; normals are ignored, as the
+/// corners tell them.
 [[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

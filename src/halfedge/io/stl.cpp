@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -35,30 +36,39 @@ bool is_word(std::string_view text, std::string_view word) {
   return true;
 }
 
-/// Triangles over welded vertices.
+/// Triangles over vertices that are welded, or over three of their own each.
 class TriangleWriter {
  public:
   TriangleWriter(std::span<const std::uint8_t> bytes, const Request& request)
-      : out_(request.wanted) {
+      : out_(request.wanted), welds_(request.options.weld) {
     out_.follow(bytes, request.options.progress);
   }
 
   [[nodiscard]] SoupWriter& out() { return out_; }
-  /// Room for the triangles, and for half as many vertices, as they share in a mesh.
+  /// Room for the triangles, and for half as many vertices where they are shared, as in a mesh.
   void reserve(std::size_t triangles) {
-    out_.reserve(triangles / 2, 3 * triangles);
-    if (!table_.reserve(triangles / 2)) out_.set_out_of_memory();
+    out_.reserve(welds_ ? triangles / 2 : 3 * triangles, 3 * triangles);
+    if (welds_ && !table_.reserve(triangles / 2)) out_.set_out_of_memory();
   }
   void add(std::span<const float> triangles) {
+    const std::size_t vertices = triangles.size() / 3;
     Index* const corners = out_.add_triangles(triangles.size() / 9);
     if (corners == nullptr) return;
-    if (!table_.weld(triangles.data(), triangles.size() / 3, out_.soup().positions, corners)) {
-      out_.set_out_of_memory();
+    if (welds_) {
+      if (!table_.weld(triangles.data(), vertices, out_.soup().positions, corners)) {
+        out_.set_out_of_memory();
+      }
+    } else {
+      std::iota(corners, corners + vertices, static_cast<Index>(out_.vertex_count()));
+      if (float* const to = out_.add_vertices(vertices)) {
+        std::copy(triangles.begin(), triangles.end(), to);
+      }
     }
   }
 
  private:
   SoupWriter out_;
+  bool welds_;
   PositionTable table_;
 };
 

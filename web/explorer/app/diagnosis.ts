@@ -115,7 +115,7 @@ export function diagnose(
   report: ParseReport,
 ): Diagnosis | null {
   if (report.problems.length === 0) return null;
-  const soup = HalfedgeMesh.parseSoup(content, format ? { format } : {});
+  const soup = HalfedgeMesh.parseSoup(content, { attributes: false, ...(format && { format }) });
   const findings = findingsOf(report);
   return {
     findings,
