@@ -1,6 +1,7 @@
 // `npm run fuzz`: names the fuzz targets. `npm run fuzz -- soup --minutes 10` runs one of them (or
 // several, or `all`) for so long each; what it has learnt stays in build/fuzz. `npm run fuzz -- soup
-// <file>` tries one input, and `npm run fuzz -- soup --minimize <file>` makes it smaller.
+// <file>` tries one input, and `npm run fuzz -- soup --minimize <file>` makes it smaller. The target
+// gltf is a test of the package, tests/web/gltf-fuzz.test.ts, and is run with other seeds each time.
 
 import { existsSync, mkdirSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
@@ -12,9 +13,10 @@ import { asProgram, Failure, root, run } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
 const folder = join(root, 'tests/fuzz');
-const targets = filesBelow(folder)
+const native = filesBelow(folder)
   .filter((path) => path.endsWith('.cpp') && resolve(path, '..') === folder)
   .map((path) => basename(path, '.cpp'));
+const targets = [...native, 'gltf'];
 
 /** What is checked step by step gets short inputs, or it is slow. */
 const longest = { mend: 512, operations: 400, soup: 1024 };
@@ -45,6 +47,18 @@ async function fuzz(target, seconds) {
   ]);
 }
 
+/** Files that are nearly glTF, through Jest: with what dist/ holds. */
+async function fuzzGltf(seconds) {
+  const seed = String(Date.now() % 1e6);
+  console.log(`\ngltf: ${seconds} s from seed ${seed} on`);
+  const jest = ['node_modules/jest/bin/jest.js', 'tests/web/gltf-fuzz.test.ts'];
+  await run(
+    process.execPath,
+    ['--experimental-vm-modules', '--no-warnings', ...jest, '--selectProjects', 'web'],
+    { env: { HALFEDGE_FUZZ_SECONDS: String(seconds), HALFEDGE_FUZZ_SEED: seed } },
+  );
+}
+
 await asProgram(async () => {
   const { values, positionals } = parseArgs({
     args: argv.slice(2),
@@ -67,8 +81,13 @@ await asProgram(async () => {
   if (names.length === 0) throw new Failure(`Name a target: ${targets.join(', ')}.`);
 
   await setup(['build', 'tests']);
-  await buildTargets(names);
+  const toBuild = names.filter((name) => native.includes(name));
+  if (toBuild.length > 0) await buildTargets(toBuild);
   for (const name of names) {
+    if (name === 'gltf') {
+      await fuzzGltf(seconds);
+      continue;
+    }
     if (values.minimize) {
       const smaller = `${values.minimize}.smaller`;
       const options = ['-minimize_crash=1', `-exact_artifact_path=${smaller}`];

@@ -128,6 +128,10 @@ const COMPONENTS: Record<string, number> = {
   ...{ SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 },
 };
 
+/** Bytes of the numbers of a row. */
+export const rowSize = ({ componentType, type }: GltfAccessor): number =>
+  SIZES[componentType] * COMPONENTS[type];
+
 function checkAccessors(accessors: Dictionary[], views: Dictionary[]): void {
   for (const [i, accessor] of accessors.entries()) {
     const what = `accessors[${i}]`;

@@ -8,11 +8,12 @@ import { HalfedgeMesh } from '../mesh.js';
 import { type RepairReport, type SoupOptions, soupOptions } from '../repair.js';
 import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
-import { makeGlb, openGltf } from './container.js';
+import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
 import { checkDocument } from './document.js';
 import { join, type Triangles, trianglesOf } from './geometry.js';
 import { type GltfDecoders, prepare } from './prepare.js';
+import { packSparse } from './sparse.js';
 import { loadLoader, loadThree } from './three.js';
 
 /** How to read a glTF file. */
@@ -80,9 +81,11 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
   const base = isUrl ? { baseUrl: data as URL } : {};
   const joined = await joinBuffers(document, file, { ...base, ...options });
-  const { scene, parser } = await loadScene(makeGlb(joined.document, joined.binary), options);
+  const packed = packSparse(joined.document, joined.binary);
+  const { scene, parser } = await loadScene(makeGlb(packed.document, packed.binary), options);
   const { Matrix4 } = await loadThree();
   const parts: Loaded['parts'] = [];
+  let corners = 0;
   scene.updateMatrixWorld(true);
   scene.traverse((object) => {
     if (!('isMesh' in object)) return;
@@ -90,6 +93,9 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
     const which = parser.associations.get(object)?.meshes ?? -1;
     const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path
     const instances = 'isInstancedMesh' in object ? (object as InstancedMesh) : undefined;
+    const { index, attributes } = mesh.geometry;
+    corners += (instances?.count ?? 1) * Math.max(index?.count ?? 0, attributes.position.count);
+    checkCorners(corners);
     for (let i = 0; i < (instances?.count ?? 1); i++) {
       const matrix = new Matrix4();
       instances?.getMatrixAt(i, matrix);
@@ -98,6 +104,18 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   });
   return { format: file.format, parts, notes };
 }
+
+/** A few bytes of a file can place a mesh once more, which takes as much memory as the mesh. */
+function checkCorners(count: number): void {
+  if (count <= MOST_CORNERS) return;
+  throw fileError(
+    'too-large',
+    `glTF: the scene has ${count} corners or more, those of a mesh as often as nodes place it, expected at most ${MOST_CORNERS}.`,
+  );
+}
+
+/** With 64 bytes for each, which is little, all memory of WebAssembly is used up. */
+const MOST_CORNERS = 2 ** 26;
 
 /** Before anything is fetched; `HalfedgeMesh.fromSoup` checks them once more. */
 function checkReadOptions(options: ReadGltfOptions): void {
