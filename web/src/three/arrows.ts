@@ -106,7 +106,7 @@ export class ArrowTracer {
       const x = corners[b] - corners[a];
       const y = corners[b + 1] - corners[a + 1];
       const z = corners[b + 2] - corners[a + 2];
-      const length = Math.hypot(x, y, z);
+      const length = Math.sqrt(x * x + y * y + z * z); // many times faster than Math.hypot
       const scale = length > 0 ? 1 / length : 0;
       this.#lengths[i] = length;
       t[a] = x * scale;
@@ -169,26 +169,20 @@ export class ArrowTracer {
         startCot > 0 ? (end - barb - start + trim) / startCot : Number.POSITIVE_INFINITY,
       ),
     );
-    this.#point(corners, edge, start, d, out, offset);
-    this.#point(corners, edge, end, d, out, offset + 3);
-    this.#point(corners, edge, end - barb, d + width, out, offset + 6);
-  }
-
-  /** The point at `along` on the edge, `height` to its left in the plane of the face. */
-  #point(
-    corners: ArrayLike<number>,
-    edge: number,
-    along: number,
-    height: number,
-    out: Float32Array,
-    offset: number,
-  ): void {
     const a = 3 * edge;
     const t = this.#tangents;
     const n = this.#normal;
-    out[offset] = corners[a] + along * t[a] + height * (n[1] * t[a + 2] - n[2] * t[a + 1]);
-    out[offset + 1] = corners[a + 1] + along * t[a + 1] + height * (n[2] * t[a] - n[0] * t[a + 2]);
-    out[offset + 2] = corners[a + 2] + along * t[a + 2] + height * (n[0] * t[a + 1] - n[1] * t[a]);
+    for (let k = 0; k < 3; k++) {
+      const along = t[a + k];
+      const u = (k + 1) % 3;
+      const w = (k + 2) % 3;
+      // Inwards: to the left of the edge, in the plane of the face.
+      const inward = n[u] * t[a + w] - n[w] * t[a + u];
+      const foot = corners[a + k] + d * inward;
+      out[offset + k] = foot + start * along;
+      out[offset + 3 + k] = foot + end * along;
+      out[offset + 6 + k] = foot + (end - barb) * along + width * inward;
+    }
   }
 }
 

@@ -17,7 +17,7 @@ export function newellNormal(
     y += (corners[a + 2] - corners[b + 2]) * (corners[a] + corners[b]);
     z += (corners[a] - corners[b]) * (corners[a + 1] + corners[b + 1]);
   }
-  const length = Math.hypot(x, y, z);
+  const length = Math.sqrt(x * x + y * y + z * z);
   const scale = length > 0 ? 1 / length : 0;
   out[0] = x * scale;
   out[1] = y * scale;
