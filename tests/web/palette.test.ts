@@ -1,17 +1,7 @@
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { DARK, LIGHT } from 'halfedge/scene';
 import { contrast, difference, lightOf, seenBy, VISIONS } from './support/colours.js';
 
-const sheet = readFileSync(join(process.cwd(), 'web/explorer/styles/tokens.css'), 'utf8');
-
-/** The colours of a theme, as the style sheet of the explorer has them. */
-function theme(selector: string): Record<string, string> {
-  const [, rules] = sheet.split(`${selector} {`);
-  const colours = rules.slice(0, rules.indexOf('}')).matchAll(/--([\w-]+): (#[0-9a-f]{6});/g);
-  return Object.fromEntries([...colours].map(([, name, value]) => [name, value]));
-}
-
-const themes = { light: theme(':root'), dark: theme(':root[data-theme="dark"]') };
+const themes: Record<string, Readonly<Record<string, string>>> = { light: LIGHT, dark: DARK };
 const ROLES = ['self', 'next', 'opposite', 'vertex', 'boundary'] as const;
 
 test('The difference of colours is the one of the published test data', () => {
