@@ -2,7 +2,7 @@ import { cpSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { root } from '../../scripts/lib/run.mjs';
-import { disconnect, withPage } from './support/browser.js';
+import { disconnect, screenshots, withPage } from './support/browser.js';
 import { page } from './support/programs.js';
 import { node, packed, project, tryNode } from './support/project.js';
 import { serve } from './support/server.js';
@@ -117,24 +117,45 @@ describe('page.html', () => {
 
   test('walks the one-ring of a vertex of choice, of a file of choice', async () => {
     await withExample(async ({ page: tab, complaints }) => {
-      await tab.waitForSelector(saying('4 vertices, 2 faces. Around vertex 0: 1, 2, 3'));
+      await tab.waitForSelector(
+        saying('162 vertices, 320 faces. Around vertex 0: 43, 42, 44, 45, 46'),
+      );
       await tab.fill('#vertex', '1');
-      await tab.waitForSelector(saying('Around vertex 1: 2, 0'));
+      await tab.waitForSelector(saying('Around vertex 1: 51, 49, 47, 48, 50'));
       await tab.setInputFiles('#file', join(folder, 'pyramid.obj'));
       await tab.waitForSelector(saying('5 vertices, 4 faces. Around vertex 1: 2, 0, 4'));
       expect(complaints).toEqual([]);
     });
   });
 
+  test('draws what lies around the vertex: a click walks there, or edits an edge', async () => {
+    await withExample(async ({ page: tab, complaints }) => {
+      await tab.waitForSelector(saying('Around vertex 0:'));
+      expect(await tab.locator('#picture .ring').count()).toBe(5);
+      expect(await tab.locator('#picture circle').count()).toBe(16);
+      await tab.locator('#picture [data-vertex="44"] circle').click();
+      await tab.waitForSelector(saying('Around vertex 44:'));
+      expect(await tab.inputValue('#vertex')).toBe('44');
+      expect(await tab.isDisabled('#undo')).toBe(true);
+      await tab.selectOption('#operation', 'split');
+      await tab.locator('#picture .spoke + .wide').first().click();
+      await tab.waitForSelector(saying('163 vertices, 322 faces.'));
+      await tab.click('#undo');
+      await tab.waitForSelector(saying('162 vertices, 320 faces.'));
+      await screenshots(tab, 'example-page');
+      expect(complaints).toEqual([]);
+    });
+  });
+
   test('says what is wrong with a vertex or a file, and goes on', async () => {
     await withExample(async ({ page: tab, complaints }) => {
-      await tab.fill('#vertex', '9');
-      await tab.waitForSelector(saying('v is 9; expected a vertex from 0 to 3.'));
+      await tab.fill('#vertex', '200');
+      await tab.waitForSelector(saying('v is 200; expected a vertex from 0 to 161.'));
       await tab.fill('#vertex', '1');
       await tab.setInputFiles('#file', join(folder, 'broken.off'));
       await tab.waitForSelector(saying('Line 5'));
       await tab.fill('#vertex', '0');
-      await tab.waitForSelector(saying('Around vertex 0: 1, 2, 3'));
+      await tab.waitForSelector(saying('Around vertex 0: 43'));
       expect(complaints).toEqual([]);
     });
   });

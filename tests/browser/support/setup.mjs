@@ -1,9 +1,9 @@
 // Before the suite: builds the explorer, serves it and starts Chromium, once for all test files.
 
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
 import { build, preview } from 'vite';
-import { root as repository, which } from '../../../scripts/lib/run.mjs';
+import { root as repository } from '../../../scripts/lib/run.mjs';
+import { launchChromium } from '../../support/chromium.mjs';
 
 let server;
 let browser;
@@ -29,14 +29,4 @@ export default async function setup() {
 export async function cleanUp() {
   await browser?.close();
   await server?.close();
-}
-
-function launchChromium() {
-  const executablePath = which('chromium') ?? which('chromium-browser');
-  if (!executablePath) throw new Error('There is no Chromium on PATH: `npm run setup tests`.');
-  const quiet = ['background-networking', 'component-update', 'sync', 'quic'];
-  const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
-  // WebGL in software: it runs where there is no graphics card.
-  args.push('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
-  return chromium.launchServer({ executablePath, args });
 }

@@ -1,5 +1,8 @@
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { type Browser, chromium, type Page } from 'playwright-core';
+import { root } from '../../../scripts/lib/run.mjs';
 import { packed } from './project.js';
 
 let connection: Promise<Browser> | undefined;
@@ -50,6 +53,24 @@ export async function withPage<T>(
     return await use({ page, complaints, lines, requests });
   } finally {
     await context.close();
+  }
+}
+
+/** Keeps pictures of a page among the artefacts: on a desktop and a telephone, light and dark. */
+export async function screenshots(page: Page, name: string): Promise<void> {
+  const folder = join(root, 'build/screenshots');
+  mkdirSync(folder, { recursive: true });
+  const sizes = [
+    [1280, 800],
+    [390, 844],
+  ];
+  for (const [width, height] of sizes) {
+    await page.setViewportSize({ width, height });
+    for (const colorScheme of ['light', 'dark'] as const) {
+      await page.emulateMedia({ colorScheme });
+      await pause(300); // what follows the size or the scheme draws again
+      await page.screenshot({ path: join(folder, `${name}-${width}-${colorScheme}.png`) });
+    }
   }
 }
 

@@ -10,6 +10,7 @@ export const STRICT_POLICY = "script-src 'self' 'wasm-unsafe-eval'";
 
 const types: Record<string, string> = {
   '.html': 'text/html; charset=utf-8',
+  '.css': 'text/css',
   '.js': 'text/javascript',
   '.mjs': 'text/javascript',
   '.json': 'application/json',

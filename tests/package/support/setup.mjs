@@ -5,8 +5,8 @@
 import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { chromium } from 'playwright-core';
-import { capture, which } from '../../../scripts/lib/run.mjs';
+import { capture } from '../../../scripts/lib/run.mjs';
+import { launchChromium } from '../../support/chromium.mjs';
 
 let folder;
 let browser;
@@ -56,12 +56,4 @@ async function npm(args) {
   const { ok, output } = await capture('npm', [...args, ...cache], { env });
   if (!ok) throw new Error(`npm ${args.join(' ')} failed:\n${output}`);
   return output;
-}
-
-function launchChromium() {
-  const executablePath = which('chromium') ?? which('chromium-browser');
-  if (!executablePath) throw new Error('There is no Chromium on PATH: `npm run setup tests`.');
-  const quiet = ['background-networking', 'component-update', 'sync', 'quic'];
-  const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
-  return chromium.launchServer({ executablePath, args });
 }
