@@ -16,6 +16,7 @@ import {
   type WalkKey,
 } from 'halfedge/teaching';
 import { samples } from '../samples/index.js';
+import { type LabelChoice, NO_LABELS } from './captions.js';
 import {
   failureOf,
   fileOfText,
@@ -77,6 +78,10 @@ export class Explorer {
   readonly showsFile = new Signal(false);
   /** The problem of the file that is lit. */
   readonly problem = new Signal<Problem | null>(null);
+  /** Which items have their names beside them. */
+  readonly labels = new Signal<LabelChoice>(NO_LABELS);
+  /** Whether the links (1)–(7) of the selected item are drawn as arrows. */
+  readonly pointers = new Signal(false);
   /** A remark on the last key or entry that led nowhere; read out by screen readers. */
   readonly remark = new Signal('');
   readonly editor: Editor;

@@ -11,6 +11,7 @@ import {
 } from 'halfedge/teaching';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
+import { labelsText, parseLabels } from './captions.js';
 import type { Explorer } from './explorer.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
@@ -56,11 +57,14 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
     if (play.position > 0) link.set('at', String(play.position));
   }
   if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
+  const { value: labels } = explorer.labels;
+  if (labels.scope !== 'off') link.set('labels', labelsText(labels));
+  if (explorer.pointers.value) link.set('pointers', 'on');
   if (explorer.showsFile.value) link.set('picture', 'original');
   const viewpoint = sight.viewpoint();
   if (viewpoint) link.set('camera', viewpoint.map((x) => Number(x.toPrecision(5))).join(','));
   // These read better as they are, and are allowed there.
-  const text = link.toString().replaceAll('%2C', ',').replaceAll('+', '%20');
+  const text = link.toString().replaceAll('%2C', ',').replaceAll('%3A', ':').replaceAll('+', '%20');
   if (text.length > MOST_LETTERS) {
     throw new Error(
       `${opened.name} is too large for a link: it would be ${kilobytes(text.length)} long, ${kilobytes(MOST_LETTERS)} are sure to arrive. Download the mesh and send the file.`,
@@ -82,6 +86,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   const selected = link.get('select');
   if (selected !== null) explorer.select(selected === 'nothing' ? null : itemOf(selected));
   setQuery(link, explorer);
+  setCaptions(link, explorer);
   if (link.get('picture') === 'original') explorer.showFile(true);
   const camera = link.get('camera');
   if (camera !== null) sight.lookFrom(viewpointOf(camera));
@@ -158,6 +163,16 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
   explorer.choose({ group, circulator });
   const at = Number(link.get('at') ?? 0);
   if (Number.isInteger(at) && at > 0) explorer.seek(at);
+}
+
+function setCaptions(link: URLSearchParams, explorer: Explorer): void {
+  const text = link.get('labels');
+  const labels = text === null ? null : parseLabels(text);
+  if (text !== null && !labels) {
+    throw new Error(`The labels in it are “${text}”; expected such as all:vehf or selection:vf.`);
+  }
+  if (labels) explorer.labels.value = labels;
+  explorer.pointers.value = link.get('pointers') === 'on';
 }
 
 function itemOf(name: string): Item {

@@ -27,6 +27,8 @@ interface Tag extends Frame {
   readonly fontSize: number;
   readonly fontWeight: string;
   readonly fontFamily: string;
+  /** The colour around the letters of a label without a background. */
+  readonly halo: string | null;
   readonly opacity: number;
 }
 
@@ -103,13 +105,14 @@ class Pen {
   lines({ geometry, material }: LineSegments2): string {
     const { instanceStart, instanceEnd, instanceColorStart: colors } = geometry.attributes;
     const hidden = material.depthFunc === GreaterDepth;
+    const isOnTop = !material.depthTest;
     const paths = new Map<string, string[]>();
     for (let i = 0; i < geometry.instanceCount; i++) {
       const from = this.#from.fromBufferAttribute(instanceStart, i);
       const to = this.#to.fromBufferAttribute(instanceEnd, i);
       const middle = this.#middle.lerpVectors(from, to, 0.5);
       const segment = this.#segment(from, to);
-      if (!segment || this.#hides(middle) !== hidden) continue;
+      if (!segment || (!isOnTop && this.#hides(middle) !== hidden)) continue;
       if (material.vertexColors) {
         this.#color.setRGB(colors.getX(i), colors.getY(i), colors.getZ(i));
       } else {
@@ -163,6 +166,9 @@ class Pen {
   }
 }
 
+/** The width of the halo, which lies half under the letters; as in label-styles.ts. */
+const HALO_PX = 4;
+
 const short = (x: number) => Number(x.toFixed(1));
 
 /** The labels that are in sight, the most important first. */
@@ -185,6 +191,7 @@ function tagsIn(host: HTMLElement, frame: Frame): Tag[] {
       fontSize: Number.parseFloat(style.fontSize),
       fontWeight: style.fontWeight,
       fontFamily: style.fontFamily.replaceAll('"', "'"),
+      halo: tag.classList.contains('index') ? style.webkitTextStrokeColor : null,
       opacity: Number(style.opacity),
     };
   });
@@ -197,7 +204,7 @@ function paint(context: CanvasRenderingContext2D, tag: Tag): void {
   const inset = borderWidth / 2;
   context.roundRect(x + inset, y + inset, width - borderWidth, height - borderWidth, height / 2);
   context.fillStyle = tag.background;
-  context.fill();
+  if (tag.halo === null) context.fill();
   if (borderWidth > 0) {
     context.lineWidth = borderWidth;
     context.strokeStyle = tag.border;
@@ -207,16 +214,27 @@ function paint(context: CanvasRenderingContext2D, tag: Tag): void {
   context.font = `${tag.fontWeight} ${tag.fontSize}px ${tag.fontFamily}`;
   context.textAlign = 'center';
   context.textBaseline = 'middle';
+  if (tag.halo !== null) {
+    context.strokeStyle = tag.halo;
+    context.lineWidth = HALO_PX;
+    context.lineJoin = 'round';
+    context.strokeText(tag.text, x + width / 2, y + height / 2 + 0.5);
+  }
   context.fillText(tag.text, x + width / 2, y + height / 2 + 0.5);
   context.globalAlpha = 1;
 }
 
 function textOf(tag: Tag): string {
   const { x, y, width, height, borderWidth } = tag;
-  const box = `x="${short(x + borderWidth / 2)}" y="${short(y + borderWidth / 2)}" width="${short(width - borderWidth)}" height="${short(height - borderWidth)}" rx="${short(height / 2)}"`;
-  const stroke = borderWidth > 0 ? ` stroke="${tag.border}" stroke-width="${borderWidth}"` : '';
+  const text = tag.text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const font = `font-family="${tag.fontFamily}" font-size="${tag.fontSize}" font-weight="${tag.fontWeight}"`;
   const middle = y + height / 2 + 0.35 * tag.fontSize;
-  const text = tag.text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
-  return `<g opacity="${tag.opacity}"><rect ${box} fill="${tag.background}"${stroke}/><text x="${short(x + width / 2)}" y="${short(middle)}" text-anchor="middle" fill="${tag.color}" ${font}>${text}</text></g>`;
+  const place = `x="${short(x + width / 2)}" y="${short(middle)}" text-anchor="middle" fill="${tag.color}"`;
+  if (tag.halo !== null) {
+    const halo = `stroke="${tag.halo}" stroke-width="${HALO_PX}" stroke-linejoin="round" paint-order="stroke"`;
+    return `<text ${place} ${halo} ${font}>${text}</text>`;
+  }
+  const box = `x="${short(x + borderWidth / 2)}" y="${short(y + borderWidth / 2)}" width="${short(width - borderWidth)}" height="${short(height - borderWidth)}" rx="${short(height / 2)}"`;
+  const stroke = borderWidth > 0 ? ` stroke="${tag.border}" stroke-width="${borderWidth}"` : '';
+  return `<g opacity="${tag.opacity}"><rect ${box} fill="${tag.background}"${stroke}/><text ${place} ${font}>${text}</text></g>`;
 }

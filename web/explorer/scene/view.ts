@@ -1,6 +1,7 @@
 import type { Problem } from 'halfedge';
 import {
   type Anchors,
+  type Captions,
   FILE_LAYER,
   type Label,
   MESH_LAYER,
@@ -41,6 +42,7 @@ export class View {
     this.stage = new Stage(new OwnScreen(canvas));
     this.#picture = new MeshPicture(this.stage, labels, {
       overlay: (anchors) => this.#overlay(anchors),
+      captions: () => this.#captions(),
       near: () => [explorer.selected.value, explorer.hovered.value].filter((item) => item !== null),
       beforeFrame: () => {
         if (explorer.showsFile.value) this.#soup.update();
@@ -62,7 +64,8 @@ export class View {
       if (play && selected && before > 0) this.travel.follow(play.player, selected, begins);
     });
     const { refused, pending } = explorer.editor;
-    for (const signal of [explorer.selected, explorer.hovered, explorer.play, refused, pending]) {
+    const marking = [explorer.selected, explorer.hovered, explorer.play, refused, pending];
+    for (const signal of [...marking, explorer.labels, explorer.pointers]) {
       signal.subscribe(() => this.#picture.mark());
     }
     explorer.showsFile.subscribe((shows) => {
@@ -162,11 +165,26 @@ export class View {
         visits: play.value?.player.visits ?? [],
         witness: editor.refused.value?.witness ?? null,
         first: editor.pending.value?.first ?? null,
+        numbers: !this.#explorer.pointers.value,
       },
       this.#palette,
       anchors,
     );
     return { marks, labels: [...this.#problemLabels(), ...(showsFile.value ? [] : labels)] };
+  }
+
+  /** The links as arrows, unless something else has the picture to itself; the names of items. */
+  #captions(): Captions {
+    const { selected, hovered, play, pointers, labels, showsFile, editor } = this.#explorer;
+    const isBusy = (play.value?.position ?? 0) > 0 || editor.refused.value || editor.pending.value;
+    const isShown = pointers.value && !isBusy && !showsFile.value;
+    const { scope, kinds } = labels.value;
+    const item = { off: null, selection: selected.value, pointer: hovered.value, all: null }[scope];
+    return {
+      pointers: isShown ? selected.value : null,
+      kinds: scope === 'off' || showsFile.value ? [] : kinds,
+      around: scope === 'all' ? 'all' : item ? [item] : [],
+    };
   }
 
   /** Lights a problem of the file, or none. */

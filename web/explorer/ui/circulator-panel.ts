@@ -10,18 +10,23 @@ const LIST_CAP = 60;
 export function circulatorPanel(explorer: Explorer): HTMLElement {
   const kinds = h('div', { class: 'kinds' });
   const body = h('div', { class: 'circulator' });
+  const nothing = h('p', { class: 'empty' }, 'Pick an item to walk around it.');
   const section = h(
     'section',
     { 'aria-labelledby': 'circulator-title' },
     h('h2', { id: 'circulator-title', class: 'visually-hidden' }, 'Circulator'),
+    nothing,
     body,
   );
   section.classList.add('circulator');
   const direction = directionControl(explorer);
-  body.append(kinds, codeListing(explorer), ...player(explorer, direction));
+  const { controls, visited } = player(explorer, direction);
+  // What grows comes last, so that nothing else moves.
+  body.append(kinds, ...controls, codeListing(explorer), visited);
   const show = () => {
     const choice = explorer.choice.value;
-    section.hidden = choice === null;
+    body.hidden = choice === null;
+    nothing.hidden = choice !== null;
     if (!choice) return;
     const focused = (document.activeElement as HTMLInputElement | null)?.value;
     const inKinds = kinds.contains(document.activeElement);
@@ -92,7 +97,7 @@ function directionControl(explorer: Explorer): HTMLElement {
   );
 }
 
-function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
+function player(explorer: Explorer, direction: HTMLElement) {
   const button = (name: IconName, label: string, key: string, act: () => void) =>
     h(
       'button',
@@ -139,9 +144,9 @@ function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
     hop.classList.toggle('idle', position === 0);
     hop.textContent = position === 0 ? idleWords(play) : unbroken(player.words);
     fill(visited, ...visits(explorer, play));
-    visited.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest' });
+    scrollTo(visited, visited.querySelector<HTMLElement>('[aria-current]'));
   });
-  return [
+  const controls = [
     h(
       'div',
       { class: 'transport', role: 'group', 'aria-label': 'Player' },
@@ -150,8 +155,17 @@ function player(explorer: Explorer, direction: HTMLElement): HTMLElement[] {
     ),
     h('div', { class: 'scrub' }, scrub, place, speed(explorer)),
     hop,
-    visited,
   ];
+  return { controls, visited };
+}
+
+/** Brings an entry of a list into sight, and leaves alone what the list lies in. */
+function scrollTo(list: HTMLElement, entry: HTMLElement | null): void {
+  if (!entry) return;
+  const { top, bottom } = list.getBoundingClientRect();
+  const seen = entry.getBoundingClientRect();
+  if (seen.bottom > bottom) list.scrollTop += seen.bottom - bottom;
+  else if (seen.top < top) list.scrollTop -= top - seen.top;
 }
 
 /** Keeps `→ vertex 7` on one line. */

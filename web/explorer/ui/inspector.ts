@@ -8,6 +8,7 @@ import {
   parseItemName,
 } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
+import { attributesOf, type ShownAttribute } from '../app/item-attributes.js';
 import { fill, h } from './dom.js';
 
 const TITLES = { vertex: 'Vertex', halfedge: 'Halfedge', edge: 'Edge', face: 'Face' } as const;
@@ -17,11 +18,12 @@ export function itemTitle({ kind, index }: Item): string {
   return `${TITLES[kind]} ${index}`;
 }
 
-/** The selected item: what it is, and its links as buttons that walk. */
+/** The selected item: what it is, its links as buttons that walk, and its attributes. */
 export function inspector(explorer: Explorer): HTMLElement {
   const title = h('h2', { id: 'inspector-title' });
   const facts = h('p', { class: 'facts' });
   const links = h('ul', { class: 'links', 'aria-label': 'Links' });
+  const attributes = h('dl', { class: 'attributes', 'aria-label': 'Attributes' });
   const remark = h('p', { class: 'remark', role: 'status' });
   explorer.remark.subscribe((text) => {
     remark.textContent = text;
@@ -33,17 +35,19 @@ export function inspector(explorer: Explorer): HTMLElement {
       title.textContent = 'Nothing selected';
       fill(facts, 'Pick a vertex, edge, halfedge or face.');
       fill(links);
+      fill(attributes);
       return;
     }
     title.textContent = itemTitle(selected);
-    const parts = [...factsOf(mesh, selected).map(fact), position(explorer, selected)];
-    fill(facts, ...parts.flatMap((part) => [part, ' ']));
+    fill(facts, ...factsOf(mesh, selected).flatMap((text) => [fact(text), ' ']));
     // Keep the keyboard where it is when a walk rebuilds the list.
     const focused = [...links.querySelectorAll('button')].indexOf(
       document.activeElement as HTMLButtonElement,
     );
     fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link)));
     if (focused >= 0) (links.querySelectorAll('button')[focused] ?? title).focus();
+    const names = explorer.document.value?.names ?? {};
+    fill(attributes, ...attributesOf(mesh, selected, names).map(attributeLine));
   };
   explorer.dialect.subscribe(show);
   explorer.document.subscribe(show);
@@ -53,6 +57,7 @@ export function inspector(explorer: Explorer): HTMLElement {
     { class: 'inspector', 'aria-labelledby': 'inspector-title' },
     h('div', { class: 'item-head' }, title, goTo(explorer), facts),
     links,
+    attributes,
     remark,
   );
 }
@@ -62,20 +67,13 @@ function fact(text: string): HTMLElement {
   return h('span', marked ? { class: 'on-boundary' } : {}, text);
 }
 
-/** Where a vertex lies, in the coordinates of the file. */
-function position(explorer: Explorer, { kind, index }: Item): HTMLElement | null {
-  const mesh = explorer.document.value?.mesh;
-  if (kind !== 'vertex' || !mesh) return null;
-  const xyz = [...mesh.positions.subarray(3 * index, 3 * index + 3)];
-  return h('span', { class: 'mono' }, `(${fourDigits(xyz).join(', ')})`);
-}
-
-/** Rounded to four digits of the largest, so that rounding errors of a zero are shown as 0. */
-function fourDigits(values: readonly number[]): number[] {
-  const largest = Math.max(...values.map(Math.abs));
-  if (!(largest > 0 && largest < Infinity)) return [...values];
-  const unit = 10 ** (Math.floor(Math.log10(largest)) - 3);
-  return values.map((x) => Number((Math.round(x / unit) * unit).toPrecision(4)) + 0);
+function attributeLine({ name, type, text }: ShownAttribute): HTMLElement {
+  return h(
+    'div',
+    { 'data-attribute': name },
+    h('dt', { title: `${name}: ${type}` }, name),
+    h('dd', { title: text }, text),
+  );
 }
 
 function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {

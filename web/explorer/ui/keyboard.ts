@@ -1,4 +1,5 @@
 import type { WalkKey } from 'halfedge/teaching';
+import { nextScope } from '../app/captions.js';
 import type { Explorer } from '../app/explorer.js';
 import type { Signal } from '../app/signal.js';
 import type { View } from '../scene/view.js';
@@ -26,6 +27,12 @@ export function listenToKeys(
     z: () => view.focus(),
     '0': () => view.travel.fit(),
     r: () => explorer.showFile(!explorer.showsFile.value),
+    k: () => {
+      explorer.pointers.value = !explorer.pointers.value;
+    },
+    l: () => {
+      explorer.labels.value = nextScope(explorer.labels.value);
+    },
     g: () => document.querySelector<HTMLInputElement>('.goto input')?.focus(),
     '?': openHelp,
     ArrowLeft: () => orbit(-1, 0),

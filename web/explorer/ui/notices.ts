@@ -137,6 +137,8 @@ const KEYS: readonly [string[], string][] = [
   [['Z', '0'], 'zoom to the selection, to the whole mesh'],
   [['←', '→', '↑', '↓'], 'orbit'],
   [['+', '−'], 'zoom'],
+  [['K'], 'draw the links (1)–(7) of the selected item as arrows'],
+  [['L'], 'names of items: at the selection, at the pointer, of all, none'],
   [['G'], 'go to an item by name'],
   [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
   [['Del'], 'delete the selected vertex, edge or face'],

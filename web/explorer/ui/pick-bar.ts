@@ -1,6 +1,7 @@
 import type { PickMode } from 'halfedge/scene';
 import { factsOf, itemName } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
+import { captionsButton } from './captions-menu.js';
 import { fill, h, icon } from './dom.js';
 
 const MODES: readonly [PickMode, string, string][] = [
@@ -53,6 +54,7 @@ export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
       },
       icon('focus'),
     ),
+    captionsButton(explorer),
     readout,
   );
 }

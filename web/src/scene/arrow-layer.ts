@@ -8,6 +8,8 @@ import type { Surface } from './surface.js';
 
 /** Faces whose edges are shorter than this on the screen show no arrows. */
 export const ARROWS_FROM_PX = 28;
+/** Faces whose edges are as long as this have room for the names of their items. */
+export const LABELS_FROM_PX = 56;
 /** Away from the selection and the pointer they fade in from here to there. */
 const FADE_PX = [33, 52] as const;
 /** How many rings of faces around the selection and the pointer show full arrows. */
@@ -36,6 +38,8 @@ export class ArrowLayer {
   hidden: ReadonlySet<number> = new Set();
   /** Boundary halfedges that have an arrow in the picture: what can be picked beside the surface. */
   readonly boundary: number[] = [];
+  /** Faces in sight that are large enough for names, the nearest to what matters first. */
+  readonly large: number[] = [];
 
   constructor(stage: Stage) {
     this.#stage = stage;
@@ -66,6 +70,7 @@ export class ArrowLayer {
     if (!surface) return;
     this.#batch.clear();
     this.boundary.length = 0;
+    this.large.length = 0;
     if (!this.visible) {
       this.#batch.upload();
       return;
@@ -136,27 +141,31 @@ export class ArrowLayer {
     // Edges of a face seen from the side are foreshortened, on average about this much.
     const pixels = (data[at + 6] / this.#stage.pixelAt(w)) * (0.35 + 0.65 * Math.abs(facing));
     if (pixels < ARROWS_FROM_PX) return false;
+    if (pixels >= LABELS_FROM_PX) this.large.push(f);
     const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
-    if (strength === 0 && faded <= 0) return true;
-    this.#write(f, Math.min(1, Math.max(faded, strength)));
+    if (strength > 0 || faded > 0) this.#write(f, Math.min(1, Math.max(faded, strength)));
+    this.#writeBoundaries(f);
     return true;
   }
 
   #write(f: number, strength: number): void {
     const glyphs = this.#glyphs as Glyphs;
-    const { next, face, faceHalfedge } = (this.#surface as Surface).mesh.connectivity;
     this.#tint.lerpColors(this.#colors.faded, this.#colors.arrow, strength);
     const degree = glyphs.face(f);
     for (let i = 0; i < degree; i++) {
       this.#batch.add(glyphs.arrows, i * ARROW_FLOATS, i * ARROW_FLOATS + 3, this.#tint);
       this.#batch.add(glyphs.arrows, i * ARROW_FLOATS + 3, i * ARROW_FLOATS + 6, this.#tint);
     }
-    const first = faceHalfedge[f];
-    let h = first;
+  }
+
+  /** The boundary halfedges across the edges of a face: never faded, never hidden. */
+  #writeBoundaries(f: number): void {
+    const { next, face, faceHalfedge } = (this.#surface as Surface).mesh.connectivity;
+    let h = faceHalfedge[f];
     do {
       if (face[h ^ 1] < 0) this.#writeBoundary(h ^ 1);
       h = next[h];
-    } while (h !== first);
+    } while (h !== faceHalfedge[f]);
   }
 
   #writeBoundary(h: number): void {

@@ -16,7 +16,7 @@ export type { Label } from './labels.js';
 export { type Anchors, type Overlay, overlayOf, type Shows } from './marks.js';
 export { type Palette, readPalette } from './palette.js';
 export type { PickMode } from './picking.js';
-export { MeshPicture, type PictureSource } from './picture.js';
+export { type Captions, MeshPicture, type PictureSource } from './picture.js';
 export { Discs } from './points.js';
 export { type RayHit, RayTree } from './ray-tree.js';
 export { prefersReducedMotion } from './reduced-motion.js';

@@ -67,13 +67,15 @@ export const LABEL_STYLES = `
   box-shadow: 0 0 0 1.5px var(--next-text);
 }
 
+/* The name of an item: letters on a halo that sets them apart from lines. */
 .tag.index {
   min-width: 0;
-  padding: 0 3px;
-  border-radius: 5px;
-  background: color-mix(in srgb, var(--page) 74%, transparent);
-  color: var(--muted);
-  font: 550 11px / 14px var(--mono);
+  padding: 0 2px;
+  color: var(--text);
+  font: 600 11px / 15px var(--mono);
+  -webkit-text-stroke: 4px var(--halo);
+  paint-order: stroke;
+  transition: none;
 }
 
 .tag.link {

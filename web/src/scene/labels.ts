@@ -1,13 +1,30 @@
 import { Vector3 } from 'three';
 import type { Stage } from './stage.js';
 
-/** Of no more than this it is asked whether something hides them: each takes a ray. */
+/** So many names of items at most are shown: more can't be read, and cost time in every frame. */
+const MOST_NAMES = 300;
+/** Of no more other labels than this it is asked whether something hides them: each takes a ray. */
 const MOST_TRIED = 300;
+
+/** Where a label goes that would cover another one: right or left (times its width), and up or down. */
+const ASIDE = [
+  [0, 0],
+  [0, -19],
+  [0, 19],
+  [1, 0],
+  [-1, 0],
+  [1, -19],
+  [-1, -19],
+  [1, 19],
+  [-1, 19],
+  [0, 38],
+  [0, -38],
+] as const;
 
 /** A small text at a point of the scene. */
 export interface Label {
   readonly text: string;
-  /** A class that says what it marks; see overlays.css. */
+  /** A class that says what it marks; see label-styles.ts. */
   readonly look:
     | 'self'
     | 'hover'
@@ -26,7 +43,10 @@ export interface Label {
   readonly side?: Vector3 | undefined;
 }
 
-/** Labels come in the order of their importance; ones that would cover an earlier one are hidden. */
+/**
+ * Labels come in the order of their importance. One that would cover an earlier one goes aside if it is
+ * that of the selection or of its links, and is hidden otherwise.
+ */
 export class Labels {
   readonly #stage: Stage;
   readonly #host: HTMLElement;
@@ -40,6 +60,7 @@ export class Labels {
     this.#host = host;
   }
 
+  /** Shows other labels, from the next `update` on. */
   set(labels: readonly Label[]): void {
     this.#labels = labels;
     while (this.#pool.length < labels.length) {
@@ -52,33 +73,47 @@ export class Labels {
       const label = labels[i];
       element.hidden = !label;
       if (!label) return;
-      element.className = `tag ${label.look}${label.role ? ` role-${label.role}` : ''}`;
+      const look = `tag ${label.look}${label.role ? ` role-${label.role}` : ''}`;
+      if (element.dataset.look !== look) {
+        element.dataset.look = look;
+        element.className = look;
+      }
       if (element.textContent !== label.text) element.textContent = label.text;
     });
-    this.#stage.invalidate();
   }
 
   /** Before each frame: moves the labels with their points. `hides` tells what is out of sight. */
   update(hides: (point: Vector3) => boolean): void {
     const taken: { x: number; y: number; width: number }[] = [];
+    let names = 0;
     this.#labels.forEach((label, i) => {
       const element = this.#pool[i];
       const width = 8 + 7 * label.text.length;
-      const { x, y, z } = this.#place(label, width);
-      const covered = taken.some(
-        (other) => Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
-      );
-      const inSight = z < 1 && !covered;
-      const behind = inSight && i < MOST_TRIED && hides(label.point);
-      const shown = inSight && !(behind && label.look === 'index');
+      const wanted = this.#place(label, width);
+      const isFree = (x: number, y: number) =>
+        !taken.some(
+          (other) =>
+            Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
+        );
+      const goesAside = label.look === 'self' || label.look === 'link';
+      const places = goesAside ? ASIDE : ASIDE.slice(0, 1);
+      const place = places
+        .map(([dx, dy]) => [wanted.x + dx * (width + 4), wanted.y + dy])
+        .find(([x, y]) => isFree(x, y));
+      const isName = label.look === 'index';
+      const inSight = wanted.z < 1 && place && !(isName && names === MOST_NAMES);
+      const behind = inSight && (isName || i < MOST_TRIED) && hides(label.point);
+      const shown = inSight && !(behind && isName);
       element.classList.toggle('away', !shown);
       if (!shown) return;
+      if (isName) names += 1;
+      const [x, y] = place;
       taken.push({ x, y, width });
       // The disc or line that this label stands above must not be covered either.
       if (label.look === 'self' && !label.side && label.lift > 0) {
         taken.push({ x, y: y + label.lift, width: 14 });
       }
-      element.classList.toggle('behind', behind);
+      element.classList.toggle('behind', behind === true);
       element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     });
   }

@@ -19,6 +19,8 @@ export interface Shows {
   readonly visits: readonly Visit[];
   /** Whether the links of the selected item are shown. Default: true. */
   readonly links?: boolean;
+  /** Whether they have their numbers; arrows along the links have them otherwise. Default: true. */
+  readonly numbers?: boolean;
   /** What makes an operation impossible: has the picture to itself, with the selected item. */
   readonly witness: readonly Item[] | null;
   /** The item from which an operation goes that waits for its second one. */
@@ -40,12 +42,14 @@ export interface Anchors {
 /** Marks and labels for the selection, its links, the visited trail and what is under the pointer. */
 export function overlayOf(shows: Shows, palette: Palette, anchors: Anchors): Overlay {
   const overlay: Overlay = { marks: [], labels: [] };
-  const { mesh, selected, hovered, visits, witness, first, links = true } = shows;
+  const { mesh, selected, hovered, visits, witness, first, links = true, numbers = true } = shows;
   if (selected) {
     addSelected(overlay, palette, anchors, selected);
     // A refusal has the picture to itself: what its sentence names, and nothing else.
     if (visits.length > 0 && !witness) addTrail(overlay, visits, palette, anchors);
-    else if (links && !witness && !first) addLinks(overlay, mesh, palette, anchors, selected);
+    else if (links && !witness && !first) {
+      addLinks(overlay, mesh, palette, anchors, selected, numbers);
+    }
   }
   if (witness) addWitness(overlay, witness, palette, anchors);
   if (first) addFirst(overlay, first, palette, anchors);
@@ -145,7 +149,8 @@ function addTrail(
   }
 }
 
-const COLORS: Record<LinkRole, 'next' | 'opposite' | 'vertex' | 'self'> = {
+/** The colour of the palette that a link has. */
+export const ROLE_COLORS: Record<LinkRole, 'next' | 'opposite' | 'vertex' | 'self'> = {
   next: 'next',
   prev: 'next',
   halfedge: 'next',
@@ -162,16 +167,17 @@ function addLinks(
   palette: Palette,
   anchors: Anchors,
   selected: Item,
+  numbers: boolean,
 ): void {
   for (const { number, target, role } of linksOf(mesh, selected)) {
     if (!target) continue;
     if (role === 'face') {
       marks.push({ item: target, color: palette.self, weight: 'fine' });
     } else if (role !== 'edge' && !(role === 'vertex' && number === undefined)) {
-      const color = palette[COLORS[role]];
+      const color = palette[ROLE_COLORS[role]];
       marks.push({ item: target, color, weight: 'fine', dashed: role === 'prev' });
     }
-    if (number !== undefined) {
+    if (numbers && number !== undefined) {
       labels.push({
         text: `${number}`,
         look: 'link',

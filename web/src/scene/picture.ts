@@ -1,5 +1,5 @@
 import { Color, Matrix4, Vector3 } from 'three';
-import type { HalfedgeMesh } from '../api.js';
+import type { HalfedgeMesh, ItemKind } from '../api.js';
 import type { Item } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { anchorOf, facesAt, sideOf } from './anchors.js';
@@ -7,22 +7,35 @@ import { ArrowLayer } from './arrow-layer.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
+import { indexLabels } from './index-labels.js';
 import { IsolatedVertices } from './isolated.js';
-import { Labels } from './labels.js';
+import { type Label, Labels } from './labels.js';
 import type { Anchors, Overlay } from './marks.js';
 import { AT_REST, type InMotion, Morph } from './morph.js';
 import type { Palette } from './palette.js';
 import { Picker, type PickMode } from './picking.js';
+import { Pointers } from './pointers.js';
 import type { Stage } from './stage.js';
 import { Surface } from './surface.js';
 import { SurfaceLook, SurfaceView } from './surface-view.js';
 import { type Shown, Travel } from './travel.js';
 import { Wire } from './wire.js';
 
+/** What is written into a picture besides its marks; where it goes depends on the camera. */
+export interface Captions {
+  /** The item whose links (1)–(7) are drawn as arrows. */
+  readonly pointers: Item | null;
+  /** The kinds of items that have their names beside them. */
+  readonly kinds: readonly ItemKind[];
+  /** The items around which they have; wherever there is room if it is 'all'. */
+  readonly around: readonly Item[] | 'all';
+}
+
 /** What a picture asks of who shows something in it. */
 export interface PictureSource {
   /** What is drawn over the mesh, as things stand. */
   overlay(anchors: Anchors): Overlay;
+  captions?(): Captions;
   /** The items around which arrows are strongest. */
   near(): readonly Item[];
   /** Told before each frame, once the camera stands. */
@@ -42,6 +55,10 @@ export class MeshPicture {
   readonly #highlights: Highlights;
   readonly #isolated: IsolatedVertices;
   readonly #labels: Labels;
+  readonly #pointers: Pointers;
+  #palette: Palette | null = null;
+  /** The labels of the overlay. */
+  #marked: readonly Label[] = [];
   readonly #morph: Morph;
   #shown: Shown | null = null;
   #inMotion: InMotion = AT_REST;
@@ -59,6 +76,7 @@ export class MeshPicture {
     this.#highlights = new Highlights(stage);
     this.#isolated = new IsolatedVertices(stage);
     this.#labels = new Labels(stage, labels);
+    this.#pointers = new Pointers(stage);
     this.#morph = new Morph(stage, this.look);
     stage.onFrame(() => this.#beforeFrame());
   }
@@ -76,6 +94,8 @@ export class MeshPicture {
   }
 
   setPalette(palette: Palette): void {
+    this.#palette = palette;
+    this.#pointers.setHalo(palette.surface);
     this.look.setColors(palette.surface.toArray(), palette.back.toArray());
     this.#morph.setColor(palette.self);
     this.#wire.setColors(palette.wire, palette.boundary);
@@ -117,19 +137,15 @@ export class MeshPicture {
   /** Draws marks and labels anew, as the source has them now. */
   mark(): void {
     if (!this.#shown) return;
-    const { surface, frames, glyphs } = this.#shown;
     this.#markedFrom = this.#distance();
-    const { marks, labels } = this.#source.overlay({
-      point: (item) => anchorOf(item, surface, frames, glyphs),
-      side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
-    });
+    const { marks, labels } = this.#source.overlay(anchorsOf(this.#shown));
     const { edges } = this.#inMotion;
     const still = marks.filter(({ item: { kind, index } }) => {
       if (kind === 'edge') return !edges.has(index);
       return kind !== 'halfedge' || !edges.has(index >> 1);
     });
     this.#highlights.setMarks(still);
-    this.#labels.set(labels);
+    this.#marked = labels;
   }
 
   /** The item at (x, y) in CSS pixels of the canvas; `reach` is 1 for a mouse, larger for a finger. */
@@ -222,11 +238,37 @@ export class MeshPicture {
     const near = this.#source.near().flatMap((item) => facesAt(shown.surface, item));
     this.#arrows.update(near, shown.picker.faceAt(x, y));
     this.#highlights.update();
+    this.#labels.set(this.#allLabels(shown));
     this.#labels.update(this.hides);
+  }
+
+  /** Those of the overlay, the numbers of links that are drawn as arrows, and the names of items. */
+  #allLabels(shown: Shown): readonly Label[] {
+    const captions = this.#source.captions?.();
+    if (!captions || !this.#palette) return this.#marked;
+    const { pointers, kinds, around } = captions;
+    const anchors = anchorsOf(shown);
+    const isBehind = pointers !== null && this.hides(anchors.point(pointers));
+    const numbers = this.#pointers.update(pointers, shown, this.#palette, isBehind);
+    const faces =
+      around === 'all'
+        ? this.#arrows.large
+        : around.flatMap((item) => facesAt(shown.surface, item));
+    const told = new Set(this.#marked.map(({ text }) => text));
+    const names = indexLabels(shown.surface.mesh, kinds, faces, anchors);
+    return [...numbers, ...this.#marked, ...names.filter(({ text }) => !told.has(text))];
   }
 
   #distance(): number {
     const { camera, controls } = this.stage;
     return camera.position.distanceTo(controls.target);
   }
+}
+
+/** Where labels of the items of a mesh go. */
+function anchorsOf({ surface, frames, glyphs }: Shown): Anchors {
+  return {
+    point: (item) => anchorOf(item, surface, frames, glyphs),
+    side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
+  };
 }

@@ -12,6 +12,8 @@ import type { Surface } from './surface.js';
 const TOO_SMALL_PX = 44;
 /** Walks longer than this go too far to be looked at from near. */
 const LONG_WALK = 40;
+/** No item is looked at from farther away than where a sphere of this radius is seen; all is within 1. */
+const FARTHEST = 0.85;
 
 /** A place of the scene, and how to look at it. */
 export interface Sight {
@@ -46,7 +48,9 @@ export class Travel {
       this.fit();
       return;
     }
-    const distance = this.#stage.distanceFor(1.8 * reachOf(item, shown.surface));
+    const distance = this.#stage.distanceFor(
+      Math.min(FARTHEST, 1.8 * reachOf(item, shown.surface)),
+    );
     this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
   }
 
