@@ -83,13 +83,25 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
   const std::pair<std::string, std::string> kinds[] = {
       {"glTF\x02\0\0\0"s, "a GLB file"},
       {"{\"asset\": {}}", "a JSON (perhaps glTF) file"},
-      {"<!DOCTYPE html>\n<p>404\n", "an HTML or XML file"}};
+      {"<!DOCTYPE html>\n<p>404\n", "an HTML or XML file"},
+      {"version https://git-lfs.github.com/spec/v1\nsize 1\n",
+       "a Git LFS pointer, which stands for the file itself"},
+      {"\x1F\x8B\x08\0\0"s, "a gzip archive, to be unpacked first"},
+      {"PK\x03\x04\x14\0"s, "a ZIP archive (perhaps 3MF), to be unpacked first"},
+      {"Kaydara FBX Binary  \0\x1A"s, "an FBX file"},
+      {"# vtk DataFile Version 3.0\nv 1\n", "a VTK file"}};
   for (const auto& [text, name] : kinds) {
     for (const auto claimed : {std::optional<Format>{}, std::optional{Format::kObj}}) {
       EXPECT_EQ(error_of(text, claimed),
                 "unsupported-format: this is " + name + ", expected an OBJ, OFF, PLY or STL file");
     }
   }
+}
+
+TEST(Parse, TellsMaterialsFromFaces) {
+  EXPECT_EQ(error_of("# materials\nnewmtl red\nKd 1 0 0\n", Format::kObj),
+            "unsupported-format: this is an MTL file, the materials of an OBJ file, expected that "
+            "one");
 }
 
 TEST(Parse, RefusesUtf16AndBinary) {

@@ -197,7 +197,7 @@ TEST(Stl, ExplainsWrongBytes) {
   EXPECT_EQ(file.error().witness.faces, std::vector<Index>{1});
 }
 
-TEST(Stl, TellsABinaryFileThatIsCut) {
+TEST(Stl, TellsABinaryFileOfTheWrongSize) {
   const auto error_of = [](const std::string& bytes) {
     const Result<ParsedFile> file = parse(bytes_of(bytes));
     return file ? "none" : file.error().code + ": " + file.error().message;
@@ -207,7 +207,17 @@ TEST(Stl, TellsABinaryFileThatIsCut) {
   EXPECT_EQ(error_of(whole.substr(0, whole.size() - 7)),
             "truncated: byte 177: the bytes of this binary STL file of 2 triangles end after 1 of "
             "them and 43 bytes of the next one (read as STL)");
+  const Result<ParsedFile> longer = parse(bytes_of(whole + "\0end"s));
+  ASSERT_TRUE(longer) << longer.error().message;
+  EXPECT_EQ(longer.value().soup.view().face_count(), 2U);
+  EXPECT_EQ(
+      longer.value().notes,
+      (std::vector<std::string>{
+          "ignored the 4 bytes behind the last of the 2 triangles that the header promises"}));
   // Whose numbers are none of triangles, or too few to tell.
+  EXPECT_EQ(error_of(std::string(80, ' ') + raw(std::uint32_t{1}) + std::string(90, '\1') + "\0"s)
+                .substr(0, 15),
+            "not-text: byte ");
   EXPECT_EQ(error_of(whole.substr(0, 130)).substr(0, 15), "not-text: byte ");
   std::string other = whole.substr(0, whole.size() - 7);
   other[84 + 2] = 'x';  // a normal of another length

@@ -74,7 +74,7 @@ struct Expected {
 TEST(RepairOfTheCollection, MakesOfKnownDefectsWhatIsExpected) {
   HALFEDGE_NEEDS_DATA();
   const std::map<std::string, Expected> table = {
-      {"hourglass_ico.obj", {24, 40, 2, 0, "1 pinched vertex split, 1 vertex added as copies."}},
+      {"hourglass_ico.obj", {24, 40, 2, 0, "1 pinched vertex split, 1 vertex added as a copy."}},
       {"lionstatue_orientation.obj", {31825, 63338, 1, 1, "2 faces turned over."}},
       {"moebius.obj",
        {285, 224, 1, 1, "4 edges of one-sided surfaces cut, 5 vertices added as copies."}},

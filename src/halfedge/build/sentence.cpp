@@ -1,5 +1,6 @@
 #include <halfedge/build/sentence.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 
@@ -35,6 +36,7 @@ std::string list_of(std::span<const Index> items) {
 }
 
 std::string number(double value) {
+  if (std::isnan(value)) return "nan";  // with a sign it would say no more
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;

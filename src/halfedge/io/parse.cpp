@@ -10,11 +10,35 @@
 namespace halfedge {
 namespace {
 
-/// Formats that are recognised only so that the error can say what the file is.
-const char* name_of_unreadable(std::string_view text) {
-  if (text.starts_with("glTF")) return "a GLB file";
-  if (text.starts_with("{")) return "a JSON (perhaps glTF) file";
-  if (text.starts_with("<")) return "an HTML or XML file";
+/// Formats that are recognised only so that the error can say what the file is: by its bytes, or by
+/// its text behind comments.
+const char* name_of_unreadable(std::string_view bytes, std::string_view text) {
+  struct Sign {
+    std::string_view start;
+    const char* name;
+  };
+  constexpr Sign kSigns[] = {
+      {"glTF", "a GLB file"},
+      {"{", "a JSON (perhaps glTF) file"},
+      {"<", "an HTML or XML file"},
+      {"version https://git-lfs", "a Git LFS pointer, which stands for the file itself"},
+      {"\x1F\x8B", "a gzip archive, to be unpacked first"},
+      {"PK\x03\x04", "a ZIP archive (perhaps 3MF), to be unpacked first"},
+      {"Kaydara FBX Binary", "an FBX file"},
+      {"; FBX", "an FBX file"},
+      {"BLENDER", "a Blender file"},
+      {"DRACO", "a Draco file"},
+      {"ISO-10303-21", "a STEP file"},
+      {"# vtk DataFile", "a VTK file"},
+      {"#VRML", "a VRML file"},
+      {"$MeshFormat", "a Gmsh file"},
+      {"%PDF-", "a PDF document"},
+      {"\x89PNG", "a PNG image"},
+      {"\xFF\xD8\xFF", "a JPEG image"},
+  };
+  for (const auto& [start, name] : kSigns) {
+    if (bytes.starts_with(start) || text.starts_with(start)) return name;
+  }
   return nullptr;
 }
 
@@ -45,18 +69,22 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
   if (io::looks_like_ply(text)) return Format::kPly;
   if (stl == io::StlKind::kText) return Format::kStl;
   text.skip_to_token();
-  if (const char* name = name_of_unreadable(text.rest())) {
+  if (const char* name = name_of_unreadable(raw, text.rest())) {
     return Error{"unsupported-format",
                  std::string("this is ") + name + ", expected an OBJ, OFF, PLY or STL file"};
   }
   const bool has_nul = raw.find('\0') != std::string_view::npos;
-  const bool is_cut_stl = stl == io::StlKind::kCutBinary || claimed == Format::kStl;
-  if (has_nul && is_cut_stl) return Format::kStl;  // of the wrong size
+  const bool is_stl = stl == io::StlKind::kBinaryOfWrongSize || claimed == Format::kStl;
+  if (has_nul && is_stl) return Format::kStl;
   if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
     return Error{"not-text", "byte " + std::to_string(nul) + " is 0, which no text has: this is " +
                                  "no OBJ, OFF, PLY or STL file in text form"};
   }
   if (io::looks_like_obj(text)) return Format::kObj;
+  if (text.token() == "newmtl") {
+    return Error{"unsupported-format",
+                 "this is an MTL file, the materials of an OBJ file, expected that one"};
+  }
   if (claimed) return *claimed;
   if (text.at_end()) {
     return Error{

@@ -33,9 +33,10 @@ struct Request {
 /// The file starts with the word ply.
 [[nodiscard]] bool looks_like_ply(TextScanner text);
 
-enum class StlKind : std::uint8_t { kUnknown, kText, kBinary, kCutBinary };
+enum class StlKind : std::uint8_t { kUnknown, kText, kBinary, kBinaryOfWrongSize };
 /// Binary if the size is that of the number of triangles, whatever the header says; else by how it
-/// starts. A binary file that ends too early is told by its first triangles, if nothing else is.
+/// starts. A binary file that ends too early, or goes on too long, is told by its first triangles,
+/// if nothing else is.
 [[nodiscard]] StlKind kind_of_stl(std::span<const std::uint8_t> bytes);
 
 }  // namespace halfedge::io

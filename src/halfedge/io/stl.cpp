@@ -276,26 +276,29 @@ bool TextReader::read_facet() {
   return true;
 }
 
-/// Whether this is what is left of a binary file: fewer triangles than it announces, but the first
-/// of them, which have finite numbers, not all of them 0, and normals of unit length or none.
-bool looks_cut(std::span<const std::uint8_t> bytes) {
+/// Whether this is a binary file that was cut, or to which something was added: by its first
+/// triangles, which have finite numbers, not all of them next to nothing, as small integers are,
+/// and normals of unit length or none.
+bool has_triangles(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLooked = 16;
+  constexpr float kNothing = 1e-30F;
   if (bytes.size() < kStart + kTriangle) return false;
   const std::size_t room = (bytes.size() - kStart) / kTriangle;
-  if (announced(bytes) <= room) return false;
+  const std::uint64_t looked = std::min<std::uint64_t>({kLooked, room, announced(bytes)});
   const std::uint8_t* at = bytes.data() + kStart;
-  bool are_zero = true;
-  for (std::size_t i = 0; i < std::min(kLooked, room); ++i, at += kTriangle) {
+  bool are_nothing = true;
+  for (std::size_t i = 0; i < looked; ++i, at += kTriangle) {
     std::array<float, 12> numbers;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       numbers[k] = load<float, ByteOrder::kLittle>(at + 4 * k);
     }
     if (!are_finite(numbers)) return false;
-    are_zero &= std::all_of(numbers.begin(), numbers.end(), [](float x) { return x == 0; });
+    are_nothing &=
+        std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::abs(x) < kNothing; });
     const float length = std::hypot(numbers[0], numbers[1], numbers[2]);
     if (length > 0.01F && std::abs(length - 1) > 0.01F) return false;
   }
-  return !are_zero;
+  return !are_nothing;
 }
 
 /// As in no text. Some programs start the header of a binary file with "solid", as a text does.
@@ -316,12 +319,12 @@ StlKind kind_of_stl(std::span<const std::uint8_t> bytes) {
     return has_nul(text.rest()) ? StlKind::kBinary : StlKind::kText;
   }
   if (is_word(text.token(), "facet")) return StlKind::kText;
-  return looks_cut(bytes) ? StlKind::kCutBinary : StlKind::kUnknown;
+  return has_triangles(bytes) ? StlKind::kBinaryOfWrongSize : StlKind::kUnknown;
 }
 
 Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const Request& request) {
   const StlKind kind = kind_of_stl(bytes);
-  const bool binary = kind == StlKind::kBinary || kind == StlKind::kCutBinary ||
+  const bool binary = kind == StlKind::kBinary || kind == StlKind::kBinaryOfWrongSize ||
                       (kind == StlKind::kUnknown && has_nul(TextScanner(bytes).rest()));
   if (binary) return read_binary(bytes, request.options);
   TextReader reader(bytes, request);

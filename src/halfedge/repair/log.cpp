@@ -61,7 +61,7 @@ std::string summary_of(const RepairReport& report, const RepairOptions& options,
   say(count(RepairCode::kOppositeOrientation), "face", "turned over");
   say(count(RepairCode::kNonOrientable), "edge", "of one-sided surfaces cut");
   say(count(RepairCode::kPinchedVertex), "pinched vertex", "split");
-  say(doubled_vertices, "vertex", "added as copies");
+  say(doubled_vertices, "vertex", doubled_vertices == 1 ? "added as a copy" : "added as copies");
   if (list.empty()) list = "nothing to repair";
   say(count(RepairCode::kIsolatedVertex), "vertex",
       options.drop_isolated ? "without faces left out" : "without faces kept");
