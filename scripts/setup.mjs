@@ -36,6 +36,8 @@ const requirements = [
   ),
   need('tests', 'CGAL', 'libcgal-dev', () => header('CGAL/Polyhedron_3.h')),
   need('tests', 'Chromium', 'chromium', () => onPath('chromium', 'chromium-browser')),
+  need('tests', 'Firefox', 'firefox-esr', () => onPath('firefox-esr', 'firefox')),
+  need('tests', 'Xvfb', 'xvfb', () => onPath('Xvfb') || !hasApt()),
   need('bench', 'g++', 'g++', () => onPath('g++')),
   need('bench', 'Google Benchmark', 'libbenchmark-dev', () => header('benchmark/benchmark.h')),
   need('bench', 'OpenMesh', 'libopenmesh-dev', () =>

@@ -30,7 +30,7 @@ const parts = {
   },
 
   async browser(steps) {
-    await steps.run('Tests of the explorer (Chromium)', () => runJest('browser'));
+    await steps.run('Explorer (Chromium, Firefox)', () => runJest('browser'));
   },
 
   async package(steps) {
