@@ -25,6 +25,7 @@ const suite = (name) => ({
     '^halfedge/dialects$': '<rootDir>/dist/dialects/index.js',
     '^halfedge/(figure|gltf|scene|teaching)$': '<rootDir>/dist/$1/index.js',
     '^halfedge/three$': '<rootDir>/dist/three/index.js',
+    '^halfedge/three/picking$': '<rootDir>/dist/three/picking.js',
     '^halfedge/worker$': '<rootDir>/dist/worker.js',
     '^(\\.{1,2}/.*)\\.js$': '$1',
   },

@@ -92,6 +92,8 @@ describe('The tarball', () => {
       './scene',
       './teaching',
       './three',
+      './three/picking',
+      './three/picking-thread',
       './worker',
       './worker-thread',
     ]);

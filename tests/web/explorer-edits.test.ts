@@ -1,5 +1,5 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { changedEdges, changedTriangles, RayTree, Surface } from 'halfedge/scene';
+import { changedEdges, changedTriangles, Surface } from 'halfedge/scene';
 import type { Item } from 'halfedge/teaching';
 import {
   checkOperation,
@@ -11,6 +11,7 @@ import {
   runOperation,
   stateBefore,
 } from 'halfedge/teaching';
+import { FaceTree } from 'halfedge/three/picking';
 import { Ray, Vector3 } from 'three';
 import { digestOf } from '../../web/explorer/app/digest.js';
 import { Signal, together } from '../../web/explorer/app/signal.js';
@@ -117,7 +118,7 @@ describe('the surface after an edit', () => {
     }
     expect(edits).toBeGreaterThan(60);
     expect(surface.tree).toBe(first);
-    const fresh = new RayTree(surface);
+    const fresh = new FaceTree(surface);
     let hits = 0;
     for (const ray of rays(2000)) {
       const [found, expected] = [surface.tree.cast(ray), fresh.cast(ray)];

@@ -16,7 +16,7 @@ export default defineConfig({
         find: /^halfedge\/(dialects|gltf|scene|teaching|three)$/,
         replacement: fromHere('../../dist/$1/index.js'),
       },
-      { find: /^halfedge\/(worker)$/, replacement: fromHere('../../dist/$1.js') },
+      { find: /^halfedge\/(worker|three\/picking)$/, replacement: fromHere('../../dist/$1.js') },
     ],
   },
   server: { fs: { allow: [fromHere('../..')] } },

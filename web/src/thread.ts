@@ -34,7 +34,7 @@ interface NodeWorker extends WorkerLike {
 }
 
 /** Starts a thread that runs worker-thread.js, or takes one that was made elsewhere. */
-export function startThread(listener: Listener, make: () => WorkerLike = newWorker): Thread {
+export function startThread(listener: Listener, make: () => WorkerLike = newMeshWorker): Thread {
   const worker = make();
   if ('on' in worker) return nodeThread(worker as NodeWorker, listener);
   const web = worker as WebWorker;
@@ -63,23 +63,30 @@ function nodeThread(worker: NodeWorker, listener: Listener): Thread {
   };
 }
 
-function newWorker(): WorkerLike {
+const newMeshWorker = () =>
+  newWorker(
+    'worker-thread.js',
+    // In this form, bundlers recognise a worker.
+    () => new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' }),
+  );
+
+/** Starts a script of the package; `direct` does so in a browser, as bundlers understand it. */
+export function newWorker(script: string, direct: () => WorkerLike): WorkerLike {
   const here = import.meta.url;
   if (typeof Worker === 'undefined') {
     // Not in the form that bundlers recognise: they would make an asset of it.
-    return new (nodeWorkerClass())(new URL('./worker-thread.js', here));
+    return new (nodeWorkerClass())(new URL(script, here));
   }
   // In development, Vite up to 7 serves packages from copies of their JavaScript, without this script.
   if (here.includes('/.vite/deps/')) {
-    return new Worker(new URL('../../halfedge/dist/worker-thread.js', here), { type: 'module' });
+    return new Worker(new URL(`../../halfedge/dist/${script}`, here), { type: 'module' });
   }
   try {
-    // In this form, bundlers recognise a worker.
-    return new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' });
+    return direct();
   } catch (error) {
     // From another site, such as a CDN, scripts can be imported but not started.
     if (!here.endsWith('/thread.js')) throw error;
-    const start = `import ${JSON.stringify(new URL('./worker-thread.js', here).href)};`;
+    const start = `import ${JSON.stringify(new URL(script, here).href)};`;
     const address = URL.createObjectURL(new Blob([start], { type: 'text/javascript' }));
     const worker = new Worker(address, { type: 'module' });
     // As soon as it is heard of: not all browsers have read the script before that.

@@ -1,5 +1,4 @@
 import { HalfedgeMesh, type MendReport } from 'halfedge';
-import type { PickMode } from 'halfedge/scene';
 import {
   checkOperation,
   type Deed,
@@ -23,6 +22,7 @@ import {
   stateBefore,
   witnessItems,
 } from 'halfedge/teaching';
+import type { PickMode } from 'halfedge/three/picking';
 import type { Explorer } from './explorer.js';
 import { Signal, together } from './signal.js';
 

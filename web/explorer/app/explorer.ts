@@ -1,5 +1,4 @@
 import type { Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
-import type { PickMode } from 'halfedge/scene';
 import {
   type Circulator,
   CirculatorPlayer,
@@ -15,6 +14,7 @@ import {
   sameItem,
   type WalkKey,
 } from 'halfedge/teaching';
+import type { PickMode } from 'halfedge/three/picking';
 import { samples } from '../samples/index.js';
 import { type LabelChoice, NO_LABELS } from './captions.js';
 import {

@@ -10,11 +10,13 @@ import {
   OwnScreen,
   overlayOf,
   type Palette,
+  type PictureSource,
   readPalette,
   Stage,
   type Travel,
 } from 'halfedge/scene';
 import type { Item } from 'halfedge/teaching';
+import { newPickingWorker } from 'halfedge/three/picking';
 import { Vector3 } from 'three';
 import type { MeshDocument } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
@@ -40,14 +42,15 @@ export class View {
     this.#explorer = explorer;
     this.#labelHost = labels;
     this.stage = new Stage(new OwnScreen(canvas));
-    this.#picture = new MeshPicture(this.stage, labels, {
+    const source: PictureSource = {
       overlay: (anchors) => this.#overlay(anchors),
       captions: () => this.#captions(),
       near: () => [explorer.selected.value, explorer.hovered.value].filter((item) => item !== null),
       beforeFrame: () => {
         if (explorer.showsFile.value) this.#soup.update();
       },
-    });
+    };
+    this.#picture = new MeshPicture(this.stage, labels, source, { worker: newPickingWorker });
     this.travel = this.#picture.travel;
     this.#soup = new SoupView(this.stage, this.#picture.look);
     this.#witness = new WitnessView(this.stage);

@@ -1,5 +1,5 @@
-import type { PickMode } from 'halfedge/scene';
 import { factsOf, itemName } from 'halfedge/teaching';
+import type { PickMode } from 'halfedge/three/picking';
 import type { Explorer } from '../app/explorer.js';
 import { captionsButton } from './captions-menu.js';
 import { fill, h, icon } from './dom.js';

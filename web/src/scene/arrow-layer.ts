@@ -1,13 +1,11 @@
 import { Color, Matrix4 } from 'three';
 import { NONE } from '../api.js';
-import { ARROW_FLOATS, LineBatch, lineMaterial, lines } from '../three/index.js';
+import { ARROW_FLOATS, ARROWS_FROM, LineBatch, lineMaterial, lines } from '../three/index.js';
 import type { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
-/** Faces whose edges are shorter than this on the screen show no arrows. */
-export const ARROWS_FROM_PX = 28;
 /** Faces whose edges are as long as this have room for the names of their items. */
 export const LABELS_FROM_PX = 56;
 /** Away from the selection and the pointer they fade in from here to there. */
@@ -140,7 +138,7 @@ export class ArrowLayer {
     if (this.#closed && facing < 0) return false;
     // Edges of a face seen from the side are foreshortened, on average about this much.
     const pixels = (data[at + 6] / this.#stage.pixelAt(w)) * (0.35 + 0.65 * Math.abs(facing));
-    if (pixels < ARROWS_FROM_PX) return false;
+    if (pixels < ARROWS_FROM) return false;
     if (pixels >= LABELS_FROM_PX) this.large.push(f);
     const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
     if (strength > 0 || faded > 0) this.#write(f, Math.min(1, Math.max(faded, strength)));

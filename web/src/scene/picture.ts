@@ -2,6 +2,8 @@ import { Color, Matrix4, Vector3 } from 'three';
 import type { HalfedgeMesh, ItemKind } from '../api.js';
 import type { Item } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
+import type { FaceTreeOptions } from '../three/face-tree.js';
+import { ItemPicker, type PickMode } from '../three/item-picker.js';
 import { anchorOf, facesAt, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
 import { FaceFrames } from './faces.js';
@@ -13,7 +15,6 @@ import { type Label, Labels } from './labels.js';
 import type { Anchors, Overlay } from './marks.js';
 import { AT_REST, type InMotion, Morph } from './morph.js';
 import type { Palette } from './palette.js';
-import { Picker, type PickMode } from './picking.js';
 import { Pointers } from './pointers.js';
 import type { Stage } from './stage.js';
 import { Surface } from './surface.js';
@@ -49,6 +50,7 @@ export class MeshPicture {
   /** The looks of the surface, for whatever else shows one. */
   readonly look = new SurfaceLook();
   readonly #source: PictureSource;
+  readonly #options: FaceTreeOptions;
   readonly #surfaceView = new SurfaceView(this.look);
   readonly #wire: Wire;
   readonly #arrows: ArrowLayer;
@@ -65,8 +67,17 @@ export class MeshPicture {
   /** How far away the camera was when labels were placed. */
   #markedFrom = 0;
 
-  /** Labels become children of `labels`, which lies over the canvas of the stage. */
-  constructor(stage: Stage, labels: HTMLElement, source: PictureSource) {
+  /**
+   * Labels become children of `labels`, which lies over the canvas of the stage. `options` say how the tree that
+   * picks is grown.
+   */
+  constructor(
+    stage: Stage,
+    labels: HTMLElement,
+    source: PictureSource,
+    options: FaceTreeOptions = {},
+  ) {
+    this.#options = options;
     this.stage = stage;
     this.#source = source;
     this.travel = new Travel(stage);
@@ -111,9 +122,10 @@ export class MeshPicture {
   /** Shows another mesh, or none. The camera is for the caller to move. */
   show(mesh: HalfedgeMesh | null): void {
     this.#morph.stop();
+    this.#shown?.surface.tree.dispose();
     this.#shown = this.travel.shown = null;
     if (!mesh) return;
-    this.#present(new Surface(mesh));
+    this.#present(new Surface(mesh, undefined, this.#options));
     this.#rest();
   }
 
@@ -150,15 +162,15 @@ export class MeshPicture {
 
   /** The item at (x, y) in CSS pixels of the canvas; `reach` is 1 for a mouse, larger for a finger. */
   pick(x: number, y: number, mode: PickMode, reach: number): Item | null {
-    if (mode === 'auto' || mode === 'vertex') {
-      const isolated = this.#isolated.at(x, y, reach, this.hides);
-      if (isolated !== null) return { kind: 'vertex', index: isolated };
-    }
-    return this.#shown?.picker.pick(x, y, mode, this.#arrows.boundary, reach) ?? null;
+    const { boundary } = this.#arrows;
+    return this.#shown?.picker.pick(x, y, this.stage.view, { mode, boundary, reach }) ?? null;
   }
 
-  /** Whether the surface hides a point of the scene. */
-  readonly hides = (point: Vector3): boolean => this.#shown?.picker.hides(point) ?? false;
+  /** Whether the surface hides a point; while the tree over many faces grows, no is the answer. */
+  readonly hides = (point: Vector3): boolean => {
+    const { surface, picker } = this.#shown ?? {};
+    return surface?.tree.isGrown === true && picker?.hides(point, this.stage.camera) === true;
+  };
 
   /** Where the camera stands, and the middle of the picture, in the coordinates of the mesh. */
   viewpoint(): number[] | null {
@@ -200,17 +212,19 @@ export class MeshPicture {
     if (!this.#shown) return null;
     this.stage.camera.updateMatrixWorld();
     const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
-    return this.#shown.picker.pick(x, y, 'vertex', []);
+    return this.#shown.picker.pick(x, y, this.stage.view, { mode: 'vertex' });
   }
 
   #present(surface: Surface): Shown {
     const frames = new FaceFrames(surface);
     const glyphs = new Glyphs(surface, frames, this.stage);
-    const picker = new Picker(this.stage, surface, frames, glyphs);
+    const picker = new ItemPicker(surface);
     this.#arrows.show(surface, frames);
     this.#highlights.show(surface, glyphs);
     this.#isolated.show(surface);
     this.#shown = { surface, frames, glyphs, picker };
+    // Until then, labels may stand before what the surface hides.
+    if (!surface.tree.isGrown) void surface.tree.ready.then(() => this.stage.invalidate());
     this.travel.shown = this.#shown;
     return this.#shown;
   }
@@ -236,7 +250,7 @@ export class MeshPicture {
     this.#source.beforeFrame?.();
     const { x, y } = this.stage.project(this.stage.controls.target, new Vector3());
     const near = this.#source.near().flatMap((item) => facesAt(shown.surface, item));
-    this.#arrows.update(near, shown.picker.faceAt(x, y));
+    this.#arrows.update(near, shown.picker.faceAt(x, y, this.stage.view)?.face ?? null);
     this.#highlights.update();
     this.#labels.set(this.#allLabels(shown));
     this.#labels.update(this.hides);

@@ -11,6 +11,7 @@ import {
   Vector3,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { PickView } from '../three/projection.js';
 import { prefersReducedMotion } from './reduced-motion.js';
 import type { Screen } from './screen.js';
 
@@ -128,6 +129,11 @@ export class Stage {
   showLayer(layer: number): void {
     this.camera.layers.set(layer);
     this.invalidate();
+  }
+
+  /** The camera as it stands, and the canvas. */
+  get view(): PickView {
+    return { camera: this.camera, width: this.size.x, height: this.size.y };
   }
 
   /** The part of the canvas that no panel covers. */

@@ -1,8 +1,10 @@
 import { BufferAttribute, Matrix4, ShapeUtils, Vector2 } from 'three';
 import { type HalfedgeMesh, NONE } from '../api.js';
+import { FaceTree, type FaceTreeOptions, type ShownFaces } from '../three/face-tree.js';
 import { newellNormal } from '../three/index.js';
+import type { PickTarget } from '../three/item-picker.js';
+import { firstOf, type Triangles } from '../three/triangle-tree.js';
 import { type ChangedTriangles, changedTriangles, type Drawn } from './change.js';
-import { RayTree } from './ray-tree.js';
 
 /** Changes of more triangles than this are not told one by one. */
 const MOST_CHANGES = 4000;
@@ -11,7 +13,7 @@ const MOST_CHANGES = 4000;
  * A mesh made ready for the scene: its positions moved into the unit sphere, its faces
  * triangulated for drawing, and a tree over the triangles that picks the faces they are part of.
  */
-export class Surface implements Drawn {
+export class Surface implements Drawn, PickTarget, ShownFaces {
   readonly mesh: HalfedgeMesh;
   /** xyz by vertex, centred, within distance 1 of the origin; the origin for deleted vertices. */
   readonly points: Float32Array;
@@ -22,7 +24,9 @@ export class Surface implements Drawn {
   readonly placement: Matrix4;
   /** The points, as layers share them. */
   readonly position: BufferAttribute;
-  readonly tree: RayTree;
+  readonly tree: FaceTree;
+  /** Its points are in the world as they are. */
+  readonly matrixWorld = new Matrix4();
   /** What changed since the earlier surface; null where there is none, or all may have changed. */
   readonly change: ChangedTriangles | null;
   /** By triangle: the face it is part of. */
@@ -32,7 +36,7 @@ export class Surface implements Drawn {
   readonly #bounds: Bounds;
 
   /** With a surface that was made from the mesh earlier, before an edit: in the same place. */
-  constructor(mesh: HalfedgeMesh, earlier?: Surface) {
+  constructor(mesh: HalfedgeMesh, earlier?: Surface, options: FaceTreeOptions = {}) {
     this.mesh = mesh;
     // What this was made from, as it was then: the mesh itself goes on to change.
     this.vertexHalfedge = mesh.connectivity.vertexHalfedge.slice();
@@ -48,8 +52,8 @@ export class Surface implements Drawn {
     this.triangles = triangles;
     this.position = new BufferAttribute(this.points, 3);
     this.change = earlier ? changedTriangles(earlier, this, MOST_CHANGES) : null;
-    const updated = earlier && this.change && earlier.tree.update(this.change.faces, this);
-    this.tree = updated ? earlier.tree : new RayTree(this);
+    this.tree = earlier?.tree ?? new FaceTree(this, options);
+    if (earlier) this.tree.update(this.change?.faces ?? null, this);
     this.medianEdge = earlier ? earlier.medianEdge : medianEdge(mesh, this.points);
   }
 
@@ -73,6 +77,16 @@ export class Surface implements Drawn {
   /** The triangles that a face is drawn as, as vertices. */
   facePieces(face: number): number[] {
     return triangulateFace(this.mesh, this.points, face);
+  }
+
+  triangleVertices(face: number): Uint32Array {
+    const from = firstOf(this.faceOf, face);
+    return this.triangles.subarray(3 * from, 3 * firstOf(this.faceOf, face + 1));
+  }
+
+  allTriangles(): Triangles {
+    const { points, triangles, faceOf } = this;
+    return { points: points.slice(), vertices: triangles.slice(), faces: faceOf };
   }
 }
 

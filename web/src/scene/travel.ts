@@ -1,10 +1,10 @@
 import { Spherical, Vector3 } from 'three';
 import type { Item } from '../teaching/items.js';
 import type { CirculatorPlayer } from '../teaching/player.js';
+import type { ItemPicker } from '../three/item-picker.js';
 import { anchorOf, facesAt, reachOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';
-import type { Picker } from './picking.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
@@ -28,7 +28,7 @@ export interface Shown {
   readonly surface: Surface;
   readonly frames: FaceFrames;
   readonly glyphs: Glyphs;
-  readonly picker: Picker;
+  readonly picker: ItemPicker;
 }
 
 /** Moves the camera: around the mesh, to items, and after the player. */
@@ -107,7 +107,7 @@ export class Travel {
   #hidden(items: readonly Item[], shown: Shown): Item | undefined {
     return items.find((item) => {
       const point = this.#anchor(item, shown);
-      return !this.#stage.inSight(point) || shown.picker.hides(point);
+      return !this.#stage.inSight(point) || shown.picker.hides(point, this.#stage.camera);
     });
   }
 

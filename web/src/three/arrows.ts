@@ -31,6 +31,9 @@ export const ARROW_FLOATS = 9;
 /** The inset is at most this share of the largest one that leaves all arrows some length. */
 export const CAP_SHARE = 0.35;
 
+/** Faces whose edges are shorter, in CSS pixels, have no room for arrows. */
+export const ARROWS_FROM = 28;
+
 const TRIM_SHARE = 0.12;
 const BARB_SHARE = 0.4;
 const BARB_SLOPE = 0.55;

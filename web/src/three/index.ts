@@ -1,6 +1,13 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
-export { ARROW_FLOATS, type ArrowSizes, ArrowTracer, arrowSizes, CAP_SHARE } from './arrows.js';
+export {
+  ARROW_FLOATS,
+  ARROWS_FROM,
+  type ArrowSizes,
+  ArrowTracer,
+  arrowSizes,
+  CAP_SHARE,
+} from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
 export { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 export { type HelperOptions, MeshHelper } from './helper.js';
@@ -15,7 +22,7 @@ export {
 } from './helpers.js';
 export { IndexLabelsHelper, type LabelsOptions } from './labels-helper.js';
 export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
-export { type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
+export { type ChangeListener, type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
 export { newellNormal, squaredDistanceToSegment } from './polygon.js';
 export {
   type FromGeometryOptions,

@@ -1,0 +1,264 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import { MeshGeometry } from 'halfedge/three';
+import { MeshPicker, type PickOptions } from 'halfedge/three/picking';
+import * as THREE from 'three';
+import { grownOver, type TreeSeed } from '../../dist/three/triangle-tree.js';
+import { random } from './support/random.js';
+import { randomEdit, refusalOf } from './support/random-edits.js';
+
+beforeAll(() => init());
+
+const SIZE = 400;
+
+/** A camera above the origin of a square canvas, that sees `width` of the world. */
+function above(x: number, width: number) {
+  const half = width / 2;
+  const camera = new THREE.OrthographicCamera(-half, half, half, -half, 0.1, 10);
+  camera.position.set(x, 0, 3);
+  camera.updateMatrixWorld();
+  return { camera, width: SIZE, height: SIZE };
+}
+
+/** A grid of four quads of 100 pixels, seen from above, as part of an object that is moved and scaled. */
+function scene(mesh: HalfedgeMesh = HalfedgeMesh.grid(2, 2, { width: 1, height: 1 })) {
+  const object = new THREE.Mesh(new MeshGeometry(mesh));
+  object.position.set(5, 0, 0);
+  object.scale.setScalar(2);
+  const view = above(5, 4);
+  const picker = new MeshPicker(object);
+  /** Picks at a point of the world, from the middle of the object. */
+  const pick = (x: number, y: number, options: PickOptions = {}) =>
+    picker.pick((0.5 + x / 4) * SIZE, (0.5 - y / 4) * SIZE, view, options);
+  return { mesh, object, picker, pick, view };
+}
+
+/** What a ray hits, tried against all triangles. */
+function hitByThree({ geometry, matrixWorld }: THREE.Mesh<MeshGeometry>, ray: THREE.Ray) {
+  const plain = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+  plain.matrixWorld.copy(matrixWorld);
+  const [hit] = new THREE.Raycaster(ray.origin, ray.direction).intersectObject(plain);
+  return hit && { face: geometry.face(hit.faceIndex as number), distance: hit.distance };
+}
+
+/** Does in its own time what the thread does. */
+class FakeWorker {
+  isTerminated = false;
+  #seed: TreeSeed | undefined;
+  #listener: (event: { data: unknown }) => void = () => {};
+
+  addEventListener(type: string, listener: (event: { data: unknown }) => void): void {
+    if (type === 'message') this.#listener = listener;
+  }
+  postMessage(seed: TreeSeed): void {
+    this.#seed = seed;
+  }
+  answer(): void {
+    this.#listener({ data: structuredClone(grownOver(this.#seed as TreeSeed).grown) });
+  }
+  terminate(): void {
+    this.isTerminated = true;
+  }
+}
+
+describe('MeshPicker', () => {
+  test('picks what is nearest: a vertex, an edge, an arrow or the face', () => {
+    const { mesh, pick } = scene();
+    expect(pick(0.03, 0.04)).toEqual({ kind: 'vertex', index: 4 });
+    expect(pick(0.5, 0.01)).toEqual({ kind: 'edge', index: mesh.findEdge(4, 5) });
+    // The arrow of the halfedge lies in its face, 6.5 pixels from the edge.
+    expect(pick(0.5, 0.07)).toEqual({ kind: 'halfedge', index: mesh.findHalfedge(4, 5) });
+    expect(pick(0.5, -0.07)).toEqual({ kind: 'halfedge', index: mesh.findHalfedge(5, 4) });
+    expect(pick(0.5, 0.5)).toEqual({ kind: 'face', index: 3 });
+    expect(pick(1.5, 0)).toBe(null);
+  });
+
+  test('picks items of one kind, wherever in the face the pointer is', () => {
+    const { mesh, pick } = scene();
+    expect(pick(0.3, 0.2, { mode: 'vertex' })).toEqual({ kind: 'vertex', index: 4 });
+    expect(pick(0.6, 0.9, { mode: 'vertex' })).toEqual({ kind: 'vertex', index: 8 });
+    expect(pick(0.5, 0.2, { mode: 'edge' })).toEqual({ kind: 'edge', index: mesh.findEdge(4, 5) });
+    const halfedge = { kind: 'halfedge', index: mesh.findHalfedge(4, 5) };
+    expect(pick(0.5, 0.2, { mode: 'halfedge' })).toEqual(halfedge);
+    expect(pick(0.001, 0.001, { mode: 'face' })).toEqual({ kind: 'face', index: 3 });
+  });
+
+  test('still means vertices, edges and the outer halfedges from just beside the outline', () => {
+    const { mesh, pick } = scene();
+    expect(pick(1.04, 1.04)).toEqual({ kind: 'vertex', index: 8 });
+    expect(pick(1.03, 0.5)).toEqual({ kind: 'edge', index: mesh.findEdge(5, 8) });
+    const outer = mesh.findHalfedge(8, 5);
+    expect(mesh.isBoundaryHalfedge(outer)).toBe(true);
+    expect(pick(1.03, 0.5, { mode: 'halfedge' })).toEqual({ kind: 'halfedge', index: outer });
+    expect(pick(1.03, 0.5, { mode: 'face' })).toBe(null);
+    expect(pick(1.2, 0.5)).toBe(null);
+  });
+
+  test('picks the arrows of boundary halfedges that are drawn, outside of the surface', () => {
+    const { mesh, pick } = scene();
+    const outer = mesh.findHalfedge(8, 5);
+    const boundary = mesh
+      .halfedges()
+      .toArray()
+      .filter((h) => mesh.isBoundaryHalfedge(h));
+    expect(pick(1.065, 0.5)).toBe(null);
+    expect(pick(1.065, 0.5, { boundary })).toEqual({ kind: 'halfedge', index: outer });
+  });
+
+  test('picks vertices without edges, unless the surface hides them', () => {
+    const mesh = HalfedgeMesh.grid(2, 2, { width: 1, height: 1 });
+    const { picker, pick, object } = scene(mesh);
+    const beside = mesh.addVertex([0.7, 0.2, 0]);
+    const below = mesh.addVertex([0.2, 0.25, -0.1]);
+    const before = mesh.addVertex([0.2, 0.25, 0.1]);
+    object.geometry.update();
+    expect(pick(1.42, 0.41)).toEqual({ kind: 'vertex', index: beside });
+    expect(pick(1.42, 0.41, { mode: 'edge' })).toBe(null);
+    expect(pick(0.4, 0.5)).toEqual({ kind: 'vertex', index: before });
+    mesh.deleteVertex(before);
+    object.geometry.update();
+    expect(pick(0.4, 0.5)).toEqual({ kind: 'face', index: 3 });
+    expect(mesh.valence(below)).toBe(0);
+    picker.dispose();
+  });
+
+  test('tells where a ray has hit, in the world, and what the surface hides', () => {
+    const { picker, view } = scene();
+    const hit = picker.faceAt(150, 175, view);
+    expect(hit?.face).toBe(2);
+    expect(hit?.point.toArray()).toEqual([4.5, 0.25, 0].map((x) => expect.closeTo(x)));
+    expect(hit?.distance).toBeCloseTo(3);
+    const ray = new THREE.Ray(new THREE.Vector3(4.5, 0.25, -2), new THREE.Vector3(0, 0, 1));
+    expect(picker.cast(ray)).toMatchObject({ face: 2, distance: expect.closeTo(2) });
+    expect(picker.hides(new THREE.Vector3(4.5, 0.25, -1), view.camera)).toBe(true);
+    expect(picker.hides(new THREE.Vector3(4.5, 0.25, 0), view.camera)).toBe(false);
+    expect(picker.hides(new THREE.Vector3(4.5, 0.25, 1), view.camera)).toBe(false);
+  });
+
+  test('picks a concave polygon as the one face that it is', () => {
+    const mesh = HalfedgeMesh.fromPolygons([0, 0, 0, 1, -1, 0, 0, 1, 0, -1, -1, 0], [[0, 1, 2, 3]]);
+    const { pick } = scene(mesh);
+    for (const [x, y] of [
+      [-1, -0.7],
+      [1, -0.7],
+      [0, 1],
+    ]) {
+      expect(pick(x, y, { mode: 'face' })).toEqual({ kind: 'face', index: 0 });
+    }
+    expect(pick(0, -0.8, { mode: 'face' })).toBe(null);
+  });
+
+  test('reaches further for a finger', () => {
+    const { pick } = scene();
+    expect(pick(0.15, 0.09)?.kind).not.toBe('vertex');
+    expect(pick(0.15, 0.09, { reach: 2 })?.kind).toBe('vertex');
+  });
+
+  test('refuses wrong arguments with a sentence', () => {
+    expect(() => new MeshPicker(new THREE.Mesh() as never)).toThrow(
+      /^object is a.*; expected a Mesh with a MeshGeometry\.$/,
+    );
+    expect(() => scene().pick(0, 0, { mode: 'corner' as never })).toThrow(
+      /options\.mode is "corner"; expected 'auto'/,
+    );
+  });
+});
+
+describe('After edits, MeshPicker', () => {
+  test.each([1, 2])('hits what three.js hits: seed %i', (seed) => {
+    const next = random(seed);
+    const mesh = HalfedgeMesh.icoSphere(3);
+    mesh.history.enabled = true;
+    const object = new THREE.Mesh(new MeshGeometry(mesh, seed % 2 ? {} : { normals: 'flat' }));
+    const picker = new MeshPicker(object);
+    const done: string[] = [];
+    for (let i = 0; i < 40; i++) {
+      const way = next();
+      if (way < 0.1) done.push(`undo ${mesh.history.undo()}`);
+      else if (way < 0.15) mesh.compact();
+      else if (way < 0.3 && mesh.vertexCount > 0) {
+        const [v] = mesh.vertices();
+        for (let k = 0; k < 3; k++) mesh.positions[3 * v + k] *= 1.1;
+      } else {
+        const edit = randomEdit(mesh, next);
+        refusalOf(edit);
+        done.push(edit.name);
+      }
+      object.geometry.update();
+      for (let r = 0; r < 4; r++) {
+        const origin = new THREE.Vector3().randomDirection().multiplyScalar(5);
+        const to = new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+        const ray = new THREE.Ray(origin, to.sub(origin).normalize());
+        const [hit, expected] = [picker.cast(ray), hitByThree(object, ray)];
+        const what = `seed ${seed}, step ${i}: ${done.slice(-3).join('; ')}`;
+        // Where two faces lie upon each other, either will do.
+        expect([what, hit?.distance]).toEqual([
+          what,
+          expected && expect.closeTo(expected.distance, 4),
+        ]);
+        if (hit) expect(mesh.connectivity.faceHalfedge[hit.face]).toBeGreaterThanOrEqual(0);
+      }
+    }
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('no longer follows once it is disposed of', () => {
+    const { mesh, object, picker, pick } = scene();
+    picker.dispose();
+    mesh.deleteFace(3);
+    object.geometry.update();
+    expect(pick(0.5, 0.5, { mode: 'face' })).toBe(null); // gone, though the tree does not know
+    expect(pick(-0.5, -0.5, { mode: 'face' })).toEqual({ kind: 'face', index: 0 });
+  });
+});
+
+describe('Of many faces, MeshPicker', () => {
+  const ROWS = 180; // of more triangles than are taken up at once
+
+  function many(worker: () => never) {
+    const mesh = HalfedgeMesh.grid(ROWS, ROWS, { width: 2, height: 2, triangles: true });
+    const object = new THREE.Mesh(new MeshGeometry(mesh, { normals: 'none' }));
+    const picker = new MeshPicker(object, { worker });
+    const view = above(0, 2);
+    /** In one half of a square of the grid, in pixels. */
+    const faceAt = (column: number, row: number) =>
+      picker.pick((SIZE * (column + 0.6)) / ROWS, SIZE * (1 - (row + 0.3) / ROWS), view, {
+        mode: 'face',
+      })?.index;
+    return { mesh, object, picker, faceAt };
+  }
+
+  test('finds the one that is there, before and after an edit', () => {
+    const { mesh, object, picker, faceAt } = many(() => null as never);
+    const face = faceAt(100, 90) as number;
+    expect(face >> 1).toBe(90 * ROWS + 100);
+    mesh.makeHole(face);
+    object.geometry.update();
+    expect(faceAt(100, 90)).toBe(undefined);
+    expect((faceAt(101, 90) as number) >> 1).toBe(90 * ROWS + 101);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('works before a worker has grown the tree, and takes up edits made meanwhile', async () => {
+    const thread = new FakeWorker();
+    const { mesh, object, picker, faceAt } = many(() => thread as never);
+    mesh.history.enabled = true;
+    const face = faceAt(100, 90) as number;
+    expect(face >> 1).toBe(90 * ROWS + 100);
+    mesh.makeHole(face);
+    object.geometry.update();
+    expect(faceAt(100, 90)).toBe(undefined);
+    expect(thread.isTerminated).toBe(false);
+    thread.answer();
+    await picker.ready;
+    expect(thread.isTerminated).toBe(true);
+    expect(faceAt(100, 90)).toBe(undefined);
+    expect((faceAt(101, 90) as number) >> 1).toBe(90 * ROWS + 101);
+    mesh.history.undo();
+    object.geometry.update();
+    expect(faceAt(100, 90)).toBe(face);
+    picker.dispose();
+    mesh.dispose();
+  });
+});

@@ -1,0 +1,164 @@
+import type { Ray } from 'three';
+import type { SerializedBVH } from 'three-mesh-bvh';
+import type { WorkerLike } from '../thread.js';
+import {
+  distanceToTriangle,
+  type TriangleHit,
+  type Triangles,
+  TriangleTree,
+} from './triangle-tree.js';
+
+/** With more faces than these beside the tree, it is grown anew. */
+const MOST_LOOSE = 3000;
+/** Over fewer triangles, a tree is grown at once; over more, by a worker. */
+const SMALL = 50_000;
+
+/** The triangles that show the faces of a mesh, as they are now. */
+export interface ShownFaces {
+  /** xyz by vertex. */
+  readonly points: Float32Array;
+  /** Arrays that are nobody else's. */
+  allTriangles(): Triangles;
+  /** Three vertices for each triangle of a face; none if there is no such face. */
+  triangleVertices(face: number): ArrayLike<number>;
+}
+
+/** How a tree is grown. */
+export interface FaceTreeOptions {
+  /**
+   * Makes the worker that grows trees over many triangles, such as `newPickingWorker`: one that runs
+   * `halfedge/three/picking-thread`, or null for none. Without, they are grown at once.
+   */
+  worker?: () => WorkerLike | null;
+}
+
+/**
+ * Finds the face that a ray hits first. After an edit, the triangles of the faces that changed are taken out
+ * of the tree, and those that came instead lie loose beside it: so an edit costs what it touched, whatever
+ * the size of the mesh. While a worker grows a tree over many triangles, a ray is tried against each of them,
+ * some 15 ms for a million.
+ */
+export class FaceTree {
+  readonly #makeWorker: () => WorkerLike | null;
+  #tree: TriangleTree;
+  /** By face that changed since: nine coordinates of each of its triangles. */
+  readonly #loose = new Map<number, Float32Array>();
+  /** The one that is growing, and the faces that have changed since it began to. */
+  #young: { readonly tree: TriangleTree; readonly changed: Set<number> } | null = null;
+  #stopWorker = () => {};
+  #ready: Promise<void> = Promise.resolve();
+
+  constructor(shown: ShownFaces, { worker = () => null }: FaceTreeOptions = {}) {
+    this.#makeWorker = worker;
+    this.#tree = new TriangleTree(shown.allTriangles());
+    this.#grow(this.#tree);
+  }
+
+  /** Whether there is a tree already; if not, `cast` takes a while of many triangles. */
+  get isGrown(): boolean {
+    return this.#tree.isGrown;
+  }
+
+  /** Fulfilled when no tree is growing. */
+  get ready(): Promise<void> {
+    return this.#ready;
+  }
+
+  /** Takes over faces that look different now; null: all of them. */
+  update(faces: Iterable<number> | null, shown: ShownFaces): void {
+    if (faces === null) {
+      this.#tree = new TriangleTree(shown.allTriangles());
+      this.#loose.clear();
+      this.#grow(this.#tree);
+      return;
+    }
+    for (const face of faces) {
+      this.#tree.remove(face);
+      this.#young?.tree.remove(face);
+      this.#young?.changed.add(face);
+      const vertices = shown.triangleVertices(face);
+      if (vertices.length === 0) this.#loose.delete(face);
+      else this.#loose.set(face, coordinates(shown.points, vertices));
+    }
+    if (this.#loose.size > MOST_LOOSE && this.#young === null) {
+      this.#grow(new TriangleTree(shown.allTriangles()));
+    }
+  }
+
+  /** The face that a ray hits first, from either side. */
+  cast(ray: Ray): TriangleHit | null {
+    let found = this.#tree.cast(ray);
+    let least = found?.distance ?? Number.POSITIVE_INFINITY;
+    for (const [face, corners] of this.#loose) {
+      for (let i = 0; i < corners.length; i += 9) {
+        const distance = distanceToTriangle(ray, corners, i, i + 3, i + 6);
+        if (distance >= least) continue;
+        least = distance;
+        found = { face, distance };
+      }
+    }
+    return found;
+  }
+
+  /** Ends the worker, if one is at work. */
+  dispose(): void {
+    this.#stopWorker();
+  }
+
+  #grow(tree: TriangleTree): void {
+    this.#stopWorker();
+    this.#young = { tree, changed: new Set() };
+    const worker = tree.size > SMALL ? (this.#makeWorker() as TreeWorker | null) : null;
+    if (worker === null) {
+      tree.grow();
+      this.#settle();
+      return;
+    }
+    this.#ready = new Promise((resolve) => {
+      const end = (use: () => void) => {
+        this.#stopWorker = () => {};
+        worker.terminate();
+        use();
+        resolve();
+      };
+      this.#stopWorker = () => end(() => {});
+      worker.addEventListener('message', ({ data }) =>
+        end(() => {
+          tree.adopt(data);
+          this.#settle();
+        }),
+      );
+      worker.addEventListener('error', () =>
+        // From some sites no worker can be started that imports three.js.
+        end(() => {
+          tree.grow();
+          this.#settle();
+        }),
+      );
+      const seed = tree.seed;
+      worker.postMessage(seed, [seed.points.buffer, seed.vertices.buffer]);
+    });
+  }
+
+  /** The tree that has grown takes the place of the one before; loose are the faces that changed since. */
+  #settle(): void {
+    if (this.#young === null) return;
+    const { tree, changed } = this.#young;
+    this.#young = null;
+    this.#tree = tree;
+    for (const face of [...this.#loose.keys()]) if (!changed.has(face)) this.#loose.delete(face);
+  }
+}
+
+interface TreeWorker extends WorkerLike {
+  addEventListener(type: 'message', listener: (event: { data: SerializedBVH }) => void): void;
+  addEventListener(type: 'error', listener: () => void): void;
+}
+
+function coordinates(points: Float32Array, vertices: ArrayLike<number>): Float32Array {
+  const xyz = new Float32Array(3 * vertices.length);
+  for (let i = 0; i < vertices.length; i++) {
+    for (let k = 0; k < 3; k++) xyz[3 * i + k] = points[3 * vertices[i] + k];
+  }
+  return xyz;
+}

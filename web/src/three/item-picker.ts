@@ -1,0 +1,254 @@
+import { type Camera, type Matrix4, Ray, Vector3 } from 'three';
+import { describe } from '../arguments.js';
+import type { ItemKind } from '../items.js';
+import { ARROWS_FROM, arrowSizes } from './arrows.js';
+import type { FaceTree } from './face-tree.js';
+import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
+import { distanceToArrow, type Nearest, nearestOf } from './nearest.js';
+import { type PickView, Projection, type ScreenPoint } from './projection.js';
+
+/** What is picked: whatever is nearest, or only items of one kind. */
+export type PickMode = 'auto' | ItemKind;
+
+/** How to pick. */
+export interface PickOptions {
+  /** Default: 'auto'. */
+  mode?: PickMode;
+  /** How far from a vertex, an edge or an arrow it is still meant: 1 for a mouse, 2 for a finger. Default: 1. */
+  reach?: number;
+  /** Boundary halfedges whose arrows are drawn, outside of the surface. Default: none. */
+  boundary?: Iterable<number>;
+}
+
+/** An item under the pointer. */
+export interface PickedItem {
+  readonly kind: ItemKind;
+  readonly index: number;
+}
+
+/** A face that a ray hits, where, and how far from its origin: in the world. */
+export interface FaceHit {
+  readonly face: number;
+  readonly point: Vector3;
+  readonly distance: number;
+}
+
+/** A mesh that is drawn somewhere, and the tree over its faces. */
+export interface PickTarget extends DrawnMesh {
+  readonly tree: FaceTree;
+  /** Takes its points into the world. */
+  readonly matrixWorld: Matrix4;
+}
+
+const MODES: readonly unknown[] = ['auto', 'vertex', 'edge', 'halfedge', 'face'];
+/** How near a pointer means something, in CSS pixels, if nothing else is nearer. */
+const TO_VERTEX = 11;
+const TO_ISOLATED = 10;
+const BESIDE = 8;
+const TO_BOUNDARY = 6;
+const TO_ARROW = 5.5;
+/** No more vertices without edges than these can be pointed at: each is looked at. */
+const MOST_ISOLATED = 20_000;
+/** Of the way to a point, where the surface must be to hide it: what lies on it isn't hidden. */
+const CLEARLY_BEFORE = 0.992;
+
+/**
+ * Finds the vertex, edge, halfedge or face under the pointer: the face by a ray, then the nearest of what is in
+ * it, in pixels of the canvas. Polygons are picked as the faces that they are.
+ */
+export class ItemPicker {
+  readonly #target: PickTarget;
+  readonly #glyphs: HalfedgeGlyphs;
+  /** The vertices without edges, and the version of the mesh that has them. */
+  #isolated: { readonly version: number; readonly vertices: number[] } | null = null;
+
+  constructor(target: PickTarget) {
+    this.#target = target;
+    this.#glyphs = new HalfedgeGlyphs(target);
+  }
+
+  /**
+   * The item at a place of the canvas, in CSS pixels from its top left; null if there is none.
+   *
+   * @throws RangeError for a mode that there isn't
+   */
+  pick(x: number, y: number, view: PickView, options: PickOptions = {}): PickedItem | null {
+    const { mode = 'auto', reach = 1, boundary = [] } = options;
+    if (!MODES.includes(mode)) {
+      throw new RangeError(
+        `options.mode is ${describe(mode)}; expected 'auto', 'vertex', 'edge', 'halfedge' or 'face'.`,
+      );
+    }
+    const at: ScreenPoint = [x, y];
+    const projection = new Projection(view, this.#target.matrixWorld);
+    const isolated =
+      mode === 'auto' || mode === 'vertex' ? this.#isolatedAt(at, view, projection, reach) : -1;
+    if (isolated >= 0) return { kind: 'vertex', index: isolated };
+    const hit = this.#hit(projection.ray(x, y));
+    if (mode === 'auto' || mode === 'halfedge') {
+      const outside = this.#boundaryAt(at, boundary, view, projection, reach, hit);
+      if (outside >= 0) return { kind: 'halfedge', index: outside };
+    }
+    if (hit === null) return this.#beside(at, projection, mode, reach);
+    if (mode === 'face') return { kind: 'face', index: hit.face };
+    const nearest = this.#nearest(hit.face, at, projection);
+    if (mode === 'vertex') return { kind: 'vertex', index: nearest.vertex };
+    if (mode === 'edge') return { kind: 'edge', index: nearest.halfedge >> 1 };
+    if (mode === 'halfedge') return { kind: 'halfedge', index: nearest.halfedge };
+    return closest(hit.face, nearest, reach);
+  }
+
+  /** What the surface shows at a place of the canvas. */
+  faceAt(x: number, y: number, view: PickView): FaceHit | null {
+    return this.#hit(new Projection(view, this.#target.matrixWorld).ray(x, y));
+  }
+
+  /** What a ray of the world hits first, from either side. */
+  cast(ray: Ray): FaceHit | null {
+    return this.#hit(ray.clone().applyMatrix4(this.#target.matrixWorld.clone().invert()), ray);
+  }
+
+  /** Whether the surface hides a point of the world from a camera. */
+  hides(point: Vector3, camera: Camera): boolean {
+    const origin = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+    const direction = point.clone().sub(origin);
+    const distance = direction.length();
+    const hit = this.cast(new Ray(origin, direction.divideScalar(distance)));
+    return hit !== null && hit.distance < CLEARLY_BEFORE * distance;
+  }
+
+  /** Casts a ray of the object's space. `seen`: the same in the world. */
+  #hit(ray: Ray, seen?: Ray): FaceHit | null {
+    const { tree, matrixWorld, mesh } = this.#target;
+    const hit = tree.cast(ray);
+    // An edit may have taken the face away, and the tree not know it yet.
+    if (hit === null || !(mesh.connectivity.faceHalfedge[hit.face] >= 0)) return null;
+    const point = ray.at(hit.distance, new Vector3()).applyMatrix4(matrixWorld);
+    const origin = seen?.origin ?? ray.origin.clone().applyMatrix4(matrixWorld);
+    return { face: hit.face, point, distance: point.distanceTo(origin) };
+  }
+
+  #nearest(face: number, at: ScreenPoint, projection: Projection): Nearest {
+    return nearestOf(face, at, this.#target, this.#glyphs, projection);
+  }
+
+  /** Just beside the outline of the surface: its vertices and edges can still be meant. */
+  #beside(
+    at: ScreenPoint,
+    projection: Projection,
+    mode: PickMode,
+    reach: number,
+  ): PickedItem | null {
+    if (mode === 'face') return null;
+    let least = BESIDE * reach;
+    let found: PickedItem | null = null;
+    for (let i = 0; i < 8; i++) {
+      const [dx, dy] = [Math.cos((Math.PI * i) / 4), Math.sin((Math.PI * i) / 4)];
+      const hit = this.#hit(
+        projection.ray(at[0] + BESIDE * reach * dx, at[1] + BESIDE * reach * dy),
+      );
+      if (!hit) continue;
+      const { vertex, vertexDistance, halfedge, edgeDistance } = this.#nearest(
+        hit.face,
+        at,
+        projection,
+      );
+      if (mode !== 'edge' && mode !== 'halfedge' && vertexDistance < least) {
+        least = vertexDistance;
+        found = { kind: 'vertex', index: vertex };
+      } else if (mode !== 'vertex' && edgeDistance + 3 < least) {
+        least = edgeDistance + 3;
+        found =
+          mode === 'halfedge'
+            ? { kind: 'halfedge', index: this.#outer(halfedge) }
+            : { kind: 'edge', index: halfedge >> 1 };
+      }
+    }
+    return found;
+  }
+
+  /** Of an edge on the boundary, the halfedge on the outside. */
+  #outer(h: number): number {
+    return this.#target.mesh.connectivity.face[h ^ 1] < 0 ? h ^ 1 : h;
+  }
+
+  /** The boundary halfedge whose arrow is there; -1 for none. */
+  #boundaryAt(
+    at: ScreenPoint,
+    boundary: Iterable<number>,
+    { camera }: PickView,
+    projection: Projection,
+    reach: number,
+    hit: FaceHit | null,
+  ): number {
+    const { mesh, points, matrixWorld } = this.#target;
+    const { toVertex } = mesh.connectivity;
+    let found = -1;
+    let least = TO_BOUNDARY * reach;
+    for (const h of boundary) {
+      const from = 3 * toVertex[h ^ 1];
+      const pixel = projection.pixelAt(points[from], points[from + 1], points[from + 2]);
+      this.#glyphs.boundary(h, arrowSizes(pixel));
+      const distance = distanceToArrow(at, this.#glyphs, 0, projection);
+      if (!(distance < least)) continue;
+      const start = new Vector3().fromArray(this.#glyphs.arrows).applyMatrix4(matrixWorld);
+      start.sub(camera.getWorldPosition(new Vector3()));
+      if (hit && hit.distance < 0.99 * start.length()) continue;
+      least = distance;
+      found = h;
+    }
+    return found;
+  }
+
+  /** The vertex without edges that is there and that nothing hides; -1 for none. */
+  #isolatedAt(
+    at: ScreenPoint,
+    { camera }: PickView,
+    projection: Projection,
+    reach: number,
+  ): number {
+    const { points, matrixWorld } = this.#target;
+    let found = -1;
+    let least = TO_ISOLATED * reach;
+    for (const v of this.#isolatedVertices()) {
+      const [x, y] = projection.project(points, 3 * v);
+      const distance = Math.hypot(x - at[0], y - at[1]);
+      if (!(distance < least)) continue;
+      const point = new Vector3().fromArray(points as number[], 3 * v).applyMatrix4(matrixWorld);
+      if (this.hides(point, camera)) continue;
+      least = distance;
+      found = v;
+    }
+    return found;
+  }
+
+  #isolatedVertices(): readonly number[] {
+    const { mesh } = this.#target;
+    const { version } = mesh;
+    if (this.#isolated?.version !== version) {
+      const { vertexHalfedge } = mesh.connectivity;
+      const vertices: number[] = [];
+      for (let v = 0; v < vertexHalfedge.length && vertices.length < MOST_ISOLATED; v++) {
+        if (vertexHalfedge[v] === -1) vertices.push(v);
+      }
+      this.#isolated = { version, vertices };
+    }
+    return this.#isolated.vertices;
+  }
+}
+
+/** What of a face is meant; on short edges its features share the room that there is. */
+function closest(face: number, nearest: Nearest, reach: number): PickedItem {
+  const { vertexDistance, edgeDistance, arrowDistance, edgeLength, meanEdge } = nearest;
+  if (vertexDistance <= Math.min(TO_VERTEX * reach, 0.28 * edgeLength)) {
+    return { kind: 'vertex', index: nearest.vertex };
+  }
+  const hasArrows = meanEdge >= ARROWS_FROM;
+  if (edgeDistance <= Math.min((hasArrows ? 3 : 4) * reach, 0.12 * edgeLength)) {
+    return { kind: 'edge', index: nearest.halfedge >> 1 };
+  }
+  if (hasArrows && arrowDistance <= TO_ARROW * reach) {
+    return { kind: 'halfedge', index: nearest.halfedge };
+  }
+  return { kind: 'face', index: face };
+}
