@@ -234,16 +234,36 @@ TEST(StitchBoundaries, JoinsTheTwoThatAreLeftOfFour) {
 }
 
 // Not valid at level 4, but what can be read from bytes.
+/// An edge with a face on neither side.
+Halfedge add_bare_edge(Mesh& mesh, const Point& from, const Point& to) {
+  const Vertex u = mesh.new_vertex();
+  const Vertex v = mesh.new_vertex();
+  const Halfedge h = mesh.new_edge(u, v);
+  mesh.set_vertex_halfedge(u, h);
+  mesh.set_vertex_halfedge(v, mesh.opposite(h));
+  mesh.set_position(u, from);
+  mesh.set_position(v, to);
+  return h;
+}
+
+// Its two sides lie together and run opposite ways.
 TEST(StitchBoundaries, LeavesEdgesWithoutFacesAlone) {
-  Mesh mesh = soup_of(shapes::mesh_of(shapes::cube()).value());
-  const Halfedge h = decorator::make_segment(mesh).value();
-  mesh.set_position(mesh.to_vertex(h), mesh.position(mesh.to_vertex(Halfedge(0))));
-  mesh.set_position(mesh.from_vertex(h), mesh.position(mesh.from_vertex(Halfedge(0))));
-  const Result<mend::Report> report = mend::stitch_boundaries(mesh);
-  ASSERT_TRUE(report);
-  EXPECT_EQ(report.value().summary, "12 edges stitched.");
-  EXPECT_EQ(mesh.edge_count(), 13U);
-  EXPECT_EQ(mesh.next(h), mesh.opposite(h));
+  Mesh cube = soup_of(shapes::mesh_of(shapes::cube()).value());
+  const Halfedge h = add_bare_edge(cube, cube.position(cube.from_vertex(Halfedge(0))),
+                                   cube.position(cube.to_vertex(Halfedge(0))));
+  const Result<mend::Report> closed = mend::stitch_boundaries(cube);
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed.value().summary, "12 edges stitched.");
+  EXPECT_EQ(cube.edge_count(), 13U);
+  EXPECT_EQ(cube.next(h), cube.opposite(h));
+
+  Mesh triangle = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  (void)add_bare_edge(triangle, {0, 0, 0}, {1, 0, 0});
+  (void)add_bare_edge(triangle, {5, 0, 0}, {6, 0, 0});
+  const Result<mend::Report> open = mend::stitch_boundaries(triangle);
+  ASSERT_TRUE(open);
+  EXPECT_EQ(open.value().summary, "Nothing to repair.");
+  EXPECT_EQ(triangle.edge_count(), 5U);
 }
 
 TEST(StitchBoundaries, LeavesEdgesThatRunTheSameWay) {
