@@ -64,20 +64,9 @@ class Halfedges final : public Contender {
     const Index edges = mesh_.edge_slots();
     const Index faces = mesh_.face_slots();
     require(mesh_.reserve(mesh_.vertex_slots() + faces, edges + 3 * faces, 3 * faces));
-    for (Index f = 0; f < faces; ++f) require(bool(operations::split_face(mesh_, Face(f))));
+    for (const Face f : faces_as_stored()) require(bool(operations::split_face(mesh_, f)));
     for (Index v = 0; v < moved.size(); ++v) mesh_.set_position(Vertex(v), moved[v]);
-    // Each triangle has one side left that is old. Face by face they are flipped in the order in
-    // which their new edges lie; old edges are numbered by vertex.
-    const auto flip_old_side = [&](Face f) {
-      const Halfedge h = mesh_.face_halfedge(f);
-      if (h == Mesh::edge_halfedge(Mesh::edge(h)))
-        (void)operations::flip_edge(mesh_, Mesh::edge(h));
-    };
-    for (Index f = 0; f < faces; ++f) {
-      flip_old_side(Face(f));
-      flip_old_side(Face(faces + 2 * f));
-      flip_old_side(Face(faces + 2 * f + 1));
-    }
+    for (Index e = 0; e < edges; ++e) (void)operations::flip_edge(mesh_, Edge(e));
   }
 
   void split_and_collapse() override {
@@ -101,6 +90,20 @@ class Halfedges final : public Contender {
   }
 
  private:
+  // All faces, in the order in which their halfedges lie. These are numbered by vertex, not by face
+  // as in the other libraries, where the order of the faces is that of the halfedges.
+  [[nodiscard]] std::vector<halfedge::Face> faces_as_stored() const {
+    std::vector<halfedge::Face> faces(mesh_.face_slots() + 1);  // one to write to in vain
+    std::size_t count = 0;
+    for (const halfedge::Halfedge h : mesh_.halfedges()) {
+      const halfedge::Face f = mesh_.face(h);
+      faces[count] = f;
+      count += std::size_t(f.valid() && mesh_.face_halfedge(f) == h);  // no branch to mispredict
+    }
+    faces.resize(count);
+    return faces;
+  }
+
   static void require(bool done) {
     if (!done) std::abort();
   }
