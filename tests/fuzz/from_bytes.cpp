@@ -1,4 +1,5 @@
-// Any bytes, read as those of a mesh: with all links, and without prev.
+// Any bytes, read as those of a mesh: with all links, and without prev. What is read is mended in
+// all ways, one after the other.
 
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/topology.h>
@@ -6,8 +7,10 @@
 #include <halfedge/validate/validate.h>
 
 #include <algorithm>
+#include <string>
 
 #include "support/memory.h"
+#include "support/mending.h"
 #include "support/reading.h"
 
 namespace halfedge::fuzz {
@@ -15,6 +18,23 @@ namespace {
 
 constexpr std::size_t kMemoryPerByte = 24;
 constexpr std::size_t kMemoryAtLeast = std::size_t{1} << 20U;  // sentences of `validate`
+
+/// Repairs leave a mesh as valid as it was; where they can't work with it, they say so. The bytes
+/// choose their options.
+template <class Mesh>
+void expect_mendable(Mesh& mesh, std::span<const std::uint8_t> bytes) {
+  for (std::uint8_t which = 0; which < kRepairs; ++which) {
+    SCOPED_TRACE("repair " + std::to_string(which));
+    const bool was_valid = !has_errors(validate(mesh));
+    const Result<mend::Report> report = mend_one(mesh, which, bytes[bytes.size() - 1U - which]);
+    if (!report) {
+      expect_sentence(report.error());
+      EXPECT_FALSE(was_valid) << report.error().message;
+      EXPECT_EQ(report.error().code, "corrupt-connectivity");
+    }
+    EXPECT_FALSE(has_errors(validate(mesh, was_valid ? 4 : 2)));
+  }
+}
 
 template <class Mesh>
 bool is_read(std::span<const std::uint8_t> bytes) {
@@ -38,6 +58,7 @@ bool is_read(std::span<const std::uint8_t> bytes) {
   // Whatever it is beyond that, it can be asked about, and added to.
   (void)validate(mesh);
   (void)boundary_loops(mesh);
+  expect_mendable(again, bytes);
   const Vertex v = mesh.new_vertex();
   EXPECT_TRUE(mesh.is_live(v));
   EXPECT_FALSE(has_errors(validate(mesh, 2)));

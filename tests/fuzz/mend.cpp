@@ -14,33 +14,13 @@
 
 #include "support/complexes.h"
 #include "support/invariants.h"
+#include "support/mending.h"
 #include "support/reading.h"
 #include "support/repairing.h"
 #include "support/soup.h"
 
 namespace halfedge::fuzz {
 namespace {
-
-Result<mend::Report> mend_one(Mesh& mesh, std::uint8_t which, std::uint8_t option) {
-  constexpr double kTolerances[] = {0, 0.011, 1.5, 1e30};
-  const double tolerance = kTolerances[option % 4];
-  switch (which % 6) {
-    case 0:
-      return mend::stitch_boundaries(mesh, {.tolerance = tolerance});
-    case 1:
-      return mend::split_pinched_vertices(mesh);
-    case 2:
-      return mend::orient_outward(mesh, {.open = option % 2 == 1, .nested = option % 4 > 1});
-    case 3:
-      return mend::drop_small_components(
-          mesh, {.faces = Index(option % 4), .area = option / 4 % 4 * 0.3, .diagonal = 0});
-    case 4:
-      return mend::remove_degenerate_faces(mesh, {.tolerance = tolerance});
-    default:
-      return mend::fill_holes(mesh,
-                              {.max_edges = option % 16U + 2, .max_angle = option / 16 * 12.0});
-  }
-}
 
 void expect_sound(const Mesh& mesh) {
   const std::vector<Problem> errors = test::errors_of(mesh);
