@@ -184,7 +184,7 @@ export class View {
     const { scope, kinds } = labels.value;
     const item = { off: null, selection: selected.value, pointer: hovered.value, all: null }[scope];
     return {
-      pointers: isShown ? selected.value : null,
+      pointers: isShown && selected.value ? [selected.value] : [],
       kinds: scope === 'off' || showsFile.value ? [] : kinds,
       around: scope === 'all' ? 'all' : item ? [item] : [],
     };

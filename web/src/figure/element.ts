@@ -1,5 +1,4 @@
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from 'lit';
-import { createRef, ref } from 'lit/directives/ref.js';
 import type { HalfedgeMesh } from '../api.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import type { DialectId } from '../teaching/dialects.js';
@@ -8,7 +7,8 @@ import type { Edit } from '../teaching/motion.js';
 import { tell } from './events.js';
 import { actOnKey, KEYS } from './keys.js';
 import { FigureModel, type Settings } from './model.js';
-import { openSource } from './source.js';
+import { posterOf } from './poster.js';
+import { openFaces, openSource } from './source.js';
 import { started } from './start.js';
 import { WalkStory } from './story.js';
 import { figureStyles } from './styles.js';
@@ -37,6 +37,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     direction: { reflect: true },
     step: { type: Number, reflect: true },
     operation: { reflect: true },
+    build: { type: Boolean, reflect: true },
     overlays: { reflect: true },
     dialect: { reflect: true },
     controls: { reflect: true },
@@ -63,6 +64,8 @@ export class HalfedgeFigure extends LitElement implements Controls {
   declare step: number;
   /** Operations, by their names in the API: `flip e3`; several with commas. */
   declare operation: string | null;
+  /** Whether the faces are added one by one, instead of a query. */
+  declare build: boolean;
   /** What is drawn over the mesh, in words. */
   declare overlays: string | null;
   /** Whose names the code has. */
@@ -92,8 +95,6 @@ export class HalfedgeFigure extends LitElement implements Controls {
     moved: (edit) => this.#moved(edit),
     played: () => this.requestUpdate(),
   });
-  readonly #canvas = createRef<HTMLCanvasElement>();
-  readonly #labels = createRef<HTMLElement>();
   #view: FigureView | null = null;
   #abort = new AbortController();
   readonly #watcher = new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
@@ -110,7 +111,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.dialect = 'halfedge';
     this.step = 0;
     this.speed = 1.5;
-    this.autoplay = false;
+    this.autoplay = this.build = false;
     this.state = 'waiting';
     this.failure = null;
     this.hasCaption = false;
@@ -204,7 +205,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('speed')) this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
-    if (changed.has('src') && this.state !== 'waiting') void this.#load();
+    if ((changed.has('src') || changed.has('build')) && this.state !== 'waiting') void this.#load();
     if (this.state !== 'ready') return;
     if (this.#follow(changed.has('camera')) && this.step !== 0) this.#model.player.seek(this.step);
     else if (changed.has('step')) this.#model.player.seek(this.step);
@@ -223,7 +224,6 @@ export class HalfedgeFigure extends LitElement implements Controls {
       <figure part="figure">
         <div class="stage" part="stage">
           <canvas
-            ${ref(this.#canvas)}
             part="canvas"
             tabindex="0"
             role="img"
@@ -233,7 +233,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
             @focus=${() => this.#focus(true)}
             @blur=${() => this.#focus(false)}
           ></canvas>
-          <div ${ref(this.#labels)} class="labels" part="labels" aria-hidden="true"></div>
+          <div class="labels" part="labels" aria-hidden="true"></div>
           ${this.#poster()}
           ${
             this.failure === null
@@ -256,8 +256,11 @@ export class HalfedgeFigure extends LitElement implements Controls {
   }
 
   #poster(): TemplateResult | typeof nothing {
-    if (this.state === 'ready') return nothing;
-    return html`<div class=${`poster ${this.state}`} part="poster"><slot name="poster"></slot></div>`;
+    if (this.#view && this.state === 'ready') return nothing;
+    const drawn = this.state === 'ready' ? posterOf(this.#model, numbersOf(this.camera)) : null;
+    return html`<div class=${`poster ${this.state}`} part="poster">
+      <slot name="poster">${drawn}</slot>
+    </div>`;
   }
 
   #sentence(visible: boolean): TemplateResult {
@@ -275,17 +278,26 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.failure = null;
     try {
       await started();
-      const mesh = await openSource({ src: this.src, text: this.#text() }, abort.signal);
-      if (abort.signal.aborted) mesh.dispose();
-      else await this.#open(mesh);
+      const source = { src: this.src, text: this.#text() };
+      const { signal } = abort;
+      if (this.build) {
+        const list = await openFaces(source, signal);
+        if (!signal.aborted) this.#model.takeList(list);
+      } else {
+        const mesh = await openSource(source, signal);
+        if (signal.aborted) mesh.dispose();
+        else this.#model.take(mesh);
+      }
+      if (!signal.aborted) await this.#open();
     } catch (error) {
       if (!abort.signal.aborted) this.#fail(error, 'failed');
     }
   }
 
-  async #open(mesh: HalfedgeMesh): Promise<void> {
-    this.#model.take(mesh);
+  async #open(): Promise<void> {
     await this.updateComplete;
+    const { mesh } = this.#model;
+    if (!mesh) return;
     this.#makeView();
     this.state = 'ready';
     this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
@@ -300,9 +312,14 @@ export class HalfedgeFigure extends LitElement implements Controls {
   }
 
   #makeView(): void {
-    const [canvas, labels] = [this.#canvas.value, this.#labels.value];
+    const canvas = this.renderRoot.querySelector('canvas');
+    const labels = this.renderRoot.querySelector<HTMLElement>('.labels');
     if (this.#view || !canvas || !labels) return;
-    this.#view = new FigureView(this, canvas, labels, () => this.#model);
+    try {
+      this.#view = new FigureView(this, canvas, labels, () => this.#model);
+    } catch {
+      return; // There is no WebGL: the poster stays.
+    }
     this.#view.listen(
       (item) => this.#hover(item),
       (item) => this.#choose(item),
@@ -337,6 +354,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.#abort.abort();
     this.#view?.dispose();
     this.#view = null;
+    this.renderRoot.querySelector('.labels')?.replaceChildren();
     this.#model.take(null);
   }
 

@@ -3,9 +3,12 @@ import { circulators } from '../teaching/circulators.js';
 import { type Item, isLive, itemName, linksOf, sameItem, type WalkKey } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { CirculatorPlayer } from '../teaching/player.js';
+import { BuildStory, type FaceList, verticesOnly } from './build-story.js';
+import { DeedStory } from './deed-story.js';
+import { EditStory } from './edit-story.js';
 import { DEFAULT_OVERLAYS, type OverlayName, overlaysNamed } from './overlays.js';
 import { Player } from './player.js';
-import { DeedStory, type Story, WalkStory } from './story.js';
+import { type Story, WalkStory } from './story.js';
 import { dialectNamed, directionNamed, itemNamed, queryNamed } from './words.js';
 
 /** What a figure is told to show, as its attributes say it. */
@@ -35,6 +38,8 @@ export class FigureModel {
   readonly player: Player;
   /** What the story was made of. */
   #told = '';
+  /** The faces that are to be added one by one. */
+  #list: FaceList | null = null;
 
   constructor(listener: ModelListener) {
     this.player = new Player({
@@ -64,8 +69,14 @@ export class FigureModel {
     this.player.story = null;
     this.mesh?.dispose();
     this.mesh = mesh;
-    this.selected = this.hovered = null;
+    this.selected = this.hovered = this.#list = null;
     this.#told = '';
+  }
+
+  /** Shows the vertices of a list; its faces are added step by step. */
+  takeList(list: FaceList): void {
+    this.take(verticesOnly(list));
+    this.#list = list;
   }
 
   /** Whether these are the settings that it was told last. */
@@ -82,7 +93,7 @@ export class FigureModel {
     if (!mesh || this.follows(settings)) return null;
     this.#told = JSON.stringify(settings);
     this.overlays = overlaysNamed(settings.overlays ?? DEFAULT_OVERLAYS);
-    const edit = this.story instanceof DeedStory ? this.story.seek(0) : null;
+    const edit = this.story instanceof EditStory ? this.story.seek(0) : null;
     this.player.story = null;
     this.selected = settings.select === null ? null : itemNamed(mesh, settings.select);
     this.#begin(mesh, settings);
@@ -95,7 +106,7 @@ export class FigureModel {
     if (!mesh || sameItem(item, this.selected) || (item && !isLive(mesh, item))) return false;
     this.#told = JSON.stringify(settings);
     this.selected = item;
-    if (this.story instanceof DeedStory) return true;
+    if (this.story instanceof EditStory) return true;
     this.player.story = null;
     try {
       if (item) this.#begin(mesh, settings);
@@ -113,7 +124,9 @@ export class FigureModel {
   }
 
   #begin(mesh: HalfedgeMesh, { query, operation, direction, dialect }: Settings): void {
-    if (operation) {
+    if (this.#list) {
+      this.player.story = new BuildStory(mesh, this.#list);
+    } else if (operation) {
       this.player.story = new DeedStory(mesh, operation);
       this.selected ??= this.story?.current ?? null;
     } else if (query) {
@@ -126,7 +139,7 @@ export class FigureModel {
 
   /** The selection goes with the operations: what they are done to may be gone. */
   #follow(): void {
-    if (this.story instanceof DeedStory) this.selected = this.story.current;
+    if (this.story instanceof EditStory) this.selected = this.story.current;
     this.hovered = null;
   }
 }

@@ -1,13 +1,14 @@
 import type { HalfedgeMesh, ItemKind } from '../api.js';
+import { indexLabels } from '../scene/index-labels.js';
 import type { Anchors, Overlay } from '../scene/marks.js';
 import type { Palette } from '../scene/palette.js';
-import { itemName } from '../teaching/items.js';
 
 /** What a figure can draw over its mesh, by the words of the attribute `overlays`. */
 export const OVERLAYS = [
   'halfedges',
   'boundary',
   'links',
+  'all-links',
   'vertices',
   'labels',
   'vertex-labels',
@@ -21,8 +22,15 @@ export type OverlayName = (typeof OVERLAYS)[number];
 /** What is drawn where the attribute is left out. */
 export const DEFAULT_OVERLAYS = 'halfedges boundary links';
 
-/** No more labels than these: nobody could read them. */
-const MOST_LABELS = 300;
+const KINDS: readonly [OverlayName, ItemKind][] = [
+  ['vertex-labels', 'vertex'],
+  ['face-labels', 'face'],
+  ['edge-labels', 'edge'],
+  ['halfedge-labels', 'halfedge'],
+];
+
+/** No more discs and names than these. */
+const MOST_VERTICES = 300;
 
 /** Reads the attribute. Throws a sentence for a word that is none of them. */
 export function overlaysNamed(text: string): ReadonlySet<OverlayName> {
@@ -50,34 +58,25 @@ export function addItems(
       marks.unshift({ item: { kind: 'vertex', index }, color: palette.arrow, weight: 'faint' });
     }
   }
+  const kinds = KINDS.filter(([name]) => names.has(name)).map(([, kind]) => kind);
+  if (kinds.length === 0) return;
   const told = new Set(labels.map(({ text }) => text));
-  const kinds: [OverlayName, ItemKind, Iterable<number>][] = [
-    ['vertex-labels', 'vertex', mesh.vertices()],
-    ['face-labels', 'face', mesh.faces()],
-    ['edge-labels', 'edge', mesh.edges()],
-    ['halfedge-labels', 'halfedge', mesh.halfedges()],
-  ];
-  for (const [name, kind, items] of kinds) {
-    if (!names.has(name)) continue;
-    for (const index of firstOf(items)) {
-      const item = { kind, index };
-      const text = itemName(item);
-      if (labels.length >= MOST_LABELS || told.has(text)) continue;
-      labels.push({
-        text,
-        look: 'index',
-        point: anchors.point(item),
-        side: anchors.side(item),
-        lift: kind === 'vertex' ? 15 : kind === 'halfedge' ? 12 : 0,
-      });
+  const named = indexLabels(mesh, kinds, mesh.faces(), anchors);
+  if (kinds.includes('vertex')) {
+    // No face has these.
+    for (const index of firstOf(mesh.vertices())) {
+      if (!mesh.isIsolatedVertex(index)) continue;
+      const point = anchors.point({ kind: 'vertex', index });
+      named.push({ text: `v${index}`, look: 'index', point, lift: 15 });
     }
   }
+  labels.push(...named.filter(({ text }) => !told.has(text)));
 }
 
 function firstOf(items: Iterable<number>): number[] {
   const first: number[] = [];
   for (const item of items) {
-    if (first.push(item) === MOST_LABELS) break;
+    if (first.push(item) === MOST_VERTICES) break;
   }
   return first;
 }

@@ -1,4 +1,5 @@
 import { HalfedgeMesh } from '../api.js';
+import { type FaceList, faceListOf } from './build-story.js';
 
 /** Where the mesh of a figure comes from: an address, a shape by its name, or the text of a file. */
 export interface Source {
@@ -37,6 +38,27 @@ export async function openSource(
   throw new Error(
     'This figure has no mesh: expected src="…", or the text of an OBJ, OFF, PLY or STL file in a <script type="text/plain"> inside of it.',
   );
+}
+
+/** The faces of the source as they are listed there, good or bad. */
+export async function openFaces(source: Source, signal: AbortSignal): Promise<FaceList> {
+  if (source.src === null && source.text?.trim()) {
+    const { positions, faces } = HalfedgeMesh.parseSoup(source.text);
+    let at = 0;
+    return {
+      positions,
+      faces: [...faces.sizes].map((size) => {
+        at += size;
+        return [...faces.corners.subarray(at - size, at)];
+      }),
+    };
+  }
+  const mesh = await openSource(source, signal);
+  try {
+    return faceListOf(mesh);
+  } finally {
+    mesh.dispose();
+  }
 }
 
 /**

@@ -2,11 +2,12 @@ import { Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
 import { type Anchors, type Overlay, overlayOf } from '../scene/marks.js';
 import { type Palette, readPalette } from '../scene/palette.js';
-import { MeshPicture } from '../scene/picture.js';
+import { type Captions, MeshPicture } from '../scene/picture.js';
 import { SharedScreen } from '../scene/shared-screen.js';
 import { Stage } from '../scene/stage.js';
-import type { Item } from '../teaching/items.js';
+import { type Item, linksOf } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
+import { frontOf } from './front.js';
 import { addItems, type OverlayName } from './overlays.js';
 import type { Story } from './story.js';
 
@@ -22,8 +23,6 @@ export interface FigureState {
 /** A press that moves further than this many pixels turns the camera instead of picking. */
 const CLICK_SLOP = 5;
 const FINGER = 1.9;
-/** Surfaces that are flatter than this, seen from the side, are looked at from the front. */
-const FLAT = 0.05;
 const SPACE = { top: 12, right: 12, bottom: 12, left: 12 };
 
 /** The picture of a figure, on a canvas that shares its WebGL context with all others of the page. */
@@ -32,6 +31,7 @@ export class FigureView {
   readonly #picture: MeshPicture;
   readonly #host: Element;
   readonly #state: () => FigureState;
+  readonly #ended = new AbortController();
   #palette: Palette;
 
   /** Throws where there is no WebGL. */
@@ -48,6 +48,7 @@ export class FigureView {
     this.stage.setInsets(SPACE);
     this.#picture = new MeshPicture(this.stage, labels, {
       overlay: (anchors) => this.#overlay(anchors),
+      captions: () => ({ pointers: pointersOf(state()), kinds: [], around: [] }) satisfies Captions,
       near: () => [state().selected, state().hovered].filter((item) => item !== null),
     });
     this.focused = false;
@@ -129,39 +130,45 @@ export class FigureView {
   }
 
   dispose(): void {
+    this.#ended.abort();
     this.stage.dispose();
   }
 
   /** Tells what the pointer is over, and what is picked: an item, or null for nothing. */
   listen(hovers: (item: Item | null) => void, picks: (item: Item | null) => void): void {
     const canvas = this.stage.controls.domElement as HTMLElement;
+    const { signal } = this.#ended;
+    const on = <Name extends keyof HTMLElementEventMap>(
+      name: Name,
+      act: (event: HTMLElementEventMap[Name]) => void,
+    ) => canvas.addEventListener(name, act, { signal });
     let pressed: { x: number; y: number; moved: boolean } | null = null;
     const itemAt = (event: PointerEvent) => {
       const { left, top } = canvas.getBoundingClientRect();
       const reach = event.pointerType === 'touch' ? FINGER : 1;
       return this.#picture.pick(event.clientX - left, event.clientY - top, 'auto', reach);
     };
-    canvas.addEventListener('pointermove', (event) => {
+    on('pointermove', (event) => {
       if (pressed) {
         const distance = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y);
         if (distance > CLICK_SLOP) pressed.moved = true;
       } else if (event.pointerType !== 'touch') hovers(itemAt(event));
     });
-    canvas.addEventListener('pointerleave', () => hovers(null));
-    canvas.addEventListener('pointerdown', (event) => {
+    on('pointerleave', () => hovers(null));
+    on('pointerdown', (event) => {
       if (!event.isPrimary || event.button !== 0) return;
       pressed = { x: event.clientX, y: event.clientY, moved: false };
       hovers(null);
     });
-    canvas.addEventListener('pointerup', (event) => {
+    on('pointerup', (event) => {
       const click = pressed && !pressed.moved && event.isPrimary;
       pressed = null;
       if (click) picks(itemAt(event));
     });
-    canvas.addEventListener('pointercancel', () => {
+    on('pointercancel', () => {
       pressed = null;
     });
-    canvas.addEventListener('dblclick', () => this.focus(this.#state().selected));
+    on('dblclick', () => this.focus(this.#state().selected));
   }
 
   #overlay(anchors: Anchors): Overlay {
@@ -173,7 +180,8 @@ export class FigureView {
         selected,
         hovered,
         visits: story?.visits ?? [],
-        links: overlays.has('links') && story === null,
+        links: story === null && (overlays.has('links') || overlays.has('all-links')),
+        numbers: false,
         witness: story?.witness ?? null,
         first: null,
       },
@@ -185,15 +193,13 @@ export class FigureView {
   }
 }
 
-/** Flat surfaces are seen best from the front, others from the side and from above. */
-function frontOf(points: Float32Array): Vector3 {
-  const extent = [0, 1, 2].map((k) => {
-    let most = 0;
-    for (let i = k; i < points.length; i += 3) most = Math.max(most, Math.abs(points[i]));
-    return most;
-  });
-  if (extent[2] < FLAT) return new Vector3(0, 0, 1);
-  if (extent[1] < FLAT) return new Vector3(0, 1, 0.001);
-  if (extent[0] < FLAT) return new Vector3(1, 0, 0);
-  return new Vector3(0.45, 0.35, 1);
+/** The items whose links are drawn as arrows: the selected one, or also what its links (3) and (4) lead to. */
+function pointersOf({ mesh, selected, story, overlays }: FigureState): Item[] {
+  if (!mesh || !selected || story) return [];
+  if (!overlays.has('all-links')) return overlays.has('links') ? [selected] : [];
+  const beyond = linksOf(mesh, selected)
+    .filter(({ number }) => number === 3 || number === 4)
+    .map(({ target }) => target)
+    .filter((target) => target !== null);
+  return [selected, ...beyond];
 }

@@ -24,8 +24,8 @@ import { Wire } from './wire.js';
 
 /** What is written into a picture besides its marks; where it goes depends on the camera. */
 export interface Captions {
-  /** The item whose links (1)–(7) are drawn as arrows. */
-  readonly pointers: Item | null;
+  /** The items whose links (1)–(7) are drawn as arrows. */
+  readonly pointers: readonly Item[];
   /** The kinds of items that have their names beside them. */
   readonly kinds: readonly ItemKind[];
   /** The items around which they have; wherever there is room if it is 'all'. */
@@ -262,7 +262,7 @@ export class MeshPicture {
     if (!captions || !this.#palette) return this.#marked;
     const { pointers, kinds, around } = captions;
     const anchors = anchorsOf(shown);
-    const isBehind = pointers !== null && this.hides(anchors.point(pointers));
+    const isBehind = pointers.length > 0 && this.hides(anchors.point(pointers[0]));
     const numbers = this.#pointers.update(pointers, shown, this.#palette, isBehind);
     const faces =
       around === 'all'

@@ -68,19 +68,21 @@ export class Pointers {
   }
 
   /**
-   * Before each frame: draws the arrows of the item, or none, for the camera as it stands, and returns
-   * their numbers. `faint` if the item is behind the surface.
+   * Before each frame: draws the arrows of the items for the camera as it stands, and returns their numbers.
+   * `faint` if they are behind the surface.
    */
-  update(item: Item | null, parts: Parts, palette: Palette, faint: boolean): Label[] {
+  update(items: readonly Item[], parts: Parts, palette: Palette, faint: boolean): Label[] {
     this.#batch.clear();
     this.#material.opacity = faint ? 0.25 : 1;
     this.#halo.opacity = faint ? 0 : 0.8;
     const labels: Label[] = [];
-    for (const link of item ? linksOf(parts.surface.mesh, item) : []) {
-      const { number, target } = link;
-      if (number === undefined || !item) continue;
-      if (target) labels.push(this.#draw(item, link, target, BENDS[number], parts, palette));
-      else labels.push(this.#empty(item, link, parts));
+    for (const item of items) {
+      for (const link of linksOf(parts.surface.mesh, item)) {
+        const { number, target } = link;
+        if (number === undefined) continue;
+        if (target) labels.push(this.#draw(item, link, target, BENDS[number], parts, palette));
+        else labels.push(this.#empty(item, link, parts));
+      }
     }
     this.#batch.upload();
     return labels;

@@ -51,7 +51,7 @@ export class Travel {
     const distance = this.#stage.distanceFor(
       Math.min(FARTHEST, 1.8 * reachOf(item, shown.surface)),
     );
-    this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
+    this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
   }
 
   /** Flies to a place of the file, as near as shows it with what is around it. */
@@ -114,7 +114,7 @@ export class Travel {
   /** Flies to an item, from as far away as it is now. */
   #turnTo(item: Item, shown: Shown): void {
     const distance = this.#offset().length();
-    this.#stage.fly(this.#anchor(item, shown), this.#towards(item, shown), distance);
+    this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
   }
 
   #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
@@ -131,19 +131,19 @@ export class Travel {
   turnTo(items: readonly Item[]): void {
     const { shown } = this;
     const hidden = shown && this.#hidden(items, shown);
-    if (hidden) this.#stage.flyToAll(shown.surface.points, this.#towards(hidden, shown));
+    if (hidden) this.#stage.flyToAll(shown.surface.points, this.#towards(items, shown));
   }
 
   /** As `turnTo`, without a flight. */
   lookAtAll(item: Item): void {
     const { shown } = this;
-    if (shown) this.#stage.lookAtAll(shown.surface.points, this.#towards(item, shown));
+    if (shown) this.#stage.lookAtAll(shown.surface.points, this.#towards([item], shown));
   }
 
-  /** The direction to look from: the present one, turned to the front of the item if it is behind. */
-  #towards(item: Item, { surface, frames }: Shown): Vector3 {
+  /** The direction to look from: the present one, turned to the front of the items if that is behind. */
+  #towards(items: readonly Item[], { surface, frames }: Shown): Vector3 {
     const normal = new Vector3();
-    for (const f of facesAt(surface, item)) {
+    for (const f of items.flatMap((item) => facesAt(surface, item))) {
       const at = frames.at(f) + 3;
       normal.add(new Vector3().fromArray(frames.data, at));
     }

@@ -2,7 +2,7 @@ import type { HalfedgeMesh } from '../api.js';
 import type { Query } from './circulators.js';
 import { type Dialect, dialectOf } from './dialects.js';
 import type { Item } from './items.js';
-import { type Hop, type Program, programOf, run } from './program.js';
+import { canRun, type Hop, type Program, programOf, run, visit } from './program.js';
 import { hopWords, startWords } from './words.js';
 
 /** One visit: the halfedge where the circulator stood, and the item it showed. */
@@ -34,7 +34,7 @@ export class CirculatorPlayer {
     this.dialect = dialect;
     this.program = programOf(query, dialect);
     this.count = lapLength(mesh, query);
-    this.#running = run(this.program, mesh, query, dialect);
+    this.#running = canRun() ? run(this.program, mesh, query, dialect) : visit(mesh, query);
   }
 
   /** How many items are visited; the last of them is the current one. */

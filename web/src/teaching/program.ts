@@ -122,3 +122,35 @@ function withNote(line: string, i: number, cursor: string): string {
   const end = /^(\s*\} while \()(.*)$/.exec(line);
   return end ? `${end[1]}${told}, ${end[2]}` : `${told}; ${line}`;
 }
+
+/**
+ * The same visits, without the code: for pages whose policy forbids to compile a text. No lines run.
+ */
+export function* visit(
+  mesh: HalfedgeMesh,
+  { circulator, index, direction, start }: Query,
+): Generator<Hop, void> {
+  const options = start === undefined ? { direction } : { direction, start };
+  const walk = mesh.circulate(circulator.name, index, options);
+  const first = walk.halfedge;
+  if (walk.current === NONE) return;
+  do {
+    yield { halfedge: walk.halfedge, index: walk.current, ran: [] };
+    walk.next();
+  } while (walk.halfedge !== first);
+}
+
+let compiles: boolean | undefined;
+
+/** Whether the policy of the page lets code be made of a text. */
+export function canRun(): boolean {
+  if (compiles === undefined) {
+    try {
+      new Function('');
+      compiles = true;
+    } catch {
+      compiles = false;
+    }
+  }
+  return compiles;
+}

@@ -1,0 +1,52 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { disconnect, FigurePage } from './support/figures.js';
+
+interface Axe {
+  run(): Promise<{ violations: { impact: string; id: string; nodes: { target: string[] }[] }[] }>;
+}
+
+const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+afterAll(disconnect);
+
+describe('The course page', () => {
+  test.each([
+    ['a desktop, light', 'light', { width: 1280, height: 900 }],
+    ['a desktop, dark', 'dark', { width: 1280, height: 900, dark: true }],
+    ['a telephone, light', 'narrow', { width: 390, height: 844 }],
+  ])('shows its ten figures with one context: %s', async (_name, look, settings) => {
+    const page = await FigurePage.open('', { ...settings, path: 'docs/course.html' });
+    expect(await page.ready()).toBe(10);
+    expect((await page.counts()).contexts).toBe(1);
+    expect(await page.events('halfedge-error')).toEqual([]);
+    expect(page.complaints).toEqual([]);
+    const wide = await page.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    expect(wide).toBeLessThanOrEqual(0);
+    await page.page.evaluate(AXE);
+    const violations = await page.page.evaluate(async () => {
+      const { axe } = window as unknown as { axe: Axe };
+      return (await axe.run()).violations;
+    });
+    const serious = violations
+      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(' ')}`);
+    expect(serious).toEqual([]);
+    await page.screenshot(`course-${look}`);
+    await page.close();
+  });
+
+  test('every figure that plays comes to its end', async () => {
+    const page = await FigurePage.open('', { path: 'docs/course.html' });
+    await page.ready();
+    const ends = await page.page.$$eval('halfedge-figure', (figures) =>
+      figures.map((figure) => {
+        figure.seek(99);
+        return [figure.step, figure.sentence];
+      }),
+    );
+    expect(ends.map(([step]) => step)).toEqual([0, 5, 5, 14, 8, 1, 1, 1, 1, 5]);
+    expect(ends.filter(([, words]) => String(words).startsWith('Refused:'))).toHaveLength(2);
+    await page.close();
+  });
+});

@@ -1,0 +1,261 @@
+import { STRICT_POLICY } from '../package/support/server.js';
+import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
+
+let open: FigurePage | undefined;
+
+async function figures(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
+  open = await FigurePage.open(body, settings);
+  return open;
+}
+
+afterEach(async () => {
+  await open?.close();
+  open = undefined;
+});
+afterAll(disconnect);
+
+const ONE_RING =
+  '<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>';
+
+describe('A page of figures', () => {
+  test('shows twenty of them with one WebGL context, and draws nothing while nothing changes', async () => {
+    const shapes = ['tetrahedron', 'cube', 'octahedron', 'dodecahedron', 'grid(3, 2)'];
+    const body = Array.from({ length: 20 }, (_, i) => {
+      const shape = shapes[i % shapes.length];
+      return `<halfedge-figure loading="eager" src="shape:${shape}" select="f0"></halfedge-figure>`;
+    });
+    const page = await figures(`<style>body { columns: 5 }</style>${body.join('')}`);
+    expect(await page.ready()).toBe(20);
+    await page.page.waitForTimeout(500);
+    const { contexts, copies } = await page.counts();
+    expect(contexts).toBe(1);
+    for (const colours of await page.colours()) expect(colours).toBeGreaterThan(50);
+    await page.page.waitForTimeout(500);
+    expect((await page.counts()).copies).toBe(copies);
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('loads a figure when it comes near, and does not draw one that is out of sight', async () => {
+    const page = await figures(`<div style="height: 4000px"></div>${ONE_RING}`);
+    expect(await page.figure(({ state }) => state)).toBe('waiting');
+    expect((await page.counts()).contexts).toBe(0);
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForSelector('halfedge-figure[state=ready]');
+    await page.page.evaluate(() => scrollTo(0, 0));
+    await page.page.waitForTimeout(500);
+    const { copies } = await page.counts();
+    await page.figure((figure) => figure.seek(2));
+    await page.page.waitForTimeout(300);
+    expect((await page.counts()).copies).toBe(copies);
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForFunction(
+      (before) => (window as unknown as { copies: number }).copies > before,
+      copies,
+    );
+  });
+});
+
+describe('A figure', () => {
+  test('plays the circulator that it is asked for, and tells each step', async () => {
+    const page = await figures(ONE_RING, { motion: true });
+    await page.ready();
+    await page.figure((figure) => {
+      figure.speed = 20;
+      figure.play();
+    });
+    await page.page.waitForSelector('halfedge-figure[step="5"]');
+    const steps = await page.events('halfedge-step');
+    expect(steps.map(({ step }) => step)).toEqual([1, 2, 3, 4, 5]);
+    const items = await page.figure(({ mesh }) => [...(mesh?.vertexVertices(3) ?? [])].map(String));
+    expect(steps.map(({ item }) => item)).toEqual(items.map((v) => `v${v}`));
+    expect(await page.sentence()).toBe(steps[4].sentence);
+    expect(await page.figure(({ playing }) => playing)).toBe(false);
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('is played, stepped, turned and walked by keys and buttons', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.page.focus('halfedge-figure canvas');
+    for (const key of ['.', '.', '.', ',']) await page.page.keyboard.press(key);
+    expect(await page.figure(({ step }) => step)).toBe(2);
+    expect(await page.sentence()).toContain('→ vertex');
+    await page.page.click('halfedge-figure [aria-label="Step forward"]');
+    expect(await page.figure(({ step }) => step)).toBe(3);
+    await page.page.click('halfedge-figure [part~=direction]');
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    expect(await page.figure(({ direction, step }) => [direction, step])).toEqual(['cw', 3]);
+    await page.page.focus('halfedge-figure canvas');
+    await page.page.keyboard.press('h');
+    expect(await page.events('halfedge-select')).toEqual([{ item: expect.stringMatching(/^h\d/) }]);
+  });
+
+  test('lights the line that runs, in the names of the library that is chosen', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.figure((figure) => figure.seek(2));
+    await page.page.selectOption('halfedge-figure select', 'openmesh');
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    const current = await page.page.textContent('halfedge-figure .code [aria-current=step]');
+    expect(current?.trim()).toBe('yield om.to_vertex_handle(h);');
+  });
+
+  test('selects what is clicked', async () => {
+    const page = await figures('<halfedge-figure src="shape:grid(1, 1)"></halfedge-figure>');
+    await page.ready();
+    await page.page.click('halfedge-figure canvas');
+    expect(await page.events('halfedge-select')).toEqual([{ item: 'f0' }]);
+    expect(await page.figure(({ select }) => select)).toBe('f0');
+  });
+
+  test('shows an operation before and after, and takes it back', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:grid(3, 2, triangles)" operation="flip e14" controls></halfedge-figure>',
+    );
+    await page.ready();
+    const ends = () =>
+      page.figure(({ mesh }) => [...(mesh?.edgeVertices(14) ?? [])].map(Number).sort());
+    const before = await ends();
+    expect(await page.sentence()).toBe('Before: flip e14.');
+    await page.figure((figure) => figure.stepForward());
+    expect(await page.sentence()).toBe('Done: flip e14.');
+    expect(await ends()).not.toEqual(before);
+    await page.figure((figure) => figure.stepBack());
+    expect(await ends()).toEqual(before);
+  });
+
+  test('says why an operation is refused, and with which witness', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:tetrahedron" operation="collapse h2" controls></halfedge-figure>',
+    );
+    await page.ready();
+    await page.figure((figure) => figure.stepForward());
+    const [refused] = await page.events('halfedge-refused');
+    expect(refused.code).toBe('duplicate-face');
+    expect(await page.sentence()).toBe(`Refused: collapse h2. ${refused.message}`);
+    expect(await page.figure(({ mesh }) => mesh?.validate())).toEqual([]);
+    const marked = await page.page.$$eval('halfedge-figure .tag.witness', (tags) =>
+      tags.map(({ textContent }) => textContent),
+    );
+    expect(marked).toHaveLength(refused.witness.edges.length + refused.witness.faces.length);
+  });
+
+  test('builds a list of faces one by one, up to one that is the wrong way round', async () => {
+    const page = await figures(`<halfedge-figure build controls><script type="text/plain">
+OFF
+4 2 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+3 0 1 2
+3 0 2 1
+</script></halfedge-figure>`);
+    await page.ready();
+    await page.figure((figure) => figure.seek(1));
+    expect(await page.sentence()).toBe('f0 = addFace(0, 1, 2): all its edges are new.');
+    await page.figure((figure) => figure.seek(2));
+    expect(await page.sentence()).toMatch(/^(f1 = addFace|Refused: face 1)/);
+  });
+
+  test.each([
+    ['src="shape:blob"', 'src is “shape:blob”; expected shape: and one of tetrahedron'],
+    ['src="nowhere.off"', 'nowhere.off could not be fetched: the server answered 404.'],
+    ['', 'This figure has no mesh'],
+    ['src="shape:cube" select="v99"', 'select is “v99”, which this mesh does not have'],
+    ['src="shape:cube" query="friends"', 'query is “friends”; expected one of vertexVertices'],
+    ['src="shape:cube" select="f0" query="vertexFaces"', 'vertexFaces goes around a vertex; f0 is'],
+    [
+      'src="shape:cube" direction="up" query="vertexFaces"',
+      'direction is “up”; expected ccw or cw.',
+    ],
+    ['src="shape:cube" overlays="glitter"', 'overlays has “glitter”; expected some of halfedges'],
+    ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on a edge'],
+    ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
+  ])('with %s says what is wrong', async (attributes, sentence) => {
+    const page = await figures(`<halfedge-figure ${attributes}></halfedge-figure>`);
+    await page.page.waitForSelector('halfedge-figure [part=error]');
+    expect(await page.page.textContent('halfedge-figure [part=error]')).toContain(sentence);
+    expect(await page.events('halfedge-error')).toHaveLength(1);
+  });
+
+  test('lets the wheel scroll the page until it has the focus', async () => {
+    const page = await figures(`${ONE_RING}<div style="height: 4000px"></div>`);
+    await page.ready();
+    await page.page.mouse.move(300, 200);
+    await page.page.mouse.wheel(0, 120);
+    await page.page.waitForFunction(() => scrollY > 0);
+    await page.page.evaluate(() => scrollTo(0, 0));
+    await page.page.focus('halfedge-figure canvas');
+    const { copies } = await page.counts();
+    await page.page.mouse.wheel(0, 120);
+    await page.page.waitForFunction(
+      (before) => (window as unknown as { copies: number }).copies > before,
+      copies,
+    );
+    expect(await page.page.evaluate(() => scrollY)).toBe(0);
+  });
+
+  test('draws itself without WebGL, and can be stepped all the same', async () => {
+    const page = await figures(ONE_RING, { webgl: false });
+    await page.ready();
+    await page.figure((figure) => figure.seek(2));
+    expect(await page.sentence()).toContain('→ vertex');
+    expect(await page.page.$$eval('halfedge-figure .poster polygon', (it) => it.length)).toBe(20);
+    const tags = await page.page.$$eval('halfedge-figure .poster text', (it) =>
+      it.map(({ textContent }) => textContent),
+    );
+    expect(tags).toEqual(['1', '2', 'v3']);
+  });
+
+  test('works where the page forbids to make code of texts', async () => {
+    const page = await figures(ONE_RING, { policy: STRICT_POLICY });
+    await page.ready();
+    await page.figure((figure) => figure.seek(5));
+    const visited = await page.events('halfedge-step');
+    expect(visited.map(({ step }) => step)).toEqual([5]);
+    const last = await page.figure(({ mesh }) => [...(mesh?.vertexVertices(3) ?? [])].at(-1));
+    expect(visited[0].item).toBe(`v${last}`);
+  });
+
+  test('moves in the page, and goes on', async () => {
+    const page = await figures(`<main></main>${ONE_RING}`);
+    await page.ready();
+    await page.page.evaluate(() => {
+      const figure = document.querySelector('halfedge-figure') as HTMLElement;
+      document.querySelector('main')?.append(figure);
+    });
+    await page.ready();
+    await page.page.focus('halfedge-figure canvas');
+    await page.page.keyboard.press('.');
+    expect(await page.figure(({ step }) => step)).toBe(1);
+    expect((await page.counts()).contexts).toBe(1);
+  });
+
+  test('follows the theme of the system, or its own', async () => {
+    const body = '<halfedge-figure src="shape:cube"></halfedge-figure>';
+    const page = await figures(body, { dark: true });
+    await page.ready();
+    const background = () =>
+      page.figure((figure) => getComputedStyle(figure).getPropertyValue('--page').trim());
+    expect(await background()).toBe('#15181c');
+    await page.figure((figure) => figure.setAttribute('theme', 'light'));
+    expect(await background()).toBe('#ffffff');
+  });
+});
+
+describe('The page for frames', () => {
+  test('takes attributes from its address, and tells its height', async () => {
+    const page = await figures(`<script>
+        addEventListener('message', ({ data }) => { window.told = data; });
+      </script>
+      <iframe width="500" height="300" src="/dist/figure/frame.html?src=shape:cube&select=f0&query=faceVertices&step=2&controls=player&caption=A%20face"></iframe>`);
+    await page.page.waitForFunction(
+      () => ((window as unknown as { told?: { height: number } }).told?.height ?? 0) > 350,
+    );
+    const frame = page.page.frames()[1];
+    await frame.waitForSelector('halfedge-figure[state=ready][step="2"]');
+    expect(await frame.textContent('[part=sentence]')).toContain('→ vertex');
+    expect(await frame.textContent('halfedge-figure [slot=caption]')).toBe('A face');
+  });
+});

@@ -1,0 +1,182 @@
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import type { FigureEvents, HalfedgeFigure } from 'halfedge/figure';
+import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+import { root } from '../../../scripts/lib/run.mjs';
+import { serve } from '../../package/support/server.js';
+
+const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
+  browser: string;
+  screenshots: string;
+};
+
+let connection: Promise<Browser> | undefined;
+
+export interface FigurePageSettings {
+  readonly width?: number;
+  readonly height?: number;
+  readonly dark?: boolean;
+  readonly motion?: boolean;
+  /** The Content-Security-Policy that is sent. */
+  readonly policy?: string;
+  /** Whether the browser has WebGL. */
+  readonly webgl?: boolean;
+  /** A file of the repository to open; otherwise a page with the given body. */
+  readonly path?: string;
+}
+
+/** What a page counts, in its own variables. */
+interface Counts {
+  contexts: number;
+  copies: number;
+  events: [name: string, detail: unknown][];
+}
+
+/** A page with figures, as a course has it: the standalone file, and elements. */
+export class FigurePage {
+  readonly page: Page;
+  /** Errors and warnings in the console, and uncaught errors. */
+  readonly complaints: string[] = [];
+  readonly #close: () => Promise<unknown>;
+
+  private constructor(page: Page, close: () => Promise<unknown>) {
+    this.page = page;
+    this.#close = close;
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) this.complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => this.complaints.push(error.message));
+  }
+
+  /** Opens a page with this body, and waits for the element to be defined. */
+  static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
+    connection ??= chromium.connect(shared.browser);
+    const { width = 900, height = 700, dark = false, motion = false } = settings;
+    const { policy, webgl = true, path = 'figures.html' } = settings;
+    const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark">
+      <title>Figures</title><script type="module" src="/dist/figure/standalone.js"></script>
+      <link rel="icon" href="data:,"><body>${body}</body></html>`;
+    const type = 'text/html; charset=utf-8';
+    const server = await serve(root, {
+      answers: { 'figures.html': { body: html, type }, 'favicon.ico': { body: '' } },
+      ...(policy ? { policy } : {}),
+    });
+    const context = await (await connection).newContext({
+      viewport: { width, height },
+      colorScheme: dark ? 'dark' : 'light',
+      reducedMotion: motion ? 'no-preference' : 'reduce',
+    });
+    context.setDefaultTimeout(90_000); // a busy machine takes its time
+    await watch(context, webgl);
+    const page = await context.newPage();
+    const figures = new FigurePage(page, async () => {
+      await context.close();
+      await server.close();
+    });
+    await page.goto(server.address + path);
+    await page.waitForFunction(() => customElements.get('halfedge-figure') !== undefined);
+    return figures;
+  }
+
+  close(): Promise<unknown> {
+    return this.#close();
+  }
+
+  /** Waits until every figure of the page is on show; returns how many there are. */
+  async ready(): Promise<number> {
+    return this.page.evaluate(async () => {
+      const figures = [...document.querySelectorAll('halfedge-figure')];
+      for (const figure of figures) await figure.ready();
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      return figures.length;
+    });
+  }
+
+  /** Does something with the first figure of the page, in the page. */
+  figure<Result>(act: (figure: HalfedgeFigure) => Result | Promise<Result>): Promise<Result> {
+    return this.page.$eval('halfedge-figure', act as (it: Element) => Result | Promise<Result>);
+  }
+
+  /** The words beside the picture of the first figure. */
+  async sentence(): Promise<string> {
+    await this.figure(async (figure) => void (await figure.updateComplete));
+    return (await this.page.textContent('halfedge-figure [part=sentence]'))?.trim() ?? '';
+  }
+
+  /** How many different colours the canvas of each figure has. */
+  colours(): Promise<number[]> {
+    return this.page.$$eval('halfedge-figure', (figures) =>
+      figures.map((figure) => {
+        const canvas = figure.shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+        const { width, height } = canvas;
+        const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+        const { data } = context.getImageData(0, 0, width, height);
+        return new Set(new Uint32Array(data.buffer)).size;
+      }),
+    );
+  }
+
+  /** WebGL contexts that were made, and pictures that were copied to figures. */
+  counts(): Promise<Omit<Counts, 'events'>> {
+    return this.page.evaluate(() => {
+      const { contexts, copies } = window as unknown as Counts;
+      return { contexts, copies };
+    });
+  }
+
+  /** The events of figures so far, but for ready. */
+  events<Name extends keyof FigureEvents>(name: Name): Promise<FigureEvents[Name][]> {
+    return this.page.evaluate(
+      (wanted) =>
+        (window as unknown as Counts).events.filter(([it]) => it === wanted).map(([, it]) => it),
+      name as string,
+    ) as Promise<FigureEvents[Name][]>;
+  }
+
+  async screenshot(name: string): Promise<void> {
+    mkdirSync(shared.screenshots, { recursive: true });
+    const path = join(shared.screenshots, `${name}.png`);
+    await this.page.screenshot({ path, fullPage: true, timeout: 90_000 });
+  }
+}
+
+type Method = (this: object, ...parameters: unknown[]) => unknown;
+
+/** Makes pages count what matters here. */
+async function watch(context: BrowserContext, webgl: boolean): Promise<void> {
+  await context.addInitScript((allowed) => {
+    const counts = window as unknown as Counts;
+    counts.contexts = counts.copies = 0;
+    counts.events = [];
+    for (const canvas of [HTMLCanvasElement, OffscreenCanvas]) {
+      const { getContext } = canvas.prototype as unknown as { getContext: Method };
+      Object.assign(canvas.prototype, {
+        getContext(this: object, kind: string, ...options: unknown[]) {
+          if (!kind.includes('webgl')) return getContext.call(this, kind, ...options);
+          if (!allowed) return null;
+          counts.contexts += 1;
+          return getContext.call(this, kind, ...options);
+        },
+      });
+    }
+    const { drawImage } = CanvasRenderingContext2D.prototype as unknown as { drawImage: Method };
+    Object.assign(CanvasRenderingContext2D.prototype, {
+      drawImage(this: object, ...parameters: unknown[]) {
+        counts.copies += 1;
+        drawImage.apply(this, parameters);
+      },
+    });
+    for (const name of ['select', 'step', 'refused', 'error']) {
+      document.addEventListener(`halfedge-${name}`, (event) => {
+        const { detail } = event as CustomEvent;
+        counts.events.push([event.type, JSON.parse(JSON.stringify(detail))]);
+      });
+    }
+  }, webgl);
+}
+
+/** To be called after all tests of a file. */
+export async function disconnect(): Promise<void> {
+  await (await connection)?.close();
+  connection = undefined;
+}

@@ -1,0 +1,86 @@
+import type { HalfedgeMesh } from '../api.js';
+import { type Item, isLive } from '../teaching/items.js';
+import { type Edit, reversed } from '../teaching/motion.js';
+import { type Refusal, refusalOf, witnessItems } from '../teaching/operation.js';
+import type { Story } from './story.js';
+
+/** A step that was made: how the mesh changed, what is selected after it, and what to say of it. */
+export interface Done {
+  readonly edit: Edit;
+  readonly after: Item | null;
+  readonly words: string;
+}
+
+/** Changes of the mesh, one after the other; ends with the first that is refused. */
+export abstract class EditStory implements Story {
+  readonly visits = [];
+  abstract readonly count: number;
+  refusal: Refusal | null = null;
+  witness: readonly Item[] | null = null;
+  readonly #mesh: HalfedgeMesh;
+  readonly #done: Done[] = [];
+
+  /** Takes the history of the mesh into use. */
+  constructor(mesh: HalfedgeMesh) {
+    this.#mesh = mesh;
+    mesh.history.enabled = true;
+  }
+
+  /** Makes a step, or says why it can't be made. May throw what the package throws. */
+  protected abstract attempt(step: number): Done | Refusal;
+  /** What a step does, in a few words. */
+  protected abstract title(step: number): string;
+  /** What a step is done to. */
+  protected abstract item(step: number): Item | null;
+
+  get position(): number {
+    return this.#done.length + (this.refusal ? 1 : 0);
+  }
+
+  get current(): Item | null {
+    const last = this.#done.at(-1);
+    return last && !this.refusal ? last.after : this.item(this.#done.length);
+  }
+
+  get words(): string {
+    const next = this.#done.length;
+    if (this.refusal) return `Refused: ${this.title(next)}. ${this.refusal.message}`;
+    return this.#done.at(-1)?.words ?? `Before: ${this.title(next)}.`;
+  }
+
+  seek(position: number): Edit | null {
+    const target = Math.max(0, Math.min(this.count, Math.round(position)));
+    let edit: Edit | null = null;
+    while (this.position < target && !this.refusal) edit = this.#forward() ?? edit;
+    while (this.position > target) edit = this.#back() ?? edit;
+    return edit;
+  }
+
+  #forward(): Edit | null {
+    try {
+      const outcome = this.attempt(this.#done.length);
+      if ('edit' in outcome) {
+        this.#done.push(outcome);
+        return outcome.edit;
+      }
+      this.#refuse(outcome);
+    } catch (error) {
+      this.#refuse(refusalOf(error));
+    }
+    return null;
+  }
+
+  #back(): Edit | null {
+    if (this.refusal) {
+      this.refusal = this.witness = null;
+      return null;
+    }
+    const step = this.#done.pop();
+    return step && this.#mesh.history.undo() ? reversed(step.edit) : null;
+  }
+
+  #refuse(refusal: Refusal): void {
+    this.refusal = refusal;
+    this.witness = witnessItems(refusal.witness).filter((it) => isLive(this.#mesh, it));
+  }
+}
