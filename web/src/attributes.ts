@@ -1,4 +1,5 @@
 import { checkOptions, describe, lengthOfArrayLike } from './arguments.js';
+import { indexOfChoice, refuse } from './checks.js';
 import { done, KINDS, kindIndex, modeOf } from './edit.js';
 import type { ItemKind } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
@@ -246,18 +247,8 @@ const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;
 /** The key of a column. Throws a sentence for what is no kind or no name. */
 function checkColumn(kind: unknown, name: unknown): string {
   kindIndex(kind);
-  if (typeof name !== 'string') {
-    throw new TypeError(`name is ${describe(name)}; expected a string.`);
-  }
+  if (typeof name !== 'string') refuse('name', name, 'a string');
   return keyOf(kind as ItemKind, name);
-}
-
-function checkOneOf(argument: string, value: unknown, choices: readonly string[]): void {
-  if (choices.includes(value as string)) return;
-  const names = choices.map((choice) => `'${choice}'`);
-  const expected = `${names.slice(0, -1).join(', ')} or ${names.at(-1)}`;
-  const sentence = `${argument} is ${describe(value)}; expected ${expected}.`;
-  throw typeof value === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }
 
 function settingsOf(options: AttributeOptions) {
@@ -267,15 +258,10 @@ function settingsOf(options: AttributeOptions) {
     default: given = 0,
     onSplit = 'interpolate',
   } = checkOptions(options) as AttributeOptions;
-  checkOneOf('type', type, TYPE_NAMES);
-  checkOneOf('onSplit', onSplit, POLICIES);
-  if (typeof components !== 'number') {
-    throw new TypeError(`components is ${describe(components)}; expected an integer from 1 to 16.`);
-  }
+  indexOfChoice('type', type, TYPE_NAMES);
+  indexOfChoice('onSplit', onSplit, POLICIES);
   if (!(Number.isInteger(components) && components >= 1 && components <= 16)) {
-    throw new RangeError(
-      `components is ${describe(components)}; expected an integer from 1 to 16.`,
-    );
+    refuse('components', components, 'an integer from 1 to 16', 'number');
   }
   return { type, components, onSplit, defaults: numbersOf('default', given, components) };
 }
@@ -291,9 +277,7 @@ function numbersOf(argument: string, given: unknown, components: number): Float6
   const list = given as ArrayLike<unknown>;
   for (let i = 0; i < components; i++) {
     const value = list[i];
-    if (typeof value !== 'number') {
-      throw new TypeError(`${argument}[${i}] is ${describe(value)}; expected a number.`);
-    }
+    if (typeof value !== 'number') refuse(`${argument}[${i}]`, value, 'a number');
     numbers[i] = value;
   }
   return numbers;

@@ -12,6 +12,7 @@ import {
   numbers,
   refuseIndex,
 } from './arguments.js';
+import { checkFlag } from './checks.js';
 import type { RawFailure } from './core.mjs';
 import { Links } from './links.js';
 import { core } from './loader.js';
@@ -46,8 +47,8 @@ export interface FaceOptions extends StorageOptions {
 /** Whether the options ask for prev; throws a sentence for what is no option. */
 export function storesPrev(options: unknown): boolean {
   const { storePrev = true } = checkOptions(options) as StorageOptions;
-  if (typeof storePrev === 'boolean') return storePrev;
-  throw new TypeError(`options.storePrev is ${describe(storePrev)}; expected true or false.`);
+  checkFlag('options.storePrev', storePrev);
+  return storePrev;
 }
 
 /** The mesh of an index buffer. */

@@ -1,5 +1,5 @@
-import { checkOptions, describe } from './arguments.js';
-import { checkCount } from './checks.js';
+import { checkOptions } from './arguments.js';
+import { checkCount, checkFlag } from './checks.js';
 import { Circulation } from './circulation.js';
 import {
   answer,
@@ -250,10 +250,6 @@ export abstract class Construction extends Circulation {
 function deletion(links: Links, options: DeleteOptions | undefined): number {
   if (options === undefined) return modeOf(links);
   const { keepIsolatedVertices = false } = checkOptions(options) as DeleteOptions;
-  if (typeof keepIsolatedVertices !== 'boolean') {
-    throw new TypeError(
-      `keepIsolatedVertices is ${describe(keepIsolatedVertices)}; expected true or false.`,
-    );
-  }
+  checkFlag('keepIsolatedVertices', keepIsolatedVertices);
   return modeOf(links) | (keepIsolatedVertices ? OPTION : 0);
 }

@@ -3,6 +3,7 @@
 
 import { checkOptions, describe } from './arguments.js';
 import { buildDirectedEdges } from './build.js';
+import { refuse } from './checks.js';
 import type { CirculateOptions, CirculatorKind } from './circulation.js';
 import { after, DirectedLinks } from './directed-edges-links.js';
 import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
@@ -101,9 +102,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
    * `deleted-item` for a mesh that is not compact, `corrupt-connectivity`, `out-of-memory`
    */
   static fromMesh(mesh: HalfedgeMesh): DirectedEdgesMesh {
-    if (!(mesh instanceof HalfedgeMesh)) {
-      throw new TypeError(`mesh is ${describe(mesh)}; expected a HalfedgeMesh.`);
-    }
+    if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
     const links = linksOf(mesh);
     return adopt(unwrap(links.core.directedEdgesFromMesh(links.address)).mesh);
   }

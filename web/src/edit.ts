@@ -1,4 +1,5 @@
 import { describe, lengthOfArrayLike } from './arguments.js';
+import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
 import type { ItemKind } from './items.js';
 import type { Links } from './links.js';
@@ -34,10 +35,7 @@ export const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face']
 
 /** The value of `kind` in C++. Throws a sentence for what is no kind. */
 export function kindIndex(kind: unknown): number {
-  const i = KINDS.indexOf(kind as ItemKind);
-  if (i >= 0) return i;
-  const sentence = `kind is ${describe(kind)}; expected 'vertex', 'halfedge', 'edge' or 'face'.`;
-  throw typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  return indexOfChoice('kind', kind, KINDS);
 }
 
 /** A place for a vertex: x, y, z. */
@@ -95,9 +93,7 @@ export function checkPosition(
 function coordinate(position: Position, i: number, argument: string): number {
   const value: unknown = position[i];
   if (typeof value === 'number' && Number.isFinite(Math.fround(value))) return value;
-  const expected = 'a finite number that fits a 32-bit float';
-  const sentence = `${argument}[${i}] is ${describe(value)}; expected ${expected}.`;
-  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse(`${argument}[${i}]`, value, 'a finite number that fits a 32-bit float', 'number');
 }
 
 /** The room for a list in the core, in place: most are short. */

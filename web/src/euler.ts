@@ -1,4 +1,5 @@
-import { checkOptions, describe } from './arguments.js';
+import { checkOptions } from './arguments.js';
+import { checkFlag, indexOfChoice } from './checks.js';
 import { Construction } from './construction.js';
 import {
   answer,
@@ -372,9 +373,7 @@ export abstract class EulerOperations extends Construction {
 function condition(options: CollapseOptions | undefined): number {
   if (options === undefined) return 0;
   const { permissive = false } = checkOptions(options) as CollapseOptions;
-  if (typeof permissive !== 'boolean') {
-    throw new TypeError(`permissive is ${describe(permissive)}; expected true or false.`);
-  }
+  checkFlag('permissive', permissive);
   return permissive ? OPTION : 0;
 }
 
@@ -386,9 +385,5 @@ function sides(options: SplitVertexOptions | undefined): number {
 
 /** A value of the enum SplitSide in C++. */
 function side(argument: string, fill: unknown): number {
-  if (fill === undefined) return 0;
-  if (fill === 'triangle') return 1;
-  if (fill === 'corner') return 2;
-  const sentence = `${argument} is ${describe(fill)}; expected 'triangle' or 'corner'.`;
-  throw typeof fill === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  return fill === undefined ? 0 : 1 + indexOfChoice(argument, fill, ['triangle', 'corner']);
 }

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { checkFlag, refuse } from './checks.js';
 import { kindIndex } from './edit.js';
 import { HalfedgeError } from './errors.js';
 import type { ItemKind } from './items.js';
@@ -43,9 +43,7 @@ export class Generations {
   }
 
   set enabled(enabled: boolean) {
-    if (typeof enabled !== 'boolean') {
-      throw new TypeError(`enabled is ${describe(enabled)}; expected true or false.`);
-    }
+    checkFlag('enabled', enabled);
     if (enabled === this.enabled) return;
     const { core, address } = this.#links;
     if (enabled) unwrap(core.enableGenerations(address));
@@ -73,9 +71,7 @@ export class Generations {
    */
   isCurrent(reference: Reference): boolean {
     if (typeof reference !== 'object' || reference === null) {
-      throw new TypeError(
-        `reference is ${describe(reference)}; expected one that reference() has made.`,
-      );
+      refuse('reference', reference, 'one that reference() has made');
     }
     const { kind, index, generation } = reference;
     const i = this.#checkKind(kind);

@@ -1,4 +1,5 @@
-import { checkOptions, describe } from './arguments.js';
+import { checkOptions } from './arguments.js';
+import { checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import type { Links } from './links.js';
 import { outOfMemory } from './memory.js';
@@ -40,9 +41,7 @@ export class History {
   }
 
   set enabled(enabled: boolean) {
-    if (typeof enabled !== 'boolean') {
-      throw new TypeError(`enabled is ${describe(enabled)}; expected true or false.`);
-    }
+    checkFlag('enabled', enabled);
     const { core, address } = this.#links;
     if (enabled === this.#enabled) return;
     this.#checkNoGroup('enabled', 'changed');
@@ -89,9 +88,7 @@ export class History {
    * @returns what `edit` returned
    */
   group<T>(edit: () => T): T {
-    if (typeof edit !== 'function') {
-      throw new TypeError(`edit is ${describe(edit)}; expected a function.`);
-    }
+    if (typeof edit !== 'function') refuse('edit', edit, 'a function');
     const links = this.#links;
     links.checkAlive();
     links.groups += 1;
@@ -161,9 +158,5 @@ export class History {
 }
 
 function checkLimit(name: string, limit: number): void {
-  if (typeof limit !== 'number') {
-    throw new TypeError(`${name} is ${describe(limit)}; expected a number.`);
-  }
-  if (limit >= 0) return;
-  throw new RangeError(`${name} is ${describe(limit)}; expected a number from 0.`);
+  if (!(limit >= 0) || typeof limit !== 'number') refuse(name, limit, 'a number from 0', 'number');
 }

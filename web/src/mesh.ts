@@ -1,7 +1,6 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { describe } from './arguments.js';
 import {
   type BuildOptions,
   type FaceOptions,
@@ -12,6 +11,7 @@ import {
   storesPrev,
   triangleLinks,
 } from './build.js';
+import { refuse } from './checks.js';
 import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import type { Halfedge } from './items.js';
@@ -240,9 +240,7 @@ export class HalfedgeMesh extends Shapes {
    */
   append(other: HalfedgeMesh): AppendMaps {
     linksOf(this).checkAlive();
-    if (!(other instanceof HalfedgeMesh)) {
-      throw new TypeError(`other is ${describe(other)}; expected a HalfedgeMesh.`);
-    }
+    if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
     return appendLinks(linksOf(this), linksOf(other));
   }
 

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { refuse } from './checks.js';
 import { answer, CHECK_ONLY, done, modeOf, type Refusal } from './edit.js';
 import type { EdgeLike, Face, FaceLike, Vertex, VertexLike } from './items.js';
 import { linksOf } from './navigation.js';
@@ -159,6 +159,5 @@ export abstract class Modelling extends Surgery {
 /** Throws a sentence unless `value` is a number; which ones the operation takes, the core tells. */
 function checkNumber(argument: string, value: unknown): void {
   if (typeof value === 'number' && Number.isFinite(value)) return;
-  const sentence = `${argument} is ${describe(value)}; expected a finite number.`;
-  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse(argument, value, 'a finite number', 'number');
 }

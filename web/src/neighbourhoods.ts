@@ -1,10 +1,5 @@
-import {
-  checkNotNegative,
-  checkOptions,
-  describe,
-  indices,
-  type NumberArray,
-} from './arguments.js';
+import { checkNotNegative, checkOptions, indices, type NumberArray } from './arguments.js';
+import { refuse } from './checks.js';
 import { Editing } from './editing.js';
 import type { VertexLike } from './items.js';
 import type { Links } from './links.js';
@@ -122,6 +117,5 @@ function checkDistance(k: unknown): number {
   if (typeof k === 'number' && k >= 0 && (Number.isInteger(k) || k === Infinity)) {
     return Math.min(k, 2 ** 32 - 1);
   }
-  const sentence = `k is ${describe(k)}; expected an integer from 0 on, or Infinity.`;
-  throw typeof k === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse('k', k, 'an integer from 0 on, or Infinity', 'number');
 }

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { checkCallback, refuse } from './checks.js';
 import type { RawFailure } from './core.mjs';
 import { HalfedgeError } from './errors.js';
 
@@ -37,9 +37,7 @@ export interface Follower {
 
 /** Checks the options, and that nothing is cancelled yet. */
 export function follow({ onProgress, signal }: ProgressOptions): Follower {
-  if (onProgress !== undefined && typeof onProgress !== 'function') {
-    throw new TypeError(`options.onProgress is ${describe(onProgress)}; expected a function.`);
-  }
+  checkCallback('options.onProgress', onProgress);
   checkSignal(signal);
   signal?.throwIfAborted();
   if (onProgress === undefined && signal === undefined) return NOBODY;
@@ -70,5 +68,5 @@ export const cancelled = () =>
 /** Throws a sentence unless it is an AbortSignal, or nothing. */
 export function checkSignal(signal: AbortSignal | undefined): void {
   if (signal === undefined || typeof signal?.throwIfAborted === 'function') return;
-  throw new TypeError(`options.signal is ${describe(signal)}; expected an AbortSignal.`);
+  refuse('options.signal', signal, 'an AbortSignal');
 }

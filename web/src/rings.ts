@@ -1,4 +1,5 @@
-import { checkNotNegative, describe, indices, newArray } from './arguments.js';
+import { checkNotNegative, indices, newArray } from './arguments.js';
+import { indexOfChoice } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
 import type { Direction } from './items.js';
 import type { Links } from './links.js';
@@ -54,10 +55,7 @@ export function rings(
 
 /** 0 for 'ccw', 1 for 'cw', as in the enum Direction in C++. Throws a sentence for anything else. */
 export function directionIndex(direction: unknown): 0 | 1 {
-  if (direction === 'ccw') return 0;
-  if (direction === 'cw') return 1;
-  const sentence = `direction is ${describe(direction)}; expected 'ccw' or 'cw'.`;
-  throw typeof direction === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  return indexOfChoice('direction', direction, ['ccw', 'cw']) as 0 | 1;
 }
 
 function takeRows(core: Core, raw: RawRows | RawFailure): Rows {

@@ -1,5 +1,6 @@
-import { checkOptions, describe } from './arguments.js';
+import { checkOptions } from './arguments.js';
 import { type StorageOptions, storesPrev } from './build.js';
+import { checkFlag, indexOfChoice, refuse } from './checks.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import type { HalfedgeMesh } from './mesh.js';
@@ -232,25 +233,20 @@ function count(argument: string, value: unknown, least: number): number {
   if (Number.isInteger(value) && (value as number) >= least && (value as number) < 2 ** 31) {
     return value as number;
   }
-  const sentence = `${argument} is ${describe(value)}; expected an integer from ${least} on.`;
-  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse(argument, value, `an integer from ${least} on`, 'number');
 }
 
 function length(option: string, value: unknown): number {
   if (typeof value === 'number' && value > 0 && Number.isFinite(Math.fround(value))) return value;
-  const sentence = `options.${option} is ${describe(value)}; expected a positive number that fits a 32-bit float.`;
-  throw typeof value === 'number' ? new RangeError(sentence) : new TypeError(sentence);
+  refuse(`options.${option}`, value, 'a positive number that fits a 32-bit float', 'number');
 }
 
 function cap(option: string, value: unknown = 'polygon'): number {
-  const index = CAPS.indexOf(value as Cap);
-  if (index >= 0) return index;
-  const sentence = `options.${option} is ${describe(value)}; expected 'polygon', 'fan' or 'open'.`;
-  throw typeof value === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+  return indexOfChoice(`options.${option}`, value, CAPS);
 }
 
 function trianglesAsked(options: unknown): boolean {
   const { triangles = false } = options as QuadOptions;
-  if (typeof triangles === 'boolean') return triangles;
-  throw new TypeError(`options.triangles is ${describe(triangles)}; expected true or false.`);
+  checkFlag('options.triangles', triangles);
+  return triangles;
 }

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { refuse } from './checks.js';
 import type { RawFinding } from './core.mjs';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
@@ -31,13 +31,8 @@ export function findings(raw: RawFinding[]): Problem[] {
 
 /** `level`, if `validate` knows it. */
 export function checkLevel(level: unknown): number {
-  if (typeof level !== 'number') {
-    throw new TypeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
-  }
-  if (!Number.isInteger(level) || level < 0 || level > 4) {
-    throw new RangeError(`level is ${describe(level)}; expected an integer from 0 to 4.`);
-  }
-  return level;
+  if ([0, 1, 2, 3, 4].includes(level as number)) return level as number;
+  refuse('level', level, 'an integer from 0 to 4', 'number');
 }
 
 /** One halfedge of each boundary loop. */

@@ -1,4 +1,5 @@
-import { bytesOf, describe, newArray } from './arguments.js';
+import { bytesOf, newArray } from './arguments.js';
+import { refuse } from './checks.js';
 import type { RawWords } from './core.mjs';
 import { modeOf } from './edit.js';
 import { Links } from './links.js';
@@ -65,9 +66,7 @@ export function bytesOfLinks({ core, address: mesh }: Links): Uint8Array {
  */
 export function linksOfBytes(source: unknown, isOurs = false): Links {
   const bytes = bytesOf('bytes', source);
-  if (bytes === undefined) {
-    throw new TypeError(`bytes is ${describe(source)}; expected an ArrayBuffer or a Uint8Array.`);
-  }
+  if (bytes === undefined) refuse('bytes', source, 'an ArrayBuffer or a Uint8Array');
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     const { address, count } = inputs.bytes('bytes', bytes);

@@ -2,6 +2,7 @@
 
 import { describe, newArray } from '../arguments.js';
 import type { AttributeInfo } from '../attributes.js';
+import { refuse } from '../checks.js';
 import type { Column, CornerValues } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
@@ -25,9 +26,7 @@ const NORMALS: readonly unknown[] = ['smooth', 'flat', 'none'];
 
 /** Throws a sentence for what is no mesh that lives. */
 export function checkMesh(mesh: unknown): HalfedgeMesh {
-  if (!(mesh instanceof HalfedgeMesh)) {
-    throw new TypeError(`mesh is ${describe(mesh)}; expected a HalfedgeMesh.`);
-  }
+  if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
   linksOf(mesh).checkAlive();
   return mesh;
 }

@@ -1,5 +1,6 @@
 import type { BufferGeometry } from 'three';
 import { checkOptions, describe, newArray } from '../arguments.js';
+import { checkFlag } from '../checks.js';
 import { HalfedgeError } from '../errors.js';
 import { addAttributes, type CornerAttribute, cornersOf } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
@@ -74,9 +75,7 @@ export function fromBufferGeometry(
     dropIsolated,
     storePrev,
   } = checkOptions(options) as FromGeometryOptions;
-  if (typeof repair !== 'boolean') {
-    throw new TypeError(`options.repair is ${describe(repair)}; expected true or false.`);
-  }
+  checkFlag('options.repair', repair);
   const geometry = checkGeometry(given);
   if (geometry.attributes.position === undefined) {
     throw geometryError(

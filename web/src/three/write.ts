@@ -1,5 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkOptions, describe } from '../arguments.js';
+import { checkOptions } from '../arguments.js';
+import { checkFlag } from '../checks.js';
 import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkMesh, columnsToShow, type GeometryOptions } from './columns.js';
@@ -39,9 +40,7 @@ export function toBufferGeometry(
   options: ToGeometryOptions = {},
 ): MeshBuffers {
   const { groups = true } = checkOptions(options) as ToGeometryOptions;
-  if (typeof groups !== 'boolean') {
-    throw new TypeError(`options.groups is ${describe(groups)}; expected true or false.`);
-  }
+  checkFlag('options.groups', groups);
   const mesh = checkMesh(given);
   const columns = columnsToShow(mesh, options);
   const geometry = new BufferGeometry();
