@@ -23,7 +23,7 @@ export function parseDeed(text: string): Deed {
   if (!operation) {
     const known = operations.filter((it) => it.on === on).map(({ stem }) => stem);
     throw new Error(
-      `“${text}” is no operation on a ${on}: expected one of ${known.join(', ')}, and what it is done to.`,
+      `“${text}” is no operation on ${on === 'edge' ? 'an' : 'a'} ${on}: expected one of ${known.join(', ')}, and what it is done to.`,
     );
   }
   const wanted = operation.second?.kind;
