@@ -170,7 +170,7 @@ OFF
       'direction is “up”; expected ccw or cw.',
     ],
     ['src="shape:cube" overlays="glitter"', 'overlays has “glitter”; expected some of halfedges'],
-    ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on a edge'],
+    ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on an edge'],
     ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
   ])('with %s says what is wrong', async (attributes, sentence) => {
     const page = await figures(`<halfedge-figure ${attributes}></halfedge-figure>`);
