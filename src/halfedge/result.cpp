@@ -1,6 +1,27 @@
 #include <halfedge/result.h>
 
+#include <utility>
+
 namespace halfedge {
+
+IndexList::IndexList() = default;
+IndexList::IndexList(std::initializer_list<Index> items) : vector(items) {}
+IndexList::IndexList(std::vector<Index> items) : vector(std::move(items)) {}
+IndexList::IndexList(std::span<const Index> items) : vector(items.begin(), items.end()) {}
+IndexList::IndexList(const IndexList& other) = default;
+IndexList::IndexList(IndexList&& other) noexcept = default;
+IndexList& IndexList::operator=(const IndexList& other) = default;
+IndexList& IndexList::operator=(IndexList&& other) noexcept = default;
+IndexList::~IndexList() = default;
+
+Error::Error() = default;
+Error::Error(std::string of_program, std::string for_people, Witness items)
+    : code(std::move(of_program)), message(std::move(for_people)), witness(std::move(items)) {}
+Error::Error(const Error& other) = default;
+Error::Error(Error&& other) noexcept = default;
+Error& Error::operator=(const Error& other) = default;
+Error& Error::operator=(Error&& other) noexcept = default;
+Error::~Error() = default;
 
 Failure::Failure(Error&& error) : error_(new Error(std::move(error))) {}
 

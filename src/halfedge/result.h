@@ -1,21 +1,39 @@
 #pragma once
 
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/inlining.h>
 
 #include <cassert>
+#include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace halfedge {
 
+/// A vector of indices, how it is copied and freed compiled once: the hundreds of places at which
+/// something is refused would each have that in line.
+class IndexList : public std::vector<Index> {
+ public:
+  HALFEDGE_COLD IndexList();
+  HALFEDGE_COLD IndexList(std::initializer_list<Index> items);
+  HALFEDGE_COLD IndexList(std::vector<Index> items);
+  HALFEDGE_COLD IndexList(std::span<const Index> items);
+  HALFEDGE_COLD IndexList(const IndexList& other);
+  HALFEDGE_COLD IndexList(IndexList&& other) noexcept;
+  HALFEDGE_COLD IndexList& operator=(const IndexList& other);
+  HALFEDGE_COLD IndexList& operator=(IndexList&& other) noexcept;
+  HALFEDGE_COLD ~IndexList();
+};
+
 /// The items that show why something failed: the duplicate edge, the faces that share it. Indices
 /// are those of the input (for a build) or of the mesh (for an operation).
 struct Witness {
-  std::vector<Index> vertices = {};
-  std::vector<Index> halfedges = {};
-  std::vector<Index> edges = {};
-  std::vector<Index> faces = {};
+  IndexList vertices = {};
+  IndexList halfedges = {};
+  IndexList edges = {};
+  IndexList faces = {};
 
   friend bool operator==(const Witness&, const Witness&) = default;
 };
@@ -23,9 +41,17 @@ struct Witness {
 /// Why something was refused: a stable code in kebab-case for programs ("edge-with-three-faces"),
 /// one sentence for people that names the item, its value and what was expected, and the witness.
 struct Error {
+  HALFEDGE_COLD Error();
+  HALFEDGE_COLD Error(std::string code, std::string message, Witness witness = {});
+  HALFEDGE_COLD Error(const Error& other);
+  HALFEDGE_COLD Error(Error&& other) noexcept;
+  HALFEDGE_COLD Error& operator=(const Error& other);
+  HALFEDGE_COLD Error& operator=(Error&& other) noexcept;
+  HALFEDGE_COLD ~Error();
+
   std::string code;
   std::string message;
-  Witness witness = {};
+  Witness witness;
 };
 
 /// An error on its way to whom it concerns, or none: one pointer, since what each call returns must

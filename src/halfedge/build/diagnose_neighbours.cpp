@@ -164,7 +164,7 @@ class Neighbours {
                      "Face " + to_string(repeat.face) + " repeats face " +
                          to_string(repeat.original) + (repeat.turned_over ? " turned over" : "") +
                          ": both have the vertices " + list_of(corners) + ".",
-                     {.vertices = {corners.begin(), corners.end()},
+                     {.vertices = corners,
                       .faces = {repeat.original, repeat.face}}};
       });
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <halfedge/inlining.h>
+
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +12,17 @@
 #include <utility>
 
 namespace halfedge {
+
+namespace internal {
+
+/// realloc(data, count * size), empty if that is more than there can be or than there is.
+[[nodiscard]] HALFEDGE_NOINLINE void* reallocate(void* data, std::size_t count, std::size_t size);
+
+/// The same, and then some room more if there is; sets `capacity` to what there is room for.
+[[nodiscard]] HALFEDGE_NOINLINE void* reallocate_amply(void* data, std::size_t count,
+                                                       std::size_t size, std::size_t& capacity);
+
+}  // namespace internal
 
 /// A contiguous array that reports a failed allocation instead of aborting: the core is built
 /// without exceptions, and a mesh too large for memory must end in an error.
@@ -67,8 +80,7 @@ class Array {
   /// Makes room for `count` elements in all. Keeps the contents.
   [[nodiscard]] bool reserve(std::size_t count) {
     if (count <= capacity_) return true;
-    if (count > PTRDIFF_MAX / sizeof(T)) return false;
-    void* grown = std::realloc(static_cast<void*>(data_), count * sizeof(T));
+    void* grown = internal::reallocate(static_cast<void*>(data_), count, sizeof(T));
     if (grown == nullptr) return false;
     data_ = static_cast<T*>(grown);
     capacity_ = count;
@@ -101,8 +113,7 @@ class Array {
   [[nodiscard]] bool recreate(std::size_t count) {
     if (count > capacity_) {
       reset();
-      if (count > PTRDIFF_MAX / sizeof(T)) return false;
-      void* fresh = std::malloc(count * sizeof(T));
+      void* fresh = internal::reallocate(nullptr, count, sizeof(T));
       if (fresh == nullptr) return false;
       data_ = static_cast<T*>(fresh);
       capacity_ = count;
@@ -115,7 +126,7 @@ class Array {
   void shrink_to_fit() {
     if (size_ == capacity_) return;
     if (size_ == 0) return reset();
-    void* shrunk = std::realloc(static_cast<void*>(data_), size_ * sizeof(T));
+    void* shrunk = internal::reallocate(static_cast<void*>(data_), size_, sizeof(T));
     if (shrunk == nullptr) return;
     data_ = static_cast<T*>(shrunk);
     capacity_ = size_;
@@ -125,18 +136,18 @@ class Array {
   [[nodiscard]] bool reserve_more(std::size_t count) {
     const std::size_t least = size_ + count;
     if (least <= capacity_) return true;
-    return reserve(least + least / 2 + 16) || reserve(least);
+    void* grown =
+        internal::reallocate_amply(static_cast<void*>(data_), least, sizeof(T), capacity_);
+    if (grown == nullptr) return false;
+    data_ = static_cast<T*>(grown);
+    return true;
   }
 
   /// Appends one element; amortised O(1).
   [[nodiscard]] bool push_back(const T& value) {
-    if (size_ == capacity_) {
-      const T copy = value;  // value may lie in this array
-      if (!reserve_more(1)) return false;
-      data_[size_++] = copy;
-      return true;
-    }
-    data_[size_++] = value;
+    const T copy = value;  // value may lie in this array
+    if (size_ == capacity_ && !reserve_more(1)) return false;
+    data_[size_++] = copy;
     return true;
   }
 

@@ -28,7 +28,7 @@ void report_other_faces(const Polygons& polygons, BuildReport& report) {
       return Error{"not-a-triangle",
                    "Face " + std::to_string(f) + " has " + std::to_string(size) +
                        " corners; Directed Edges hold triangles only.",
-                   {.vertices = {corners.begin(), corners.end()}, .faces = {Index(f)}}};
+                   {.vertices = corners, .faces = {Index(f)}}};
     });
   }
 }
