@@ -31,54 +31,49 @@ val add_attribute(Address mesh, int kind, Address name, std::size_t name_count, 
                                  .components = components,
                                  .on_split = static_cast<OnSplit>(on_split),
                                  .default_value = array_at<double>(defaults, default_count)};
-  Result<Attribute*> added = visit_mesh(mesh, [&](auto& m) {
-    return m.add_attribute(static_cast<ItemKind>(kind), text_at(name, name_count), options);
-  });
+  Result<Attribute*> added =
+      mesh_at(mesh).add_attribute(static_cast<ItemKind>(kind), text_at(name, name_count), options);
   if (!added) return failure(added.error());
   return success("attribute", val(reinterpret_cast<Address>(added.value())));
 }
 
 void remove_attribute(Address mesh, int kind, Address name, std::size_t name_count) {
-  visit_mesh(mesh, [&](auto& m) {
-    m.remove_attribute(static_cast<ItemKind>(kind), text_at(name, name_count));
-  });
+  mesh_at(mesh).remove_attribute(static_cast<ItemKind>(kind), text_at(name, name_count));
 }
 
 /// All columns but those of generations.
 val list_attributes(Address mesh) {
   const RoomForReport room;
   val list = val::array();
-  visit_mesh(mesh, [&](const auto& m) {
-    for (const ItemKind kind : kKinds) {
-      for (const auto& column : m.attributes().of(kind)) {
-        if (column->is_generation()) continue;
-        val item = val::object();
-        item.set("attribute", reinterpret_cast<Address>(column.get()));
-        item.set("kind", static_cast<int>(kind));
-        item.set("name", column->name());
-        item.set("type", static_cast<int>(column->type()));
-        item.set("components", column->components());
-        item.set("onSplit", static_cast<int>(column->on_split()));
-        list.call<void>("push", item);
-      }
+  const AnyMesh& m = mesh_at(mesh);
+  for (const ItemKind kind : kKinds) {
+    for (const auto& column : m.attributes().of(kind)) {
+      if (column->is_generation()) continue;
+      val item = val::object();
+      item.set("attribute", reinterpret_cast<Address>(column.get()));
+      item.set("kind", static_cast<int>(kind));
+      item.set("name", column->name());
+      item.set("type", static_cast<int>(column->type()));
+      item.set("components", column->components());
+      item.set("onSplit", static_cast<int>(column->on_split()));
+      list.call<void>("push", item);
     }
-  });
+  }
   return list;
 }
 
 val enable_generations(Address mesh) {
   if (!Reserve::take_back()) return failure(no_room_for_a_mesh());
-  const Result<void> result = visit_mesh(mesh, [](auto& m) { return m.enable_generations(); });
+  const Result<void> result = mesh_at(mesh).enable_generations();
   return result ? val::object() : failure(result.error());
 }
 
 void disable_generations(Address mesh) {
-  visit_mesh(mesh, [](auto& m) {
-    for (const ItemKind kind : kKinds) {
-      const Attribute* stamps = m.find_attribute(kind, "generation");
-      if (stamps != nullptr && stamps->is_generation()) m.remove_attribute(kind, "generation");
-    }
-  });
+  AnyMesh& m = mesh_at(mesh);
+  for (const ItemKind kind : kKinds) {
+    const Attribute* stamps = m.find_attribute(kind, "generation");
+    if (stamps != nullptr && stamps->is_generation()) m.remove_attribute(kind, "generation");
+  }
 }
 
 }  // namespace
@@ -106,29 +101,26 @@ HALFEDGE_EXPORT int set_attribute(Address mesh, Index mode, Address attribute, I
 }
 
 HALFEDGE_EXPORT int has_generations(Address mesh) {
-  return visit_mesh(mesh, [](auto& m) {
-    const Attribute* stamps = m.find_attribute(ItemKind::kVertex, "generation");
-    return int{stamps != nullptr && stamps->is_generation()};
-  });
+  const Attribute* stamps = mesh_at(mesh).find_attribute(ItemKind::kVertex, "generation");
+  return int{stamps != nullptr && stamps->is_generation()};
 }
 
 /// The stamp of an item; 0 while there are none.
 HALFEDGE_EXPORT Index generation(Address mesh, int kind, Index item) {
-  return visit_mesh(mesh, [=](const auto& m) {
-    switch (static_cast<ItemKind>(kind)) {
-      case ItemKind::kVertex:
-        return m.generation(Vertex(item));
-      case ItemKind::kHalfedge:
-        return m.generation(Halfedge(item));
-      case ItemKind::kEdge:
-        return m.generation(Edge(item));
-      case ItemKind::kFace:
-        return m.generation(Face(item));
-      case ItemKind::kMesh:
-        break;
-    }
-    return Index{0};
-  });
+  const AnyMesh& m = mesh_at(mesh);
+  switch (static_cast<ItemKind>(kind)) {
+    case ItemKind::kVertex:
+      return m.generation(Vertex(item));
+    case ItemKind::kHalfedge:
+      return m.generation(Halfedge(item));
+    case ItemKind::kEdge:
+      return m.generation(Edge(item));
+    case ItemKind::kFace:
+      return m.generation(Face(item));
+    case ItemKind::kMesh:
+      break;
+  }
+  return Index{0};
 }
 
 EMSCRIPTEN_BINDINGS(halfedge_attributes) {

@@ -31,7 +31,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "repair_bindings.h"
@@ -46,21 +45,15 @@ using namespace halfedge::bindings;
 Address create_mesh(bool stores_prev) { return NewMesh(stores_prev).release(); }
 
 Address clone_mesh(Address address) {
-  return visit_mesh(address, [](const auto& original) -> Address {
-    using AMesh = std::remove_cvref_t<decltype(original)>;
-    NewMesh copy(StoresPrev<AMesh>);
-    if (!copy || !std::get_if<AMesh>(&*copy)->assign(original)) return 0;
-    return copy.release();
-  });
+  const AnyMesh& original = mesh_at(address);
+  NewMesh copy(original.stores_prev());
+  if (!copy || !(*copy).assign(original)) return 0;
+  return copy.release();
 }
 
 Address layout(Address address) {
-  visit_mesh(address, [](const auto& mesh) { write_layout(mesh); });
+  write_layout(mesh_at(address));
   return reinterpret_cast<Address>(layout_words.data());
-}
-
-bool build_any(AnyMesh& mesh, const Polygons& polygons, BuildReport& report) {
-  return visit(mesh, [&](auto& m) { return build_from_polygons(m, polygons, report); });
 }
 
 val build(Address positions, std::size_t position_count, Address sizes, std::size_t size_count,
@@ -71,7 +64,9 @@ val build(Address positions, std::size_t position_count, Address sizes, std::siz
   const Polygons polygons{array_at<float>(positions, position_count),
                           array_at<Index>(sizes, size_count),
                           array_at<Index>(corners, corner_count)};
-  if (!build_any(*mesh, polygons, report)) return failure(report.problems, report.problem_count);
+  if (!build_from_polygons(*mesh, polygons, report)) {
+    return failure(report.problems, report.problem_count);
+  }
   return success("mesh", val(mesh.release()));
 }
 
@@ -135,14 +130,12 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   std::vector<Error>& problems = repair ? repaired.problems : strict.problems;
   const Polygons polygons = file.value().soup.view();
   if (!repair && !progress(Stage::kBuild, 0)) return failure(was_cancelled());
-  const bool is_built = repair
-                            ? build_any_from_soup(*mesh, polygons, {.progress = progress}, repaired)
-                            : build_any(*mesh, polygons, strict);
+  const bool is_built = repair ? build_from_soup(*mesh, polygons, {.progress = progress}, repaired)
+                               : build_from_polygons(*mesh, polygons, strict);
   Result<void> has_attributes;
   if (is_built) {
-    has_attributes = visit(*mesh, [&](auto& m) {
-      return add_attributes(m, polygons, repair ? &repaired : nullptr, file.value().attributes);
-    });
+    has_attributes =
+        add_attributes(*mesh, polygons, repair ? &repaired : nullptr, file.value().attributes);
   }
   file.value().soup = {};
   if (!has_attributes) return failure(has_attributes.error());
@@ -225,8 +218,7 @@ val write_file(Address mesh, int format, int encoding, bool attributes, Address 
   options.notes = &notes;
   options.names = tables;
   if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
-  Result<Array<std::uint8_t>> bytes = visit_mesh(
-      mesh, [&](const auto& m) { return write(m, static_cast<Format>(format), options); });
+  Result<Array<std::uint8_t>> bytes = write(mesh_at(mesh), static_cast<Format>(format), options);
   if (!bytes) return failure(bytes.error());
   const RoomForReport room;
   val result = success("bytes", hand_over(bytes.value()));
@@ -237,32 +229,26 @@ val write_file(Address mesh, int format, int encoding, bool attributes, Address 
 // ---- questions about a whole mesh ------------------------------------------------------------
 
 val validate_mesh(Address mesh, int level) {
-  const std::vector<Problem> problems =
-      visit_mesh(mesh, [&](const auto& m) { return validate(m, level); });
+  const std::vector<Problem> problems = validate(mesh_at(mesh), level);
   return to_list(problems);
 }
 
-double euler(Address mesh) {
-  return visit_mesh(mesh,
-                    [](const auto& m) { return static_cast<double>(euler_characteristic(m)); });
-}
+double euler(Address mesh) { return static_cast<double>(euler_characteristic(mesh_at(mesh))); }
 
 val total_genus(Address mesh) {
-  const Result<std::int64_t> result = visit_mesh(mesh, [](const auto& m) { return genus(m); });
+  const Result<std::int64_t> result = genus(mesh_at(mesh));
   if (!result) return failure(result.error());
   return success("genus", val(static_cast<double>(result.value())));
 }
 
 val loops(Address mesh) {
-  Result<Array<Halfedge>> result =
-      visit_mesh(mesh, [](const auto& m) { return boundary_loops(m); });
+  Result<Array<Halfedge>> result = boundary_loops(mesh_at(mesh));
   if (!result) return failure(result.error());
   return success("halfedges", hand_over(result.value()));
 }
 
 val components(Address mesh) {
-  Result<Components> result =
-      visit_mesh(mesh, [](const auto& m) { return connected_components(m); });
+  Result<Components> result = connected_components(mesh_at(mesh));
   if (!result) return failure(result.error());
   Components& found = result.value();
   val out = val::object();
@@ -283,18 +269,16 @@ val to_rows(const Result<void>& result, Adjacency& rows) {
 /// `ring` and `direction` are values of Ring and Direction.
 val all_rings(Address mesh, int ring, int direction) {
   Adjacency rows;
-  const Result<void> result = visit_mesh(mesh, [&](const auto& m) {
-    return adjacency(m, static_cast<Ring>(ring), static_cast<Direction>(direction), rows);
-  });
+  const Result<void> result =
+      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction), rows);
   return to_rows(result, rows);
 }
 
 val some_rings(Address mesh, int ring, int direction, Address centres, std::size_t count) {
   Adjacency rows;
-  const Result<void> result = visit_mesh(mesh, [&](const auto& m) {
-    return adjacency(m, static_cast<Ring>(ring), static_cast<Direction>(direction),
-                     array_at<Index>(centres, count), rows);
-  });
+  const Result<void> result =
+      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction),
+                array_at<Index>(centres, count), rows);
   return to_rows(result, rows);
 }
 

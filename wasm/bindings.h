@@ -16,7 +16,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace halfedge::bindings {
@@ -73,22 +72,10 @@ std::span<const T> array_at(Address address, std::size_t count) {
   return {reinterpret_cast<const T*>(address), count};
 }
 
-using MeshWithoutPrev = BasicMesh<kWithoutPrev>;
-/// What an address names. JavaScript chooses the storage at run time, C++ when it is compiled.
-using AnyMesh = std::variant<Mesh, MeshWithoutPrev>;
+/// What an address names. JavaScript chooses the storage at run time: one type, compiled once.
+using AnyMesh = BasicMesh<kPrevAtRunTime>;
 
 inline AnyMesh& mesh_at(Address address) { return *reinterpret_cast<AnyMesh*>(address); }
-
-/// Calls `function` with the mesh as what it is.
-template <class Function>
-auto visit(AnyMesh& mesh, const Function& function) {
-  if (auto* whole = std::get_if<Mesh>(&mesh)) return function(*whole);
-  return function(*std::get_if<MeshWithoutPrev>(&mesh));
-}
-template <class Function>
-auto visit_mesh(Address address, const Function& function) {
-  return visit(mesh_at(address), function);
-}
 
 inline void destroy_mesh(Address address) {
   std::destroy_at(&mesh_at(address)), free_block(address);
@@ -100,7 +87,7 @@ class NewMesh {
   explicit NewMesh(bool stores_prev) : address_(allocate(sizeof(AnyMesh))) {
     if (address_ == 0) return;
     new (reinterpret_cast<void*>(address_)) AnyMesh;
-    if (!stores_prev) mesh_at(address_).emplace<MeshWithoutPrev>();
+    mesh_at(address_).choose_prev(stores_prev);
   }
   NewMesh(const NewMesh&) = delete;
   NewMesh& operator=(const NewMesh&) = delete;
@@ -119,8 +106,7 @@ class NewMesh {
 inline std::array<std::uint32_t, 19> layout_words;
 
 /// Writes them anew. They are good until the next call.
-template <Storage kStored>
-void write_layout(const BasicMesh<kStored>& mesh) {
+inline void write_layout(const AnyMesh& mesh) {
   const auto at = [](const auto* data) {
     return static_cast<std::uint32_t>(reinterpret_cast<Address>(data));
   };
@@ -128,7 +114,7 @@ void write_layout(const BasicMesh<kStored>& mesh) {
   const Links& links = mesh.links();
   std::size_t halfedges = std::min(links.next.capacity(), links.to_vertex.capacity());
   halfedges = std::min(halfedges, links.face.capacity());
-  if (kStored.prev) halfedges = std::min(halfedges, links.prev.capacity());
+  if (mesh.stores_prev()) halfedges = std::min(halfedges, links.prev.capacity());
   layout_words = {at(links.next.data()),
                   at(links.prev.data()),
                   at(links.to_vertex.data()),
@@ -144,7 +130,7 @@ void write_layout(const BasicMesh<kStored>& mesh) {
                   mesh.face_count(),
                   static_cast<std::uint32_t>(mesh.version()),
                   static_cast<std::uint32_t>(mesh.version() >> 32U),
-                  kStored.prev,
+                  mesh.stores_prev(),
                   room(links.vertex_halfedge.capacity()),
                   room(halfedges),
                   room(links.face_halfedge.capacity())};

@@ -58,14 +58,16 @@ val build(Address positions, std::size_t position_count, Address corners,
 val from_full(Address full) {
   NewDirectedEdges mesh;
   if (!mesh) return failure(no_room_for_a_mesh());
-  const Result<void> result = visit_mesh(full, [&](const auto& m) { return from_mesh(m, *mesh); });
+  const Result<void> result = from_mesh(mesh_at(full), *mesh);
   return result ? mesh.release() : failure(result.error());
 }
 
 val to_full(Address address) {
   NewMesh full(true);
   if (!full) return failure(no_room_for_a_mesh());
-  const Result<void> result = to_mesh(directed_at(address), *std::get_if<Mesh>(&*full));
+  Mesh mesh;
+  Result<void> result = to_mesh(directed_at(address), mesh);
+  if (result) result = convert(std::move(mesh), *full);
   return result ? success("mesh", val(full.release())) : failure(result.error());
 }
 

@@ -23,60 +23,50 @@ HistoryLimits limits_of(double steps, double bytes) {
 /// 0 if memory is exhausted.
 HALFEDGE_EXPORT int enable_history(Address mesh, double steps, double bytes) {
   if (!Reserve::take_back()) return 0;
-  return visit_mesh(mesh, [=](auto& m) { return int{m.enable_history(limits_of(steps, bytes))}; });
+  return int{mesh_at(mesh).enable_history(limits_of(steps, bytes))};
 }
 
-HALFEDGE_EXPORT void disable_history(Address mesh) {
-  visit_mesh(mesh, [](auto& m) { m.disable_history(); });
-}
+HALFEDGE_EXPORT void disable_history(Address mesh) { mesh_at(mesh).disable_history(); }
 
 HALFEDGE_EXPORT void limit_history(Address mesh, double steps, double bytes) {
-  visit_mesh(mesh, [=](auto& m) { m.limit_history(limits_of(steps, bytes)); });
+  mesh_at(mesh).limit_history(limits_of(steps, bytes));
 }
 
-HALFEDGE_EXPORT void forget_history(Address mesh) {
-  visit_mesh(mesh, [](auto& m) { m.forget_history(); });
-}
+HALFEDGE_EXPORT void forget_history(Address mesh) { mesh_at(mesh).forget_history(); }
 
 /// Steps that can be undone, redone, and the bytes of all, for `which` 0, 1 and 2. 0 where it is
 /// off.
 HALFEDGE_EXPORT double history_size(Address mesh, int which) {
-  return visit_mesh(mesh, [=](const auto& m) -> double {
-    const Journal* journal = m.history();
-    if (journal == nullptr) return 0;
-    if (which == 2) return static_cast<double>(journal->bytes());
-    return static_cast<double>(which == 0 ? journal->undo_count() : journal->redo_count());
-  });
+  const AnyMesh& m = mesh_at(mesh);
+  const Journal* journal = m.history();
+  if (journal == nullptr) return 0;
+  if (which == 2) return static_cast<double>(journal->bytes());
+  return static_cast<double>(which == 0 ? journal->undo_count() : journal->redo_count());
 }
 
-HALFEDGE_EXPORT void end_step(Address mesh) {
-  visit_mesh(mesh, [](auto& m) { m.end_step(); });
-}
+HALFEDGE_EXPORT void end_step(Address mesh) { mesh_at(mesh).end_step(); }
 
 /// Takes back what was written since the end of the last step, and forgets it.
 HALFEDGE_EXPORT void abandon_step(Address mesh) {
-  visit_mesh(mesh, [](auto& m) {
-    if (m.history() != nullptr && m.history()->has_open_step()) {
-      m.undo();
-      m.forget_redo();
-    }
-    write_layout(m);
-  });
+  AnyMesh& m = mesh_at(mesh);
+  if (m.history() != nullptr && m.history()->has_open_step()) {
+    m.undo();
+    m.forget_redo();
+  }
+  write_layout(m);
 }
 
 /// Whether there was a step.
 HALFEDGE_EXPORT int undo(Address mesh) {
-  return visit_mesh(mesh, [](auto& m) {
-    const bool done = m.undo();
-    write_layout(m);
-    return int{done};
-  });
+  AnyMesh& m = mesh_at(mesh);
+  const bool done = m.undo();
+  write_layout(m);
+  return int{done};
 }
 
 HALFEDGE_EXPORT int redo(Address mesh) {
-  return visit_mesh(mesh, [](auto& m) {
-    const bool done = m.redo();
-    write_layout(m);
-    return int{done};
-  });
+  AnyMesh& m = mesh_at(mesh);
+  const bool done = m.redo();
+  write_layout(m);
+  return int{done};
 }

@@ -54,41 +54,36 @@ val shape(int kind, Index a, Index b, double x, double y, int faces, int caps, b
       kind, a, b, x, y, static_cast<shapes::Faces>(faces), static_cast<shapes::Caps>(caps));
   if (!polygons) return failure(polygons.error());
   BuildReport report;
-  const bool is_built = visit(
-      *mesh, [&](auto& m) { return build_from_polygons(m, polygons.value().view(), report); });
-  if (!is_built) return failure(report.problems, report.problem_count);
+  if (!build_from_polygons(*mesh, polygons.value().view(), report)) {
+    return failure(report.problems, report.problem_count);
+  }
   return success("mesh", val(mesh.release()));
 }
 
 val dual_of(Address address) {
-  return visit_mesh(address, [](const auto& original) {
-    using AMesh = std::remove_cvref_t<decltype(original)>;
-    NewMesh mesh(StoresPrev<AMesh>);
-    if (!mesh) return failure(no_room_for_a_mesh());
-    const Result<DualMaps> maps = dual(original, *std::get_if<AMesh>(&*mesh));
-    if (!maps) return failure(maps.error());
-    return success("mesh", val(mesh.release()));
-  });
+  const AnyMesh& original = mesh_at(address);
+  NewMesh mesh(original.stores_prev());
+  if (!mesh) return failure(no_room_for_a_mesh());
+  const Result<DualMaps> maps = dual(original, *mesh);
+  if (!maps) return failure(maps.error());
+  return success("mesh", val(mesh.release()));
 }
 
 /// Returns where vertices, edges and faces went, by slot. `mode` as of an operation.
 val append_mesh(Address address, Address other, Index mode) {
-  return visit_mesh(address, [&](auto& mesh) {
-    Result<CompactMaps> maps =
-        visit_mesh(other, [&](const auto& added) { return append(mesh, added); });
-    if ((mode & kKeepStepOpen) == 0) mesh.end_step();
-    write_layout(mesh);
-    if (!maps) return failure(maps.error());
-    val result = success("vertices", hand_over(maps.value().vertices));
-    result.set("edges", hand_over(maps.value().edges));
-    result.set("faces", hand_over(maps.value().faces));
-    return result;
-  });
+  AnyMesh& mesh = mesh_at(address);
+  Result<CompactMaps> maps = append(mesh, mesh_at(other));
+  if ((mode & kKeepStepOpen) == 0) mesh.end_step();
+  write_layout(mesh);
+  if (!maps) return failure(maps.error());
+  val result = success("vertices", hand_over(maps.value().vertices));
+  result.set("edges", hand_over(maps.value().edges));
+  result.set("faces", hand_over(maps.value().faces));
+  return result;
 }
 
 val mesh_to_bytes(Address address) {
-  Result<Array<std::uint8_t>> bytes =
-      visit_mesh(address, [](const auto& mesh) { return to_bytes(mesh); });
+  Result<Array<std::uint8_t>> bytes = to_bytes(mesh_at(address));
   if (!bytes) return failure(bytes.error());
   return success("bytes", hand_over(bytes.value()));
 }
@@ -101,7 +96,7 @@ val mesh_from_bytes(Address address, std::size_t count, bool is_ours) {
   NewMesh mesh(with_prev.value());
   if (!mesh) return failure(no_room_for_a_mesh());
   const BytesFrom from = is_ours ? BytesFrom::kThisProgram : BytesFrom::kAnywhere;
-  const Result<void> done = visit(*mesh, [&](auto& m) { return from_bytes(bytes, m, from); });
+  const Result<void> done = from_bytes(bytes, *mesh, from);
   if (!done) return failure(done.error());
   return success("mesh", val(mesh.release()));
 }

@@ -48,20 +48,16 @@ Result<mend::Report> run(mend::Surface& surface, int repair, double a, double b,
   }
 }
 
-template <Storage kStored>
-val mend_mesh(BasicMesh<kStored>& mesh, Index mode, int repair, double a, double b, double c) {
-  mend::SurfaceOf<kStored> surface(mesh);
+val mend_mesh(Address address, Index mode, int repair, double a, double b, double c) {
+  if (!Reserve::take_back()) return failure(no_room_for("a repair"));
+  AnyMesh& mesh = mesh_at(address);
+  mend::SurfaceOf<kPrevAtRunTime> surface(mesh);
   Result<mend::Report> done = run(surface, repair, a, b, c);
   if ((mode & kKeepStepOpen) == 0) mesh.end_step();
   write_layout(mesh);
   return done ? to_report(done.value()) : failure(done.error());
 }
 
-val mend_any(Address address, Index mode, int repair, double a, double b, double c) {
-  if (!Reserve::take_back()) return failure(no_room_for("a repair"));
-  return visit_mesh(address, [=](auto& mesh) { return mend_mesh(mesh, mode, repair, a, b, c); });
-}
-
 }  // namespace
 
-EMSCRIPTEN_BINDINGS(halfedge_mending) { emscripten::function("mend", &mend_any); }
+EMSCRIPTEN_BINDINGS(halfedge_mending) { emscripten::function("mend", &mend_mesh); }

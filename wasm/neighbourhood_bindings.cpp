@@ -10,19 +10,15 @@ using namespace halfedge::bindings;
 
 namespace {
 
-bool closed(Address mesh) {
-  return visit_mesh(mesh, [](const auto& m) { return is_closed(m); });
-}
+bool closed(Address mesh) { return is_closed(mesh_at(mesh)); }
 
 /// Whether all faces have three, or else four, corners.
 bool only_triangles_or_quads(Address mesh, bool triangles) {
-  return visit_mesh(
-      mesh, [=](const auto& m) { return triangles ? is_triangle_mesh(m) : is_quad_mesh(m); });
+  return triangles ? is_triangle_mesh(mesh_at(mesh)) : is_quad_mesh(mesh_at(mesh));
 }
 
 val rows_by_distance(Address mesh, Address vertices, std::size_t count, Index k) {
-  Result<Adjacency> rows = visit_mesh(
-      mesh, [&](const auto& m) { return k_ring(m, array_at<Index>(vertices, count), k); });
+  Result<Adjacency> rows = k_ring(mesh_at(mesh), array_at<Index>(vertices, count), k);
   if (!rows) return failure(rows.error());
   val result = success("offsets", hand_over(rows.value().offsets));
   result.set("items", hand_over(rows.value().items));
@@ -34,10 +30,9 @@ val items_around(Address mesh, int which, Address vertices, std::size_t vertex_c
                  std::size_t edge_count, Address faces, std::size_t face_count) {
   const Items items{array_at<Index>(vertices, vertex_count), array_at<Index>(edges, edge_count),
                     array_at<Index>(faces, face_count)};
-  Result<ItemSet> set = visit_mesh(mesh, [&](const auto& m) -> Result<ItemSet> {
-    if (Result<void> sizes = check_array_sizes(m); !sizes) return sizes.error();
-    return surroundings(RawLinks(m), static_cast<Surroundings>(which), items);
-  });
+  const AnyMesh& m = mesh_at(mesh);
+  if (Result<void> sizes = check_array_sizes(m); !sizes) return failure(sizes.error());
+  Result<ItemSet> set = surroundings(RawLinks(m), static_cast<Surroundings>(which), items);
   if (!set) return failure(set.error());
   val result = success("vertices", hand_over(set.value().vertices));
   result.set("edges", hand_over(set.value().edges));

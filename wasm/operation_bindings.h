@@ -57,12 +57,11 @@ inline Error no_room_for(const char* what) {
 template <class Apply>
 int apply(Address address, Index mode, const Apply& apply) {
   if (!Reserve::take_back()) return kNoRoom;
-  return visit_mesh(address, [&](auto& mesh) {
-    const int result = answer(apply(mesh));
-    if ((mode & kKeepStepOpen) == 0) mesh.end_step();
-    write_layout(mesh);
-    return result;
-  });
+  AnyMesh& mesh = mesh_at(address);
+  const int result = answer(apply(mesh));
+  if ((mode & kKeepStepOpen) == 0) mesh.end_step();
+  write_layout(mesh);
+  return result;
 }
 
 /// An operation: checks, or does it.
@@ -70,7 +69,7 @@ template <class Check, class Apply>
 int operate(Address address, Index mode, const Check& check, const Apply& apply) {
   if ((mode & kCheckOnly) == 0) return bindings::apply(address, mode, apply);
   if (!Reserve::take_back()) return kNoRoom;
-  return visit_mesh(address, [&](const auto& mesh) { return answer(check(mesh)); });
+  return answer(check(mesh_at(address)));
 }
 
 /// Items that JavaScript has listed.

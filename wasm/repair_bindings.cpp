@@ -22,7 +22,7 @@ val build_soup(Address positions, std::size_t position_count, Address sizes, std
   if (tolerance >= 0) options.weld = tolerance;
   options.drop_isolated = drop_isolated;
   RepairReport report;
-  if (!build_any_from_soup(*mesh, polygons, options, report)) {
+  if (!build_from_soup(*mesh, polygons, options, report)) {
     return failure(report.problems, report.problems.size());
   }
   const RoomForReport room;

@@ -6,11 +6,6 @@
 
 namespace halfedge::bindings {
 
-inline bool build_any_from_soup(AnyMesh& mesh, const Polygons& polygons,
-                                const RepairOptions& options, RepairReport& report) {
-  return visit(mesh, [&](auto& m) { return build_from_soup(m, polygons, options, report); });
-}
-
 /// Adds what a repair has done to a result. The arrays are JavaScript's to free.
 inline void add_repair(val& result, RepairReport& report) {
   static_assert(sizeof(FaceVerdict) == 8, "two words: the face; whether it is kept, and the codes");

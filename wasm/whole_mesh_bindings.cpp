@@ -15,17 +15,16 @@ namespace {
 /// The maps are JavaScript's to free.
 val compact_mesh(Address address, Index mode) {
   const bool has_reserve = Reserve::take_back();
-  return visit_mesh(address, [=](auto& mesh) {
-    Result<CompactMaps> maps = has_reserve ? compact(mesh) : no_room_for("maps");
-    if ((mode & kKeepStepOpen) == 0) mesh.end_step();
-    write_layout(mesh);
-    if (!maps) return failure(maps.error());
-    val result = val::object();
-    result.set("vertices", hand_over(maps.value().vertices));
-    result.set("edges", hand_over(maps.value().edges));
-    result.set("faces", hand_over(maps.value().faces));
-    return result;
-  });
+  AnyMesh& mesh = mesh_at(address);
+  Result<CompactMaps> maps = has_reserve ? compact(mesh) : no_room_for("maps");
+  if ((mode & kKeepStepOpen) == 0) mesh.end_step();
+  write_layout(mesh);
+  if (!maps) return failure(maps.error());
+  val result = val::object();
+  result.set("vertices", hand_over(maps.value().vertices));
+  result.set("edges", hand_over(maps.value().edges));
+  result.set("faces", hand_over(maps.value().faces));
+  return result;
 }
 
 }  // namespace
@@ -67,18 +66,16 @@ HALFEDGE_EXPORT int make_segment(Address mesh, Index mode) {
 
 HALFEDGE_EXPORT int reserve(Address mesh, Index vertices, Index edges, Index faces) {
   if (!Reserve::take_back()) return kNoRoom;
-  return visit_mesh(mesh, [=](auto& m) {
-    const bool fits = m.reserve(vertices, edges, faces);
-    write_layout(m);
-    return fits ? 0 : refuse(no_room_for("so many items"));
-  });
+  AnyMesh& m = mesh_at(mesh);
+  const bool fits = m.reserve(vertices, edges, faces);
+  write_layout(m);
+  return fits ? 0 : refuse(no_room_for("so many items"));
 }
 
 HALFEDGE_EXPORT void clear(Address mesh) {
-  visit_mesh(mesh, [](auto& m) {
-    m.clear();
-    write_layout(m);
-  });
+  AnyMesh& m = mesh_at(mesh);
+  m.clear();
+  write_layout(m);
 }
 
 EMSCRIPTEN_BINDINGS(halfedge_whole_mesh) { emscripten::function("compact", &compact_mesh); }

@@ -11,7 +11,7 @@ template <Storage kStored>
 [[nodiscard]] Result<void> check_array_sizes(const BasicConnectivity<kStored>& mesh) {
   const Links& links = mesh.links();
   const std::size_t size = links.next.size();
-  if (size % 2 == 0 && links.prev.size() == (kStored.prev ? size : 0) &&
+  if (size % 2 == 0 && links.prev.size() == (mesh.stores_prev() ? size : 0) &&
       links.to_vertex.size() == size && links.face.size() == (kStored.face ? size : 0)) {
     return {};
   }

@@ -26,7 +26,7 @@ class RawLinks {
         face_(mesh.links().face.data()),
         vertex_halfedge_(mesh.links().vertex_halfedge.data()),
         face_halfedge_(mesh.links().face_halfedge.data()),
-        stores_prev_(kStored.prev) {
+        stores_prev_(mesh.stores_prev()) {
     static_assert(kStored.face && kStored.face_halfedge && kStored.vertex_halfedge,
                   "adjacency lists need all links but prev (StoresSurface)");
   }

@@ -184,6 +184,7 @@ bool is_quad_mesh(const BasicConnectivity<kStored>& mesh) {
   template bool is_quad_mesh(const BasicConnectivity<storage>&)
 HALFEDGE_INSTANTIATE(kEverything);
 HALFEDGE_INSTANTIATE(kWithoutPrev);
+HALFEDGE_INSTANTIATE(kPrevAtRunTime);
 #undef HALFEDGE_INSTANTIATE
 
 }  // namespace halfedge

@@ -10,7 +10,8 @@
 ///
 /// These functions check what they follow: on a mesh that breaks its invariants they return an
 /// error with the code corrupt-connectivity (or false), they don't hang or read out of bounds.
-/// They need all links but prev, and are compiled for Connectivity and for kWithoutPrev.
+/// They need all links but prev, and are compiled for Connectivity, kWithoutPrev and
+/// kPrevAtRunTime.
 /// Those that need memory return an error with the code out-of-memory when there is none.
 namespace halfedge {
 

@@ -7,11 +7,20 @@ namespace halfedge {
 namespace {
 
 template <Storage kStored>
+ConnectResult connect(BasicMesh<kStored>& mesh, const Polygons& polygons) {
+  Links& links = mesh.mutable_links();
+  if constexpr (kStored.prev_at_run_time) {
+    return mesh.stores_prev() ? connect<true>(polygons, links) : connect<false>(polygons, links);
+  }
+  return connect<kStored.prev>(polygons, links);
+}
+
+template <Storage kStored>
 bool build(BasicMesh<kStored>& mesh, const Polygons& polygons, BuildReport& report) {
   report = {};
   mesh.clear();
   ConnectResult result = ConnectResult::kNotManifold;
-  if (can_be_connected(polygons)) result = connect<kStored.prev>(polygons, mesh.mutable_links());
+  if (can_be_connected(polygons)) result = connect(mesh, polygons);
   if (result == ConnectResult::kDone) {
     result = copy_positions(polygons.positions, mesh.mutable_positions());
   }
@@ -29,6 +38,11 @@ bool build_from_polygons(Mesh& mesh, const Polygons& polygons, BuildReport& repo
 }
 
 bool build_from_polygons(BasicMesh<kWithoutPrev>& mesh, const Polygons& polygons,
+                         BuildReport& report) {
+  return build(mesh, polygons, report);
+}
+
+bool build_from_polygons(BasicMesh<kPrevAtRunTime>& mesh, const Polygons& polygons,
                          BuildReport& report) {
   return build(mesh, polygons, report);
 }

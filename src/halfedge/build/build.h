@@ -47,6 +47,9 @@ struct BuildReport {
 /// The same without prev, in less memory.
 [[nodiscard]] bool build_from_polygons(BasicMesh<kWithoutPrev>& mesh, const Polygons& polygons,
                                        BuildReport& report);
+/// The same with prev or without, as `mesh` has chosen.
+[[nodiscard]] bool build_from_polygons(BasicMesh<kPrevAtRunTime>& mesh, const Polygons& polygons,
+                                       BuildReport& report);
 
 /// The same for a mesh type that leaves other links out: all are made, and those too many freed.
 template <Storage kStored>

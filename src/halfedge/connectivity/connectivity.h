@@ -6,6 +6,7 @@
 #include <halfedge/connectivity/links.h>
 #include <halfedge/connectivity/storage.h>
 #include <halfedge/history/journal.h>
+#include <halfedge/inlining.h>
 
 #include <algorithm>
 #include <cassert>
@@ -50,6 +51,27 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Moving leaves `other` empty. It counts as a change of both.
   BasicConnectivity(BasicConnectivity&& other) noexcept { *this = std::move(other); }
   BasicConnectivity& operator=(BasicConnectivity&& other) noexcept;
+
+  // ---- storage ------------------------------------------------------------------------------
+
+  /// Whether prev is stored; else it is found by walking. Known when the mesh is compiled, but for
+  /// kPrevAtRunTime, where it is unless chosen otherwise.
+  [[nodiscard]] constexpr bool stores_prev() const {
+    if constexpr (kStorage.prev_at_run_time) return prev_is_stored_;
+    return kStorage.prev;
+  }
+  /// What is stored, as chosen.
+  [[nodiscard]] constexpr Storage storage() const {
+    Storage stored = kStorage;
+    stored.prev = stores_prev();
+    return stored;
+  }
+  /// pre: the mesh has no halfedge slots.
+  void choose_prev(bool is_stored) {
+    static_assert(kStorage.prev_at_run_time, "this mesh type has chosen already (see Storage)");
+    assert(halfedge_slots() == 0);
+    prev_is_stored_ = is_stored;
+  }
 
   // ---- counts -------------------------------------------------------------------------------
 
@@ -131,7 +153,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// (7) The halfedge before `h` in its face loop or boundary loop. Where it isn't stored it is
   /// found by walking `next`, O(min(degree of the loop, valence of from_vertex(h))).
   [[nodiscard]] Halfedge prev(Halfedge h) const {
-    if constexpr (!kStorage.prev) return find_prev(h);
+    if (!stores_prev()) return find_prev(h);
     return Halfedge(links_.prev[h.index()]);
   }
 
@@ -372,7 +394,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
       write(Field::kNext, mesh_.links_.next, h.index(), n.index());
     }
     void set_prev([[maybe_unused]] Halfedge h, [[maybe_unused]] Halfedge p) const {
-      if constexpr (kStorage.prev) {
+      if (mesh_.stores_prev()) {
         write(Field::kPrev, mesh_.links_.prev, h.index(), p.index());
       }
     }
@@ -409,7 +431,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// note of what they hold, and for halfedges after note_loop_links.
   class UnnotedWriter {
    public:
-    explicit UnnotedWriter(BasicConnectivity& mesh) : links_(mesh.links_) {}
+    explicit UnnotedWriter(BasicConnectivity& mesh)
+        : links_(mesh.links_), stores_prev_(mesh.stores_prev()) {}
 
     void link(Halfedge h, Halfedge n) const {
       set_next(h, n);
@@ -417,7 +440,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     }
     void set_next(Halfedge h, Halfedge n) const { links_.next[h.index()] = n.index(); }
     void set_prev([[maybe_unused]] Halfedge h, [[maybe_unused]] Halfedge p) const {
-      if constexpr (kStorage.prev) links_.prev[h.index()] = p.index();
+      if (stores_prev_) links_.prev[h.index()] = p.index();
     }
     void set_to_vertex(Halfedge h, Vertex v) const { links_.to_vertex[h.index()] = v.index(); }
     void set_face([[maybe_unused]] Halfedge h, [[maybe_unused]] Face f) const {
@@ -429,6 +452,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
    private:
     Links& links_;
+    bool stores_prev_;
   };
   [[nodiscard]] UnnotedWriter unnoted_writer() { return UnnotedWriter(*this); }
   /// Notes all links of `h` but its vertex: sooner, and in less room, than one by one.
@@ -440,7 +464,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// next(h) = n and prev(n) = h.
   void link(Halfedge h, Halfedge n) {
     write(Field::kNext, links_.next, h.index(), n.index());
-    if constexpr (kStorage.prev) write(Field::kPrev, links_.prev, n.index(), h.index());
+    if (stores_prev()) write(Field::kPrev, links_.prev, n.index(), h.index());
     ++version_;
   }
   void set_to_vertex(Halfedge h, Vertex v) {
@@ -551,7 +575,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] Index take_free(Field field, Array<Index>& links, FreeList& list, Index link);
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.
-  [[nodiscard]] Halfedge find_prev(Halfedge h) const {
+  [[nodiscard]] HALFEDGE_NOINLINE Halfedge find_prev(Halfedge h) const {
     Halfedge in_loop = h;
     Halfedge around_vertex = h;
     for (;;) {
@@ -571,6 +595,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   FreeList free_faces_;
   Index bare_vertices_ = 0;  // how many there are, where no array tells
   Index bare_faces_ = 0;
+  bool prev_is_stored_ = true;  // where the type leaves it open
   std::uint64_t version_ = 0;
   std::unique_ptr<Journal> journal_;  // null while history is off
 };

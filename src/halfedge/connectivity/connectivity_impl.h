@@ -24,10 +24,10 @@ inline bool make_room(Array<Index>& array, std::size_t count) {
 }
 
 // Whether `each` holds for all arrays by halfedge that are stored; stops at the first that fails.
-template <Storage kStored, class Each>
-bool for_halfedge_arrays(Links& links, const Each& each) {
-  return each(links.next) && each(links.to_vertex) && (!kStored.prev || each(links.prev)) &&
-         (!kStored.face || each(links.face));
+template <class Each>
+bool for_halfedge_arrays(Storage stored, Links& links, const Each& each) {
+  return each(links.next) && each(links.to_vertex) && (!stored.prev || each(links.prev)) &&
+         (!stored.face || each(links.face));
 }
 
 }  // namespace internal
@@ -43,6 +43,7 @@ BasicConnectivity<kStored>& BasicConnectivity<kStored>::operator=(
   free_faces_ = std::exchange(other.free_faces_, {});
   bare_vertices_ = std::exchange(other.bare_vertices_, 0);
   bare_faces_ = std::exchange(other.bare_faces_, 0);
+  prev_is_stored_ = other.prev_is_stored_;
   journal_ = std::move(other.journal_);
   // Not the version of `other`, which a circulator of this mesh may remember by chance.
   version_ = std::max(version_, other.version_) + 1;
@@ -61,8 +62,8 @@ bool BasicConnectivity<kStored>::reserve(Index vertices, Index edges, Index face
       !attributes_.reserve(ItemKind::kFace, faces)) {
     return false;
   }
-  return internal::for_halfedge_arrays<kStored>(
-      links_, [&](Array<Index>& array) { return array.reserve(halfedges); });
+  return internal::for_halfedge_arrays(
+      storage(), links_, [&](Array<Index>& array) { return array.reserve(halfedges); });
 }
 
 template <Storage kStored>
@@ -129,6 +130,7 @@ bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
   free_faces_ = other.free_faces_;
   bare_vertices_ = other.bare_vertices_;
   bare_faces_ = other.bare_faces_;
+  prev_is_stored_ = other.prev_is_stored_;
   ++version_;
   return true;
 }
@@ -172,13 +174,13 @@ Halfedge BasicConnectivity<kStored>::add_edge_slot() {
   const Halfedge h(halfedge_slots());
   const std::size_t count = links_.next.size() + 2;
   const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
-  if (count > kMaxSlots || !internal::for_halfedge_arrays<kStored>(links_, has_room)) return {};
+  if (count > kMaxSlots || !internal::for_halfedge_arrays(storage(), links_, has_room)) return {};
   if (attributes_.has_any() && (!attributes_.reserve(ItemKind::kEdge, count / 2) ||
                                 !attributes_.reserve(ItemKind::kHalfedge, count))) {
     return {};
   }
   note_new(Field::kNewHalfedges, h.index());
-  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
     array.grow_to(count);
     array[h.index()] = array[h.index() + 1U] = kNone;
     return true;
@@ -195,7 +197,7 @@ Edge BasicConnectivity<kStored>::append_edges(Index count) {
   const Edge first(edge_slots());
   const std::size_t halfedges = halfedge_slots() + 2 * std::size_t{count};
   note_new(Field::kNewHalfedges, halfedge_slots());
-  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
     array.grow_to(halfedges);
     return true;
   });
@@ -311,7 +313,7 @@ void BasicConnectivity<kStored>::release(Edge e) {
   const Index h = edge_halfedge(e).index();
   if (journal_ != nullptr) [[unlikely]]
     note_freed(e, /*is_taken=*/false);
-  (void)internal::for_halfedge_arrays<kStored>(links_, [h](Array<Index>& array) {
+  (void)internal::for_halfedge_arrays(storage(), links_, [h](Array<Index>& array) {
     array[h] = array[h + 1] = kDeleted;
     return true;
   });
@@ -324,7 +326,7 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::note_loop_links_at(Index h) {
   Index prev = kNone;
   Index face = kNone;
-  if constexpr (kStored.prev) prev = links_.prev[h];
+  if (stores_prev()) prev = links_.prev[h];
   if constexpr (kStored.face) face = links_.face[h];
   journal_->record_loop_links(h, links_.next[h], prev, face);
 }
@@ -334,7 +336,7 @@ void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
   const Index h = first.index;
   Journal::Write& second = (&first)[1];
   std::swap(links_.next[h], first.word);
-  if constexpr (kStored.prev) std::swap(links_.prev[h], second.index);
+  if (stores_prev()) std::swap(links_.prev[h], second.index);
   if constexpr (kStored.face) std::swap(links_.face[h], second.word);
 }
 
@@ -343,7 +345,7 @@ template <Storage kStored>
 void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
   Index words[8] = {};
   Index* word = words;
-  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
     *word++ = array[edge_halfedge(e, 0).index()];
     *word++ = array[edge_halfedge(e, 1).index()];
     return true;
@@ -359,7 +361,7 @@ void BasicConnectivity<kStored>::exchange_freed_edge(Journal::Write& first) {
   Index* word = words;
   Journal::for_edge_words(&first, [&word](Index noted) { *word++ = noted; });
   word = words;
-  (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
     std::swap(array[edge_halfedge(Edge(e), 0).index()], *word++);
     std::swap(array[edge_halfedge(Edge(e), 1).index()], *word++);
     return true;
@@ -401,7 +403,7 @@ void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
   attributes_.resize(ItemKind::kEdge, write.word / 2);
   attributes_.resize(ItemKind::kHalfedge, write.word);
   if (write.word < size) {
-    (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
       journal_->keep_dropped(&array[write.word], size - write.word);
       array.grow_to(write.word);
       return true;
@@ -409,10 +411,10 @@ void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
   } else {
     const std::size_t count = write.word - size;
     std::size_t arrays = 0;
-    (void)internal::for_halfedge_arrays<kStored>(links_,
+    (void)internal::for_halfedge_arrays(storage(), links_,
                                                  [&](Array<Index>&) { return ++arrays > 0; });
     const auto* dropped = static_cast<const Index*>(journal_->take_dropped(arrays * count));
-    (void)internal::for_halfedge_arrays<kStored>(links_, [&](Array<Index>& array) {
+    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
       array.grow_to(write.word);
       std::copy_n(dropped, count, array.begin() + size);
       dropped += count;
@@ -459,8 +461,8 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
                            bare_faces_);
     case Field::kHalfedgeSlots: {
       const Index size = halfedge_slots();
-      (void)internal::for_halfedge_arrays<kStored>(
-          links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
+      (void)internal::for_halfedge_arrays(
+          storage(), links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
       attributes_.resize(ItemKind::kEdge, write.word / 2);
       attributes_.resize(ItemKind::kHalfedge, write.word);
       write.word = size;

@@ -24,7 +24,9 @@ class LinkConversion {
     const Index vertices = from.vertex_slots();
     Index faces = from.face_slots();
     Links derived;
-    if (Result<void> done = derive(from.links_, kFrom, kTo, vertices, faces, derived); !done) {
+    if (Result<void> done =
+            derive(from.links_, from.storage(), to.storage(), vertices, faces, derived);
+        !done) {
       return done.error();
     }
     const auto take = [](bool wanted, bool stored, Array<Index>& link, Array<Index>& made) {
@@ -33,7 +35,7 @@ class LinkConversion {
     Links& links = from.links_;
     to.links_.next = std::move(links.next);
     to.links_.to_vertex = std::move(links.to_vertex);
-    to.links_.prev = take(kTo.prev, kFrom.prev, links.prev, derived.prev);
+    to.links_.prev = take(to.stores_prev(), from.stores_prev(), links.prev, derived.prev);
     to.links_.face = take(kTo.face, kFrom.face, links.face, derived.face);
     to.links_.vertex_halfedge = take(kTo.vertex_halfedge, kFrom.vertex_halfedge,
                                      links.vertex_halfedge, derived.vertex_halfedge);

@@ -18,12 +18,16 @@ struct Storage {
   bool face = true;
   bool face_halfedge = true;
   bool vertex_halfedge = true;
+  /// Whether prev is stored is chosen while the program runs, by `choose_prev`, and not by the
+  /// type: for bindings, which compile everything once. Every use of prev then costs a test.
+  bool prev_at_run_time = false;
 
   friend constexpr bool operator==(const Storage&, const Storage&) = default;
 };
 
 inline constexpr Storage kEverything{};
 inline constexpr Storage kWithoutPrev{.prev = false};
+inline constexpr Storage kPrevAtRunTime{.prev = false, .prev_at_run_time = true};
 inline constexpr Storage kWithoutFaceHalfedges{.face_halfedge = false};
 inline constexpr Storage kWithoutFaces{.face = false, .face_halfedge = false};
 inline constexpr Storage kWithoutAnchors{.vertex_halfedge = false};

@@ -89,7 +89,7 @@ template <class Mesh>
 [[nodiscard]] std::size_t halfedge_capacity(const Mesh& mesh) {
   const Links& links = mesh.links();
   std::size_t room = std::min(links.next.capacity(), links.to_vertex.capacity());
-  if constexpr (StoresPrev<Mesh>) room = std::min(room, links.prev.capacity());
+  if (mesh.stores_prev()) room = std::min(room, links.prev.capacity());
   if constexpr (StoresFaces<Mesh>) room = std::min(room, links.face.capacity());
   return room;
 }

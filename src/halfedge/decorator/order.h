@@ -161,7 +161,7 @@ requires StoresFaces<Mesh>
     }
   }
   permute(links.next, new_of, scratch, true);
-  if constexpr (StoresPrev<Mesh>) permute(links.prev, new_of, scratch, true);
+  if (mesh.stores_prev()) permute(links.prev, new_of, scratch, true);
   permute(links.to_vertex, new_of, scratch, false);
   permute(links.face, new_of, scratch, false);
   return order;

@@ -241,5 +241,6 @@ requires StoresSurface<BasicMesh<kStored>> Result<void> from_mesh(const BasicMes
 
 template Result<void> from_mesh(const Mesh&, DirectedEdgesMesh&);
 template Result<void> from_mesh(const BasicMesh<kWithoutPrev>&, DirectedEdgesMesh&);
+template Result<void> from_mesh(const BasicMesh<kPrevAtRunTime>&, DirectedEdgesMesh&);
 
 }  // namespace halfedge

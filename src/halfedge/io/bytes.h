@@ -54,7 +54,7 @@ template <Storage kStored>
                               mesh.positions(),
                               {mesh.free_vertices(), mesh.free_edges(), mesh.free_faces()},
                               mesh.attributes(),
-                              kStored.prev});
+                              mesh.stores_prev()});
 }
 
 /// Where bytes come from: those that another thread of this very program has just made need not be
@@ -70,8 +70,8 @@ enum class BytesFrom : std::uint8_t { kAnywhere, kThisProgram };
 /// cost: O(bytes), most of it for the checks; beside the mesh, what `validate` takes
 /// errors: unknown-format (these are no such bytes), unsupported-version, truncated, parse-error
 ///         (with what was expected at which byte), storage-mismatch (prev is stored and `mesh` has
-///         none, or the reverse), corrupt-connectivity, attribute-exists, bad-attribute,
-///         out-of-memory
+///         none, or the reverse; kPrevAtRunTime chooses what the bytes have),
+///         corrupt-connectivity, attribute-exists, bad-attribute, out-of-memory
 template <Storage kStored>
 [[nodiscard]] Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
                                       BytesFrom from = BytesFrom::kAnywhere);

@@ -243,7 +243,7 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
   {
     Links& links = mesh.mutable_links();
     for (std::size_t i = 0; i < kPositions; ++i) {
-      const bool is_stored = i != kPrev || kStored.prev;
+      const bool is_stored = i != kPrev || mesh.stores_prev();
       if (is_stored && !array_of(links, i).resize(std::size_t(header.elements(i)), kNone)) {
         return no_memory_for_bytes();
       }
@@ -290,12 +290,14 @@ Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>&
                         BytesFrom from) {
   const Result<Header> header = read_header(bytes);
   if (!header) return header.error();
-  if (header.value().stores_prev != kStored.prev) {
+  BasicMesh<kStored> read;
+  if constexpr (kStored.prev_at_run_time) {
+    read.choose_prev(header.value().stores_prev);
+  } else if (header.value().stores_prev != kStored.prev) {
     return Error{"storage-mismatch", std::string("The bytes are of a mesh ") +
                                          (kStored.prev ? "without prev, expected one with it."
                                                        : "with prev, expected one without it.")};
   }
-  BasicMesh<kStored> read;
   if (Result<void> done = read_all(bytes, header.value(), from, read); !done) return done;
   mesh = std::move(read);
   return {};
@@ -303,6 +305,8 @@ Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>&
 
 template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kEverything>&, BytesFrom);
 template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kWithoutPrev>&,
+                                 BytesFrom);
+template Result<void> from_bytes(std::span<const std::uint8_t>, BasicMesh<kPrevAtRunTime>&,
                                  BytesFrom);
 
 }  // namespace halfedge

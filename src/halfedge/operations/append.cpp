@@ -157,6 +157,7 @@ void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& ma
   template void copy_items(BasicMesh<storage>&, const MeshView&, CompactMaps&)
 HALFEDGE_INSTANTIATE(kEverything);
 HALFEDGE_INSTANTIATE(kWithoutPrev);
+HALFEDGE_INSTANTIATE(kPrevAtRunTime);
 #undef HALFEDGE_INSTANTIATE
 
 }  // namespace halfedge::appending

@@ -4,7 +4,8 @@
 
 namespace halfedge {
 
-void LinkChecker::check_inverse_links() {
+template <class Mesh>
+void LinkChecker<Mesh>::check_inverse_links() {
   // prev(next(h)) == h for all h makes next injective, and so a permutation with the inverse
   // prev.
   for (const Halfedge h : mesh_.halfedges()) {
@@ -33,7 +34,8 @@ void LinkChecker::check_inverse_links() {
   }
 }
 
-void LinkChecker::check_missing_anchors() {
+template <class Mesh>
+void LinkChecker<Mesh>::check_missing_anchors() {
   const auto lacks_anchor = [&](Vertex v) { return !mesh_.vertex_halfedge(v).valid(); };
   const bool none_lacks =
       std::none_of(mesh_.links().vertex_halfedge.begin(), mesh_.links().vertex_halfedge.end(),
@@ -51,7 +53,8 @@ void LinkChecker::check_missing_anchors() {
   }
 }
 
-void LinkChecker::check_loops_agree() {
+template <class Mesh>
+void LinkChecker<Mesh>::check_loops_agree() {
   for (const Halfedge h : mesh_.halfedges()) {
     const Halfedge n = mesh_.next(h);
     if (mesh_.from_vertex(n) != mesh_.to_vertex(h)) {
@@ -68,5 +71,8 @@ void LinkChecker::check_loops_agree() {
     }
   }
 }
+
+template class LinkChecker<Connectivity>;
+template class LinkChecker<BasicConnectivity<kPrevAtRunTime>>;
 
 }  // namespace halfedge

@@ -2,7 +2,8 @@
 
 namespace halfedge {
 
-void OrbitChecker::check_vertex_orbits() {
+template <class Mesh>
+void OrbitChecker<Mesh>::check_vertex_orbits() {
   Index reached = 0;
   for (const Vertex v : mesh_.vertices()) reached += mesh_.valence(v);
   if (reached == mesh_.halfedge_count()) return;
@@ -22,7 +23,8 @@ void OrbitChecker::check_vertex_orbits() {
   }
 }
 
-void OrbitChecker::check_face_loops() {
+template <class Mesh>
+void OrbitChecker<Mesh>::check_face_loops() {
   Index reached = 0;
   for (const Face f : mesh_.faces()) reached += mesh_.degree(f);
   for (const Halfedge h : mesh_.halfedges()) reached += mesh_.is_boundary(h) ? 1 : 0;
@@ -44,7 +46,8 @@ void OrbitChecker::check_face_loops() {
   }
 }
 
-void OrbitChecker::check_boundary() {
+template <class Mesh>
+void OrbitChecker<Mesh>::check_boundary() {
   check_boundary_anchors();
   for (const Edge e : mesh_.edges()) {
     if (!mesh_.is_boundary(mesh_.edge_halfedge(e, 0)) ||
@@ -56,7 +59,8 @@ void OrbitChecker::check_boundary() {
   }
 }
 
-void OrbitChecker::check_boundary_anchors() {
+template <class Mesh>
+void OrbitChecker<Mesh>::check_boundary_anchors() {
   bool all_right = true;
   for (const Halfedge h : mesh_.halfedges()) {
     all_right = all_right && (!mesh_.is_boundary(h) || mesh_.is_boundary(mesh_.from_vertex(h)));
@@ -75,5 +79,8 @@ void OrbitChecker::check_boundary_anchors() {
     }
   }
 }
+
+template class OrbitChecker<Connectivity>;
+template class OrbitChecker<BasicConnectivity<kPrevAtRunTime>>;
 
 }  // namespace halfedge

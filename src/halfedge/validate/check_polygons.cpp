@@ -5,7 +5,8 @@
 
 namespace halfedge {
 
-void PolygonChecker::check_polygons() {
+template <class Mesh>
+void PolygonChecker<Mesh>::check_polygons() {
   check_degrees();
   Array<Index> mark;  // by vertex, the last face or vertex in whose ring it was seen
   if (has_memory(mark.resize(mesh_.vertex_slots(), kNone), "repeated vertices and edges")) {
@@ -22,7 +23,8 @@ void PolygonChecker::check_polygons() {
   check_vertices();
 }
 
-void PolygonChecker::check_degrees() {
+template <class Mesh>
+void PolygonChecker<Mesh>::check_degrees() {
   for (const Face f : mesh_.faces()) {
     const Halfedge first = mesh_.face_halfedge(f);
     const Halfedge second = mesh_.next(first);
@@ -34,7 +36,8 @@ void PolygonChecker::check_degrees() {
   }
 }
 
-void PolygonChecker::check_repeated_vertices(Array<Index>& mark) {
+template <class Mesh>
+void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
   for (const Face f : mesh_.faces()) {
     for (const Vertex v : mesh_.face_vertices_ccw(f)) {
       if (mark[v.index()] == f.index()) {
@@ -47,7 +50,8 @@ void PolygonChecker::check_repeated_vertices(Array<Index>& mark) {
 }
 
 // Reported at the second of the two, once for each edge: from its smaller vertex.
-void PolygonChecker::check_duplicate_halfedges(Array<Index>& mark) {
+template <class Mesh>
+void PolygonChecker<Mesh>::check_duplicate_halfedges(Array<Index>& mark) {
   for (const Vertex v : mesh_.vertices()) {
     for (const Halfedge h : mesh_.outgoing_cw(v)) {
       const Vertex to = mesh_.to_vertex(h);
@@ -62,7 +66,8 @@ void PolygonChecker::check_duplicate_halfedges(Array<Index>& mark) {
   }
 }
 
-void PolygonChecker::check_vertices() {
+template <class Mesh>
+void PolygonChecker<Mesh>::check_vertices() {
   for (const Vertex v : mesh_.vertices()) {
     if (mesh_.is_isolated(v)) {
       report(Rule::kIsolatedVertex, v, [&] { return text(v) + " is isolated: it has no edges"; });
@@ -72,5 +77,8 @@ void PolygonChecker::check_vertices() {
     }
   }
 }
+
+template class PolygonChecker<Connectivity>;
+template class PolygonChecker<BasicConnectivity<kPrevAtRunTime>>;
 
 }  // namespace halfedge

@@ -4,7 +4,8 @@
 
 namespace halfedge {
 
-void ReferenceChecker::check_array_sizes() {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_array_sizes() {
   const Links& links = mesh_.links();
   const std::size_t size = links.next.size();
   check_halfedge_array("prev", links.prev.size(), size);
@@ -21,8 +22,9 @@ void ReferenceChecker::check_array_sizes() {
   check_addressable("face_halfedge", links.face_halfedge.size());
 }
 
-void ReferenceChecker::check_halfedge_array(const char* name, std::size_t size,
-                                            std::size_t expected) {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_halfedge_array(const char* name, std::size_t size,
+                                                  std::size_t expected) {
   if (size == expected) return;
   problems_.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
     return std::string(name) + " has " + std::to_string(size) + " entries, expected " +
@@ -30,7 +32,8 @@ void ReferenceChecker::check_halfedge_array(const char* name, std::size_t size,
   });
 }
 
-void ReferenceChecker::check_addressable(const char* name, std::size_t size) {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_addressable(const char* name, std::size_t size) {
   if (size <= kMaxSlots) return;
   problems_.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
     return std::string(name) + " has " + std::to_string(size) + " entries, expected at most " +
@@ -38,7 +41,8 @@ void ReferenceChecker::check_addressable(const char* name, std::size_t size) {
   });
 }
 
-void ReferenceChecker::check_references() {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_references() {
   const Links& links = mesh_.links();
   const std::size_t before = problems_.error_count();
   check_free_list(ItemKind::kVertex, mesh_.free_vertices(), links.vertex_halfedge, 1);
@@ -65,8 +69,9 @@ void ReferenceChecker::check_references() {
 
 // A chain with as many entries as there are deleted slots, all of them deleted, and with an end
 // visits none twice, so it holds them all.
-void ReferenceChecker::check_free_list(ItemKind kind, const FreeList& list,
-                                       const Array<Index>& links, std::size_t stride) {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_free_list(ItemKind kind, const FreeList& list,
+                                             const Array<Index>& links, std::size_t stride) {
   const std::size_t slots = links.size() / stride;
   Index deleted = 0;
   for (std::size_t slot = 0; slot < slots; ++slot) {
@@ -100,14 +105,16 @@ void ReferenceChecker::check_free_list(ItemKind kind, const FreeList& list,
   }
 }
 
-bool ReferenceChecker::is_in_range(Halfedge h) const {
+template <class Mesh>
+bool ReferenceChecker<Mesh>::is_in_range(Halfedge h) const {
   return mesh_.next(h).index() < mesh_.halfedge_slots() &&
          mesh_.prev(h).index() < mesh_.halfedge_slots() &&
          mesh_.to_vertex(h).index() < mesh_.vertex_slots() &&
          (mesh_.face(h).index() < mesh_.face_slots() || mesh_.is_boundary(h));
 }
 
-void ReferenceChecker::check_edge_references(Edge e) {
+template <class Mesh>
+void ReferenceChecker<Mesh>::check_edge_references(Edge e) {
   const Links& all = mesh_.links();
   const std::size_t first = mesh_.edge_halfedge(e).index();
   unsigned deleted = 0;
@@ -132,8 +139,9 @@ void ReferenceChecker::check_edge_references(Edge e) {
   }
 }
 
+template <class Mesh>
 template <class Item, class Target>
-void ReferenceChecker::check_link(const char* name, Item item, Target target) {
+void ReferenceChecker<Mesh>::check_link(const char* name, Item item, Target target) {
   if (mesh_.is_live(target)) return;
   const auto subject = [&] { return "the " + std::string(name) + " of " + text(item); };
   if (!target.valid()) {
@@ -149,5 +157,8 @@ void ReferenceChecker::check_link(const char* name, Item item, Target target) {
            [&] { return subject() + " is " + text(target) + ", which is deleted"; });
   }
 }
+
+template class ReferenceChecker<Connectivity>;
+template class ReferenceChecker<BasicConnectivity<kPrevAtRunTime>>;
 
 }  // namespace halfedge

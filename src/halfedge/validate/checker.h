@@ -7,10 +7,12 @@
 
 namespace halfedge {
 
-/// What the groups of checks share: the mesh, the list they report to, and the words for it.
+/// What the groups of checks share: the mesh, which stores all links, the list they report to, and
+/// the words for it.
+template <class Mesh>
 class Checker {
  public:
-  Checker(const Connectivity& mesh, ProblemList& problems) : mesh_(mesh), problems_(problems) {}
+  Checker(const Mesh& mesh, ProblemList& problems) : mesh_(mesh), problems_(problems) {}
 
  protected:
   /// `message` is called if the problem is listed.
@@ -37,19 +39,26 @@ class Checker {
     return std::string(name_of(kind_of(item))) + " " + number(item.index());
   }
 
-  const Connectivity& mesh_;
+  const Mesh& mesh_;
   ProblemList& problems_;
 };
 
 /// Level 0, before a link is followed: array sizes, deleted slots, index ranges.
-class ReferenceChecker : Checker {
+template <class Mesh>
+class ReferenceChecker : Checker<Mesh> {
  public:
-  using Checker::Checker;
+  using Checker<Mesh>::Checker;
   void check_array_sizes();
   /// pre: the array sizes are right.
   void check_references();
 
  private:
+  using Checker<Mesh>::mesh_;
+  using Checker<Mesh>::problems_;
+  using Checker<Mesh>::number;
+  using Checker<Mesh>::report;
+  using Checker<Mesh>::text;
+
   void check_halfedge_array(const char* name, std::size_t size, std::size_t expected);
   void check_addressable(const char* name, std::size_t size);
   void check_free_list(ItemKind kind, const FreeList& list, const Array<Index>& links,
@@ -61,23 +70,30 @@ class ReferenceChecker : Checker {
 };
 
 /// Levels 0 and 1, one step from an item. pre: references are right.
-class LinkChecker : Checker {
+template <class Mesh>
+class LinkChecker : Checker<Mesh> {
  public:
-  using Checker::Checker;
+  using Checker<Mesh>::Checker;
   /// Level 0: next against prev, anchors, halfedges of faces.
   void check_inverse_links();
   /// Level 1.
   void check_loops_agree();
 
  private:
+  using Checker<Mesh>::mesh_;
+  using Checker<Mesh>::has_memory;
+  using Checker<Mesh>::report;
+  using Checker<Mesh>::text;
+
   void check_missing_anchors();
 };
 
 /// Levels 2 and 3, around vertices and faces. pre: levels 0 and 1 hold; `next` then permutes the
 /// live halfedges, so that every orbit and every loop closes.
-class OrbitChecker : Checker {
+template <class Mesh>
+class OrbitChecker : Checker<Mesh> {
  public:
-  using Checker::Checker;
+  using Checker<Mesh>::Checker;
   /// Level 2.
   void check_vertex_orbits();
   /// Level 3.
@@ -85,16 +101,29 @@ class OrbitChecker : Checker {
   void check_boundary();
 
  private:
+  using Checker<Mesh>::mesh_;
+  using Checker<Mesh>::has_memory;
+  using Checker<Mesh>::number;
+  using Checker<Mesh>::report;
+  using Checker<Mesh>::text;
+
   void check_boundary_anchors();
 };
 
 /// Level 4: the rules of polygon meshes. pre: levels 0 and 1 hold.
-class PolygonChecker : Checker {
+template <class Mesh>
+class PolygonChecker : Checker<Mesh> {
  public:
-  using Checker::Checker;
+  using Checker<Mesh>::Checker;
   void check_polygons();
 
  private:
+  using Checker<Mesh>::mesh_;
+  using Checker<Mesh>::has_memory;
+  using Checker<Mesh>::number;
+  using Checker<Mesh>::report;
+  using Checker<Mesh>::text;
+
   void check_degrees();
   void check_repeated_vertices(Array<Index>& mark);
   void check_duplicate_halfedges(Array<Index>& mark);

@@ -12,13 +12,14 @@ namespace halfedge {
 namespace {
 
 // Each step needs what the steps before it have checked, and is left out where they failed.
-std::vector<Problem> run(const Connectivity& mesh, int level, ProblemList problems) {
+template <class Mesh>
+std::vector<Problem> run(const Mesh& mesh, int level, ProblemList problems) {
   assert(0 <= level && level <= kMaxValidationLevel);
   const std::size_t before = problems.error_count();
   const auto clean = [&] { return problems.error_count() == before; };
-  ReferenceChecker references(mesh, problems);
-  LinkChecker links(mesh, problems);
-  OrbitChecker orbits(mesh, problems);
+  ReferenceChecker<Mesh> references(mesh, problems);
+  LinkChecker<Mesh> links(mesh, problems);
+  OrbitChecker<Mesh> orbits(mesh, problems);
 
   references.check_array_sizes();
   if (clean()) references.check_references();
@@ -30,18 +31,13 @@ std::vector<Problem> run(const Connectivity& mesh, int level, ProblemList proble
     if (level >= 2) orbits.check_vertex_orbits();
     if (level >= 3) orbits.check_face_loops();
     if (level >= 3) orbits.check_boundary();
-    if (level >= 4) PolygonChecker(mesh, problems).check_polygons();
+    if (level >= 4) PolygonChecker<Mesh>(mesh, problems).check_polygons();
   }
   return std::move(problems).take();
 }
 
-}  // namespace
-
-std::vector<Problem> validate(const Connectivity& mesh, int level) {
-  return run(mesh, level, ProblemList{});
-}
-
-std::vector<Problem> validate(const Mesh& mesh, int level) {
+template <Storage kStored>
+std::vector<Problem> run_with_positions(const BasicMesh<kStored>& mesh, int level) {
   ProblemList problems;
   const std::size_t size = mesh.positions().size();
   const std::size_t expected = 3 * mesh.links().vertex_halfedge.size();
@@ -51,7 +47,25 @@ std::vector<Problem> validate(const Mesh& mesh, int level) {
              std::to_string(expected) + ": three for each vertex slot";
     });
   }
-  return run(mesh, level, std::move(problems));
+  return run<BasicConnectivity<kStored>>(mesh, level, std::move(problems));
+}
+
+}  // namespace
+
+std::vector<Problem> validate(const Connectivity& mesh, int level) {
+  return run(mesh, level, ProblemList{});
+}
+
+std::vector<Problem> validate(const Mesh& mesh, int level) {
+  return run_with_positions(mesh, level);
+}
+
+std::vector<Problem> validate(const BasicMesh<kPrevAtRunTime>& mesh, int level) {
+  if (mesh.stores_prev()) return run_with_positions(mesh, level);
+  BasicMesh<kPrevAtRunTime> copy;
+  BasicMesh<kPrevAtRunTime> whole;
+  if (!copy.assign(mesh) || !convert(std::move(copy), whole)) return not_validated();
+  return run_with_positions(whole, level);
 }
 
 std::vector<Problem> not_validated() {

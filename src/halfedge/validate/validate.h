@@ -100,6 +100,9 @@ template <class Reduced, class Whole>
 [[nodiscard]] std::vector<Problem> validate(const Connectivity& mesh,
                                             int level = kMaxValidationLevel);
 [[nodiscard]] std::vector<Problem> validate(const Mesh& mesh, int level = kMaxValidationLevel);
+/// A copy is made only if prev isn't stored.
+[[nodiscard]] std::vector<Problem> validate(const BasicMesh<kPrevAtRunTime>& mesh,
+                                            int level = kMaxValidationLevel);
 
 /// The same of a mesh type that leaves links out: they are derived in a copy (see `convert`), and
 /// the copy is checked. Where no link knows of faces, each loop counts as a face.
