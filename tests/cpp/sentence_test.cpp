@@ -1,10 +1,26 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/sentence.h>
 
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <string_view>
 
 namespace halfedge {
 namespace {
+
+TEST(Sentence, IsFilledIn) {
+  EXPECT_EQ(sentence::of("{} has degree {}, expected {}", Face(7), 3U, "four"),
+            "face 7 has degree 3, expected four");
+  EXPECT_EQ(sentence::of("{}{}", std::string("a"), std::string_view("bcd").substr(0, 2)), "abc");
+  EXPECT_EQ(sentence::of("{} of {}", -5, std::uint64_t{1} << 40U), "-5 of 1099511627776");
+}
+
+TEST(Sentence, SaysNoneOfAnEmptyItem) {
+  EXPECT_EQ(sentence::of("next of {} is {}", Halfedge(0), Halfedge()),
+            "next of halfedge 0 is halfedge none");
+  EXPECT_EQ(sentence::of("{}", kNone), "4294967295");
+}
 
 TEST(SentenceNumber, HasAsFewDigitsAsTellItFromOthers) {
   EXPECT_EQ(sentence::number(0.5), "0.5");

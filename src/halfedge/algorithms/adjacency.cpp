@@ -1,5 +1,6 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/rings.h>
+#include <halfedge/build/sentence.h>
 
 #include <algorithm>
 #include <array>
@@ -12,9 +13,9 @@ namespace halfedge {
 namespace {
 
 Error corrupt(ItemKind kind, Index index) {
-  return {"corrupt-connectivity", "the ring around " + std::string(name_of(kind)) + " " +
-                                      std::to_string(index) +
-                                      " does not close: validate names the broken links"};
+  return {"corrupt-connectivity",
+          sentence::of("the ring around {} {} does not close: validate names the broken links",
+                       name_of(kind), index)};
 }
 
 Error out_of_memory() {
@@ -158,11 +159,11 @@ RingFunctions functions_of(Ring ring, Direction direction) {
 // `where` says which of several it is, as in " at position 3".
 Error no_such_centre(const RawLinks& links, const RingFunctions& functions, Index centre,
                      const std::string& where) {
-  const std::string item = name_of(functions.kind) + (" " + std::to_string(centre)) + where;
+  const std::string item = name_of(functions.kind) + (sentence::of(" {}", centre)) + where;
   const Index slots = functions.slots(links);
-  if (centre < slots) return {"deleted-item", item + " is deleted"};
+  if (centre < slots) return {"deleted-item", sentence::of("{} is deleted", item)};
   return {"index-out-of-range",
-          item + " does not exist, expected less than " + std::to_string(slots)};
+          sentence::of("{} does not exist, expected less than {}", item, slots)};
 }
 
 // Counts the ring of each centre into `offsets`, summed up.
@@ -172,15 +173,16 @@ Result<void> sum_ring_lengths(const RawLinks& links, const RingFunctions& functi
   for (std::size_t i = 0; i < centres.size(); ++i) {
     offsets[i] = Index(size);
     if (!functions.is_live(links, centres[i])) {
-      return no_such_centre(links, functions, centres[i], " at position " + std::to_string(i));
+      return no_such_centre(links, functions, centres[i], sentence::of(" at position {}", i));
     }
     const Index length = functions.write_one(links, centres[i], 0, nullptr, 0);
     if (length == kNone) return corrupt(functions.kind, centres[i]);
     size += length;
     if (size >= kNone) {
-      return Error{"too-large", "the rings of the first " + std::to_string(i + 1) + " items have " +
-                                    std::to_string(size) + " items, expected less than " +
-                                    std::to_string(kNone)};
+      return Error{
+          "too-large",
+          sentence::of("the rings of the first {} items have {} items, expected less than {}",
+                       i + 1, size, kNone)};
     }
   }
   offsets[centres.size()] = Index(size);

@@ -1,4 +1,5 @@
 #include <halfedge/algorithms/neighbourhood.h>
+#include <halfedge/build/sentence.h>
 
 #include <bit>
 #include <cstddef>
@@ -136,12 +137,12 @@ template <class Item>
 Result<void> check_items(const RawLinks& links, std::span<const Index> items) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (links.is_live(Item(items[i]))) continue;
-    const std::string item = std::string(name_of(kind_of(Item{}))) + " " +
-                             std::to_string(items[i]) + " at position " + std::to_string(i);
+    const std::string item =
+        sentence::of("{} {} at position {}", name_of(kind_of(Item{})), items[i], i);
     const Index slots = links.slots(Item{});
-    if (items[i] < slots) return Error{"deleted-item", item + " is deleted"};
+    if (items[i] < slots) return Error{"deleted-item", sentence::of("{} is deleted", item)};
     return Error{"index-out-of-range",
-                 item + " does not exist, expected less than " + std::to_string(slots)};
+                 sentence::of("{} does not exist, expected less than {}", item, slots)};
   }
   return {};
 }

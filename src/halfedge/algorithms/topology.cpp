@@ -1,5 +1,6 @@
 #include <halfedge/algorithms/corrupt.h>
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/build/sentence.h>
 
 #include <algorithm>
 #include <string>
@@ -14,9 +15,10 @@ Error out_of_memory(const char* what) {
 }
 
 Error corrupt(const char* link, ItemKind kind, Index index) {
-  return {"corrupt-connectivity",
-          "the " + std::string(link) + " of " + name_of(kind) + " " + std::to_string(index) +
-              " breaks the invariants of a mesh: validate names what is wrong"};
+  return {
+      "corrupt-connectivity",
+      sentence::of("the {} of {} {} breaks the invariants of a mesh: validate names what is wrong",
+                   link, name_of(kind), index)};
 }
 
 // Sets of vertices, each named by its smallest. Path halving keeps the trees flat.

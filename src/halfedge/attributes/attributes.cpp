@@ -1,4 +1,5 @@
 #include <halfedge/attributes/attributes.h>
+#include <halfedge/build/sentence.h>
 
 #include <new>
 #include <string>
@@ -11,7 +12,7 @@ namespace {
 Error bad(std::string sentence) { return {"bad-attribute", std::move(sentence)}; }
 
 std::string quoted(ItemKind kind, std::string_view name) {
-  return std::string(name_of(kind)) + " attribute \"" + std::string(name) + "\"";
+  return sentence::of("{} attribute \"{}\"", name_of(kind), name);
 }
 
 }  // namespace
@@ -21,21 +22,21 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
   if (kind == ItemKind::kMesh) return bad("A mesh has attributes of its items, not of itself.");
   if (name.empty()) return bad("The name of an attribute is empty, expected a word.");
   if (options.components < 1 || options.components > Attribute::kMaxComponents) {
-    return bad("The " + quoted(kind, name) + " would have " + std::to_string(options.components) +
-               " components, expected 1 to " + std::to_string(Attribute::kMaxComponents) + ".");
+    return bad(sentence::of("The {} would have {} components, expected 1 to {}.",
+                            quoted(kind, name), options.components, Attribute::kMaxComponents));
   }
   if (!options.default_value.empty() && options.default_value.size() != options.components) {
-    return bad("The default of the " + quoted(kind, name) + " has " +
-               std::to_string(options.default_value.size()) + " numbers, expected " +
-               std::to_string(options.components) + ".");
+    return bad(sentence::of("The default of the {} has {} numbers, expected {}.",
+                            quoted(kind, name), options.default_value.size(), options.components));
   }
   if (find(kind, name) != nullptr) {
-    return Error{"attribute-exists", "There is a " + quoted(kind, name) + " already."};
+    return Error{"attribute-exists", sentence::of("There is a {} already.", quoted(kind, name))};
   }
   std::unique_ptr<Attribute> column(new (std::nothrow)
                                         Attribute(std::string(name), kind, options, serials_++));
   if (column == nullptr || !column->reserve(slots)) {
-    return Error{"out-of-memory", "There is not enough memory for the " + quoted(kind, name) + "."};
+    return Error{"out-of-memory",
+                 sentence::of("There is not enough memory for the {}.", quoted(kind, name))};
   }
   column->resize(slots);
   ++count_;

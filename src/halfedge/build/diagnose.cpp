@@ -14,7 +14,6 @@ namespace {
 using sentence::count_of;
 using sentence::list_of;
 using sentence::number;
-using std::to_string;
 
 void check_array_sizes(const Polygons& polygons, ProblemSink& problems) {
   const auto add = [&](const char* code, const std::string& message) {
@@ -23,26 +22,29 @@ void check_array_sizes(const Polygons& polygons, ProblemSink& problems) {
   const std::size_t numbers = polygons.positions.size();
   const std::size_t corners = polygons.corners.size();
   if (numbers % 3 != 0) {
-    add("bad-size", "The positions array has " + count_of(numbers, "number") +
-                        "; expected a multiple of 3, three for each vertex.");
+    add("bad-size",
+        sentence::of("The positions array has {}; expected a multiple of 3, three for each vertex.",
+                     count_of(numbers, "number")));
   }
   if (polygons.sizes.empty()) {
     if (corners % 3 != 0) {
-      add("bad-size", "The triangles array has " + count_of(corners, "corner") +
-                          "; expected a multiple of 3, three for each triangle.");
+      add("bad-size",
+          sentence::of(
+              "The triangles array has {}; expected a multiple of 3, three for each triangle.",
+              count_of(corners, "corner")));
     }
   } else {
     std::uint64_t sum = 0;
     for (const Index size : polygons.sizes) sum += size;
     if (sum != corners) {
-      add("bad-size", "The face sizes add up to " + count_of(sum, "corner") +
-                          ", but the corners array has " + to_string(corners) + ".");
+      add("bad-size", sentence::of("The face sizes add up to {}, but the corners array has {}.",
+                                   count_of(sum, "corner"), corners));
     }
   }
   const auto check_count = [&](std::size_t count, const char* noun) {
     if (count <= kMaxSlots) return;
-    add("too-large", "The input has " + count_of(count, noun) + "; a mesh can have at most " +
-                         to_string(kMaxSlots) + ".");
+    add("too-large", sentence::of("The input has {}; a mesh can have at most {}.",
+                                  count_of(count, noun), kMaxSlots));
   };
   check_count(polygons.vertex_count(), "vertex");
   check_count(corners, "corner");
@@ -54,8 +56,8 @@ void check_positions(const Polygons& polygons, ProblemSink& problems) {
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
     problems.add([&] {
       return Error{"non-finite-position",
-                   "Vertex " + to_string(v) + " is at (" + number(p[0]) + ", " + number(p[1]) +
-                       ", " + number(p[2]) + "); expected three finite numbers.",
+                   sentence::of("Vertex {} is at ({}, {}, {}); expected three finite numbers.", v,
+                                number(p[0]), number(p[1]), number(p[2])),
                    {.vertices = {Index(v)}}};
     });
   }
@@ -76,7 +78,7 @@ void check_positions(const Polygons& polygons, ProblemSink& problems) {
 std::string range_of_vertices(std::size_t count) {
   if (count == 0) return "there are no vertices";
   if (count == 1) return "vertex 0 is the only one";
-  return "the last one is " + to_string(count - 1);
+  return sentence::of("the last one is {}", count - 1);
 }
 
 // Problems that a face has by itself; it is ignored from then on. `sorted` is scratch.
@@ -87,12 +89,13 @@ std::string range_of_vertices(std::size_t count) {
                           const auto& describe) {
     table.faces[f].ignored = true;
     problems.add([&] {
-      return Error{code, "Face " + to_string(f) + describe(), {.vertices = vertices, .faces = {f}}};
+      return Error{
+          code, sentence::of("Face {}{}", f, describe()), {.vertices = vertices, .faces = {f}}};
     });
   };
   if (corners.size() < 3) {
     refuse("degree-below-three", {corners.begin(), corners.end()}, [&] {
-      return " has " + count_of(corners.size(), "corner") + "; a face needs at least 3.";
+      return sentence::of(" has {}; a face needs at least 3.", count_of(corners.size(), "corner"));
     });
   }
   if (!sorted.assign(corners)) return false;
@@ -103,12 +106,13 @@ std::string range_of_vertices(std::size_t count) {
         std::size_t(std::upper_bound(sorted.begin() + i, sorted.end(), v) - (sorted.begin() + i));
     if (v >= vertex_count) {
       refuse("index-out-of-range", {v}, [&] {
-        return " uses vertex " + to_string(v) + ", but " + range_of_vertices(vertex_count) + ".";
+        return sentence::of(" uses vertex {}, but {}.", v, range_of_vertices(vertex_count));
       });
     } else if (times > 1 && corners.size() >= 3) {
       refuse("repeated-vertex", {v}, [&] {
-        return " uses vertex " + to_string(v) + " " + to_string(times) +
-               " times (its corners are " + list_of(corners) + "); a face may use a vertex once.";
+        return sentence::of(
+            " uses vertex {} {} times (its corners are {}); a face may use a vertex once.", v,
+            times, list_of(corners));
       });
     }
     i += times - 1;

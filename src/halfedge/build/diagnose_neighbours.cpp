@@ -12,7 +12,6 @@ namespace {
 
 using sentence::count_of;
 using sentence::list_of;
-using std::to_string;
 
 // A face's side of an edge: it runs from `corner` to the next corner of the face.
 struct Side {
@@ -161,11 +160,10 @@ class Neighbours {
       problems_.add([&] {
         const std::span<const Index> corners = table_.corners_of(repeat.face);
         return Error{"duplicate-face",
-                     "Face " + to_string(repeat.face) + " repeats face " +
-                         to_string(repeat.original) + (repeat.turned_over ? " turned over" : "") +
-                         ": both have the vertices " + list_of(corners) + ".",
-                     {.vertices = corners,
-                      .faces = {repeat.original, repeat.face}}};
+                     sentence::of("Face {} repeats face {}{}: both have the vertices {}.",
+                                  repeat.face, repeat.original,
+                                  repeat.turned_over ? " turned over" : "", list_of(corners)),
+                     {.vertices = corners, .faces = {repeat.original, repeat.face}}};
       });
     }
     return true;
@@ -194,9 +192,9 @@ class Neighbours {
   [[nodiscard]] static Error too_many(std::span<const Side> sides) {
     Error error{"edge-with-many-faces", {}, {.vertices = {sides[0].low, sides[0].high}}};
     for (const Side& side : sides) error.witness.faces.push_back(side.face);
-    error.message = "Edge " + to_string(sides[0].low) + "-" + to_string(sides[0].high) +
-                    " is used by " + to_string(sides.size()) + " faces (" +
-                    list_of(error.witness.faces) + "); a manifold edge has at most 2.";
+    error.message =
+        sentence::of("Edge {}-{} is used by {} faces ({}); a manifold edge has at most 2.",
+                     sides[0].low, sides[0].high, sides.size(), list_of(error.witness.faces));
     return error;
   }
 
@@ -205,9 +203,9 @@ class Neighbours {
     const Index from = table_.corners[side.corner];
     const Index to = from == side.low ? side.high : side.low;
     return Error{"opposite-orientation",
-                 "Faces " + to_string(side.face) + " and " + to_string(edge.second->face) +
-                     " both run from vertex " + to_string(from) + " to vertex " + to_string(to) +
-                     "; neighbours must run along their edge in opposite directions.",
+                 sentence::of("Faces {} and {} both run from vertex {} to vertex {}; neighbours "
+                              "must run along their edge in opposite directions.",
+                              side.face, edge.second->face, from, to),
                  {.vertices = {from, to}, .faces = {side.face, edge.second->face}}};
   }
 
@@ -270,10 +268,11 @@ class Neighbours {
   [[nodiscard]] static Error pinched(std::span<const Fan> fans, std::size_t closed) {
     Error error{"pinched-vertex", {}, {.vertices = {fans[0].vertex}}};
     for (const Fan& fan : fans) error.witness.faces.push_back(fan.face);
-    error.message = "Vertex " + to_string(fans[0].vertex) + " joins " +
-                    count_of(fans.size(), "separate fan") + " of faces (beginning with faces " +
-                    list_of(error.witness.faces) + "), " + to_string(closed) +
-                    " of them closed; a vertex with a closed fan can have no other.";
+    error.message = sentence::of(
+        "Vertex {} joins {} of faces (beginning with faces {}), {} of them closed; a vertex with a "
+        "closed fan can have no other.",
+        fans[0].vertex, count_of(fans.size(), "separate fan"), list_of(error.witness.faces),
+        closed);
     return error;
   }
 

@@ -6,6 +6,27 @@
 
 namespace halfedge::sentence {
 
+void Part::append_to(std::string& sentence) const {
+  sentence += text_;
+  if (number_ == kNoNumber) return;
+  if (!text_.empty()) sentence += ' ';
+  sentence += !text_.empty() && number_ == kNone ? "none" : std::to_string(number_);
+}
+
+std::string fill_in(const char* pattern, std::initializer_list<Part> parts) {
+  std::string sentence;
+  const Part* part = parts.begin();
+  for (const char* at = pattern; *at != 0; ++at) {
+    if (at[0] == '{' && at[1] == '}') {
+      (part++)->append_to(sentence);
+      ++at;
+    } else {
+      sentence += *at;
+    }
+  }
+  return sentence;
+}
+
 std::string complete(std::string text) {
   if ('a' <= text[0] && text[0] <= 'z') text[0] = char(text[0] - 'a' + 'A');
   text += '.';

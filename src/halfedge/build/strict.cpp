@@ -67,13 +67,15 @@ bool explain(ConnectResult result, const Polygons& polygons, BuildReport& report
       assert(report.problem_count > 0);
       break;
     case ConnectResult::kTooLarge:
-      fail("too-large", "A mesh of these faces needs more than the " + std::to_string(kMaxSlots) +
-                            " halfedges that a mesh can have.");
+      fail("too-large",
+           sentence::of(
+               "A mesh of these faces needs more than the {} halfedges that a mesh can have.",
+               kMaxSlots));
       break;
     case ConnectResult::kOutOfMemory:
-      fail("out-of-memory", "There is not enough memory for a mesh of " +
-                                sentence::count_of(polygons.vertex_count(), "vertex") + " and " +
-                                sentence::count_of(polygons.face_count(), "face") + ".");
+      fail("out-of-memory", sentence::of("There is not enough memory for a mesh of {} and {}.",
+                                         sentence::count_of(polygons.vertex_count(), "vertex"),
+                                         sentence::count_of(polygons.face_count(), "face")));
       break;
   }
   return false;

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/connectivity/convert.h>
 
 #include <string>
@@ -7,7 +8,7 @@ namespace halfedge {
 namespace {
 
 Error no_memory_for(const char* what) {
-  return {"out-of-memory", std::string("There is not enough memory for ") + what + "."};
+  return {"out-of-memory", sentence::of("There is not enough memory for {}.", what)};
 }
 
 bool is_live_halfedge(const Links& links, Index h) {
@@ -111,8 +112,11 @@ Result<void> LinkConversion::derive(const Links& links, Storage have, Storage wa
 }
 
 Error LinkConversion::has_deleted(const char* items) {
-  return {"deleted-item", std::string("There are deleted ") + items +
-                              ", which the new type cannot mark as such: compact the mesh first."};
+  return {
+      "deleted-item",
+      sentence::of(
+          "There are deleted {}, which the new type cannot mark as such: compact the mesh first.",
+          items)};
 }
 
 }  // namespace halfedge

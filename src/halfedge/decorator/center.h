@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
 
 namespace halfedge::decorator {
@@ -176,24 +177,26 @@ template <Editable Mesh>
   Halfedge in = h;
   do {
     if (is_boundary(mesh, in)) {
-      return refusal("boundary-vertex",
-                     text(c) + " lies on a boundary: " + text(in) +
-                         " has no face, expected a face at every corner",
-                     {.vertices = {c.index()}, .halfedges = {in.index()}});
+      return refusal(
+          "boundary-vertex",
+          sentence::of("{} lies on a boundary: {} has no face, expected a face at every corner", c,
+                       in),
+          {.vertices = {c.index()}, .halfedges = {in.index()}});
     }
     if (mesh.from_vertex(in) == c) return is_loop_edge(in, c);
     for (Halfedge on_loop = mesh.next(in); on_loop != in; on_loop = mesh.next(on_loop)) {
       if (mesh.to_vertex(on_loop) == c) {
         return refusal("repeated-vertex",
-                       text(c) + " is at two corners of one face, where " + text(in) + " and " +
-                           text(on_loop) + " lead, expected one corner in each face",
+                       sentence::of("{} is at two corners of one face, where {} and {} lead, "
+                                    "expected one corner in each face",
+                                    c, in, on_loop),
                        {.vertices = {c.index()}, .halfedges = {in.index(), on_loop.index()}});
       }
       has_rim = has_rim || mesh.from_vertex(on_loop) != c;
     }
     in = mesh.next_on_vertex(in);
   } while (in != h);
-  if (!has_rim) return last_edge(h, text(mesh.from_vertex(h)) + " and the joined face");
+  if (!has_rim) return last_edge(h, sentence::of("{} and the joined face", mesh.from_vertex(h)));
   return {};
 }
 

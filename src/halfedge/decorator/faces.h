@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
 
 namespace halfedge::decorator {
@@ -60,7 +61,7 @@ template <Editable Mesh>
     for (Halfedge on_loop = mesh.next(o); on_loop != o; on_loop = mesh.next(on_loop)) {
       const Halfedge other = mesh.opposite(on_loop);
       if (is_boundary(mesh, other) || face_of(mesh, other) == face_of(mesh, o)) {
-        return edge_without_face(on_loop, "once " + text(face_of(mesh, o)) + " is removed");
+        return edge_without_face(on_loop, sentence::of("once {} is removed", face_of(mesh, o)));
       }
     }
   }
@@ -112,7 +113,7 @@ requires StoresFaces<Mesh>
   for (const Halfedge on_loop : mesh.loop_ccw(h)) {
     const Halfedge other = mesh.opposite(on_loop);
     if (is_boundary(mesh, other) || mesh.face(other) == mesh.face(h)) {
-      return edge_without_face(on_loop, "once " + text(mesh.face(h)) + " is removed");
+      return edge_without_face(on_loop, sentence::of("once {} is removed", mesh.face(h)));
     }
   }
   return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
 
 #include <string>
@@ -20,7 +21,7 @@ template <Editable Mesh>
     Index degree = 0;
     for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(side)) ++degree;
     return refusal("not-a-triangle",
-                   "the face of " + text(side) + " has degree " + number(degree) + ", expected 3",
+                   sentence::of("the face of {} has degree {}, expected 3", side, degree),
                    halfedges_of({side}));
   }
   if (is_one_loop(mesh, h, mesh.opposite(h))) return in_same_loop(h, mesh.opposite(h));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
 #include <halfedge/sort.h>
 
@@ -41,22 +42,22 @@ template <Editable Mesh>
     const Halfedge following = cycle[(i + 1) % cycle.size()];
     if (mesh.to_vertex(h) != mesh.from_vertex(following)) {
       return refusal("not-a-cycle",
-                     text(h) + " leads to " + text(mesh.to_vertex(h)) +
-                         ", but the next in the cycle, " + text(following) + ", leaves " +
-                         text(mesh.from_vertex(following)),
+                     sentence::of("{} leads to {}, but the next in the cycle, {}, leaves {}", h,
+                                  mesh.to_vertex(h), following, mesh.from_vertex(following)),
                      halfedges_of({h, following}));
     }
     if (following == mesh.opposite(h)) {
-      return refusal("not-a-cycle",
-                     text(h) + " and " + text(following) +
-                         " are the two sides of one edge, expected different edges",
-                     halfedges_of({h, following}));
+      return refusal(
+          "not-a-cycle",
+          sentence::of("{} and {} are the two sides of one edge, expected different edges", h,
+                       following),
+          halfedges_of({h, following}));
     }
   }
   if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
     return refusal(
         "repeated-vertex",
-        "the cycle passes " + text(repeated) + " more than once, expected different vertices",
+        sentence::of("the cycle passes {} more than once, expected different vertices", repeated),
         {.vertices = {repeated.index()}});
   }
   return {};
@@ -158,17 +159,18 @@ template <Editable Mesh>
     }
   }
   if (degrees[0] != degrees[1]) {
-    return refusal("different-degrees",
-                   "the loop of " + text(h) + " has " + std::to_string(degrees[0]) +
-                       " halfedges and that of " + text(g) + " has " + std::to_string(degrees[1]) +
-                       ", expected as many",
-                   halfedges_of({h, g}));
+    return refusal(
+        "different-degrees",
+        sentence::of("the loop of {} has {} halfedges and that of {} has {}, expected as many", h,
+                     degrees[0], g, degrees[1]),
+        halfedges_of({h, g}));
   }
   if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
-    return refusal("repeated-vertex",
-                   text(repeated) + " occurs twice in the loops of " + text(h) + " and " + text(g) +
-                       ", expected different vertices",
-                   {.vertices = {repeated.index()}, .halfedges = {h.index(), g.index()}});
+    return refusal(
+        "repeated-vertex",
+        sentence::of("{} occurs twice in the loops of {} and {}, expected different vertices",
+                     repeated, h, g),
+        {.vertices = {repeated.index()}, .halfedges = {h.index(), g.index()}});
   }
   return {};
 }
@@ -191,7 +193,7 @@ template <Editable Mesh>
   Halfedge on_g = g;  // its loop runs the other way
   do {
     if (is_boundary(mesh, mesh.opposite(on_h)) && is_boundary(mesh, mesh.opposite(on_g))) {
-      return edge_without_face(on_h, "once it is glued to " + text(mesh.edge(on_g)));
+      return edge_without_face(on_h, sentence::of("once it is glued to {}", mesh.edge(on_g)));
     }
     on_h = mesh.prev(on_h);
     on_g = mesh.next(on_g);

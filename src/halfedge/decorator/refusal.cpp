@@ -18,53 +18,54 @@ Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
 Failure not_live(ItemKind kind, Index index, Index slots) {
   const std::string name = name_of(kind);
   const std::string article = kind == ItemKind::kEdge ? "an " : "a ";
-  const std::string expected = ", expected " + article + name + " of this mesh";
+  const std::string expected = sentence::of(", expected {}{} of this mesh", article, name);
   const char* code = kind == ItemKind::kVertex ? "not-a-vertex"
                      : kind == ItemKind::kEdge ? "not-an-edge"
                      : kind == ItemKind::kFace ? "not-a-face"
                                                : "not-a-halfedge";
-  if (index == kNone) return refusal(code, "the " + name + " is empty" + expected);
+  if (index == kNone) return refusal(code, sentence::of("the {} is empty{}", name, expected));
   Witness witness;
   (kind == ItemKind::kVertex ? witness.vertices
    : kind == ItemKind::kEdge ? witness.edges
    : kind == ItemKind::kFace ? witness.faces
                              : witness.halfedges) = {index};
-  const std::string item = name + " " + number(index);
-  if (index < slots) return refusal(code, item + " is deleted" + expected, witness);
-  return refusal(code, item + " is not in this mesh, expected an index below " + number(slots),
+  const std::string item = sentence::of("{} {}", name, index);
+  if (index < slots) return refusal(code, sentence::of("{} is deleted{}", item, expected), witness);
+  return refusal(code,
+                 sentence::of("{} is not in this mesh, expected an index below {}", item, slots),
                  witness);
 }
 
 Failure on_boundary(Halfedge h) {
-  return refusal("boundary-halfedge", text(h) + " has no face, expected a halfedge of a face",
+  return refusal("boundary-halfedge",
+                 sentence::of("{} has no face, expected a halfedge of a face", h),
                  halfedges_of({h}));
 }
 
 Failure off_boundary(Halfedge h, Face f) {
   return refusal("not-a-boundary-halfedge",
-                 text(h) + " lies in " + text(f) + ", expected a halfedge without a face",
+                 sentence::of("{} lies in {}, expected a halfedge without a face", h, f),
                  halfedges_of({h}));
 }
 
 Failure in_different_loops(Halfedge h, Halfedge g) {
   return refusal(
       "different-loops",
-      text(g) + " is not reached by next from " + text(h) + ", expected two halfedges of one loop",
+      sentence::of("{} is not reached by next from {}, expected two halfedges of one loop", g, h),
       halfedges_of({h, g}));
 }
 
 Failure in_same_loop(Halfedge h, Halfedge g) {
-  return refusal(
-      "same-loop",
-      text(h) + " and " + text(g) + " lie in the same loop, expected two different loops",
-      halfedges_of({h, g}));
+  return refusal("same-loop",
+                 sentence::of("{} and {} lie in the same loop, expected two different loops", h, g),
+                 halfedges_of({h, g}));
 }
 
 Failure edge_without_face(Halfedge h, const std::string& how) {
   const Edge edge(h.index() / 2);
   return refusal(
       "edge-without-face",
-      text(edge) + " would have no face on either side, " + how + ", expected one at least",
+      sentence::of("{} would have no face on either side, {}, expected one at least", edge, how),
       {.edges = {edge.index()}});
 }
 
@@ -72,14 +73,14 @@ Failure last_edge(Halfedge h, const std::string& what_is_left) {
   const Edge edge(h.index() / 2);
   return refusal(
       "last-edge",
-      text(edge) + " can't be removed: without it " + what_is_left + " would have no halfedge",
+      sentence::of("{} can't be removed: without it {} would have no halfedge", edge, what_is_left),
       {.edges = {edge.index()}});
 }
 
 Failure is_loop_edge(Halfedge h, Vertex v) {
   const Edge edge(h.index() / 2);
   return refusal("loop-edge",
-                 text(edge) + " leads from " + text(v) + " to itself, expected two different ends",
+                 sentence::of("{} leads from {} to itself, expected two different ends", edge, v),
                  {.vertices = {v.index()}, .edges = {edge.index()}});
 }
 

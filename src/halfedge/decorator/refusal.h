@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/result.h>
 
@@ -8,14 +9,6 @@
 
 /// The sentences in which the operations of the decorator refuse.
 namespace halfedge::decorator::internal {
-
-[[nodiscard]] inline std::string number(Index index) { return std::to_string(index); }
-
-/// "halfedge 7"
-template <class Tag>
-[[nodiscard]] std::string text(Handle<Tag> item) {
-  return std::string(name_of(kind_of(item))) + " " + number(item.index());
-}
 
 /// `sentence` begins in lower case, or with a number, and gets its full stop here.
 [[nodiscard]] Failure refusal(const char* code, std::string sentence, Witness witness = {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
 
 #include <string>
@@ -16,14 +17,15 @@ template <Editable Mesh>
   }
   if (mesh.to_vertex(h) != mesh.to_vertex(g)) {
     return refusal("different-vertices",
-                   text(h) + " leads to " + text(mesh.to_vertex(h)) + " and " + text(g) + " to " +
-                       text(mesh.to_vertex(g)) + ", expected one vertex",
+                   sentence::of("{} leads to {} and {} to {}, expected one vertex", h,
+                                mesh.to_vertex(h), g, mesh.to_vertex(g)),
                    halfedges_of({h, g}));
   }
   if (is_boundary(mesh, h) && is_boundary(mesh, g)) {
     return refusal("edge-without-face",
-                   "the new edge would have no face on either side: neither " + text(h) + " nor " +
-                       text(g) + " has one, expected one at least",
+                   sentence::of("the new edge would have no face on either side: neither {} nor {} "
+                                "has one, expected one at least",
+                                h, g),
                    halfedges_of({h, g}));
   }
   return {};
@@ -76,7 +78,7 @@ template <Editable Mesh>
   if (mesh.from_vertex(h) == mesh.to_vertex(h)) return is_loop_edge(h, mesh.to_vertex(h));
   const Halfedge o = mesh.opposite(h);
   if (mesh.next(h) == o && mesh.next(o) == h) {
-    return last_edge(h, text(mesh.to_vertex(h)) + " and the face around the edge");
+    return last_edge(h, sentence::of("{} and the face around the edge", mesh.to_vertex(h)));
   }
   return {};
 }
@@ -189,7 +191,7 @@ template <Editable Mesh>
     ++valence;
     in = mesh.next_on_vertex(in);
   } while (in != h);
-  return refusal("not-valence-two", text(w) + " has valence " + number(valence) + ", expected 2",
+  return refusal("not-valence-two", sentence::of("{} has valence {}, expected 2", w, valence),
                  {.vertices = {w.index()}});
 }
 
@@ -249,7 +251,7 @@ template <Editable Mesh>
   if (mesh.next(h) != mesh.opposite(h)) {
     return refusal(
         "not-a-tip",
-        text(mesh.to_vertex(h)) + ", where " + text(h) + " leads, has other edges, expected none",
+        sentence::of("{}, where {} leads, has other edges, expected none", mesh.to_vertex(h), h),
         {.vertices = {mesh.to_vertex(h).index()}, .halfedges = {h.index()}});
   }
   return check_join_vertex(mesh, h);

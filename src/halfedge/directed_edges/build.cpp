@@ -1,4 +1,5 @@
 #include <halfedge/build/diagnose.h>
+#include <halfedge/build/sentence.h>
 #include <halfedge/build/strict.h>
 #include <halfedge/directed_edges/build.h>
 #include <halfedge/directed_edges/connect.h>
@@ -25,10 +26,10 @@ void report_other_faces(const Polygons& polygons, BuildReport& report) {
     first += size;
     if (size == 3) continue;
     problems.add([&] {
-      return Error{"not-a-triangle",
-                   "Face " + std::to_string(f) + " has " + std::to_string(size) +
-                       " corners; Directed Edges hold triangles only.",
-                   {.vertices = corners, .faces = {Index(f)}}};
+      return Error{
+          "not-a-triangle",
+          sentence::of("Face {} has {} corners; Directed Edges hold triangles only.", f, size),
+          {.vertices = corners, .faces = {Index(f)}}};
     });
   }
 }

@@ -13,7 +13,7 @@ namespace {
 
 Error out_of_memory(Index halfedges) {
   return {"out-of-memory",
-          "There is not enough memory for a mesh of " + std::to_string(halfedges) + " halfedges."};
+          sentence::of("There is not enough memory for a mesh of {} halfedges.", halfedges)};
 }
 
 // ---- to the full mesh
@@ -78,7 +78,8 @@ Error out_of_memory(Index halfedges) {
 // ---- from the full mesh
 
 Error corrupt(const std::string& what) {
-  return {"corrupt-connectivity", sentence::complete(what + ": validate tells more")};
+  return {"corrupt-connectivity",
+          sentence::complete(sentence::of("{}: validate tells more", what))};
 }
 
 Result<void> check_slots(const Links& links, std::size_t floats) {
@@ -88,9 +89,11 @@ Result<void> check_slots(const Links& links, std::size_t floats) {
     return corrupt("the arrays of the mesh differ in length");
   }
   const auto deleted = [](const char* kind, Index index) {
-    return Error{"deleted-item", std::string(kind) + " " + std::to_string(index) +
-                                     " is deleted; Directed Edges have no deleted items: "
-                                     "compact the mesh first."};
+    return Error{
+        "deleted-item",
+        sentence::of(
+            "{} {} is deleted; Directed Edges have no deleted items: compact the mesh first.", kind,
+            index)};
   };
   const auto find_deleted = [](const Array<Index>& array, std::size_t stride) {
     std::size_t slot = 0;
@@ -117,7 +120,7 @@ class FaceNumbers {
       const Index first = links_.face_halfedge[f];
       Index h = first;
       for (Index i = 0; i < 3; ++i) {
-        if (!is_free_side(h, f)) return corrupt("face " + std::to_string(f) + " has no loop");
+        if (!is_free_side(h, f)) return corrupt(sentence::of("face {} has no loop", f));
         numbers_[h] = 3 * f + i;
         h = links_.next[h];
         if (h == first && i < 2) return other_degree(f, i + 1);
@@ -143,8 +146,8 @@ class FaceNumbers {
 
   static Error other_degree(Index f, Index degree) {
     return {"not-a-triangle",
-            "Face " + std::to_string(f) + " has " + std::to_string(degree) +
-                (degree == 1 ? " corner" : " corners") + "; Directed Edges hold triangles only.",
+            sentence::of("Face {} has {}{}; Directed Edges hold triangles only.", f, degree,
+                         degree == 1 ? " corner" : " corners"),
             {.faces = {f}}};
   }
 
@@ -181,7 +184,7 @@ Result<void> read_links(const Links& from, DirectedLinks& to) {
     const Index o = to.opposite[n] ^ 1U;
     if (numbers[o] != kNone) continue;
     if (from.face[o] != kNone) {
-      return corrupt("halfedge " + std::to_string(o) + " is not in the loop of its face");
+      return corrupt(sentence::of("halfedge {} is not in the loop of its face", o));
     }
     numbers[o] = count++;
   }
@@ -190,14 +193,14 @@ Result<void> read_links(const Links& from, DirectedLinks& to) {
   for (Index h = 0; h < halfedges; ++h) {
     const Index n = numbers[h];
     if (from.to_vertex[h] >= vertices || from.next[h] >= halfedges) {
-      return corrupt("a link of halfedge " + std::to_string(h) + " leads out of range");
+      return corrupt(sentence::of("a link of halfedge {} leads out of range", h));
     }
     to.opposite[n] = numbers[h ^ 1U];
     to.to_vertex[n] = from.to_vertex[h];
     if (n < sides) continue;
     const Index next = numbers[from.next[h]];
     if (next < sides) {
-      return corrupt("the boundary halfedge " + std::to_string(h) + " leads into a face");
+      return corrupt(sentence::of("the boundary halfedge {} leads into a face", h));
     }
     to.boundary_next[n - sides] = next;
     to.boundary_prev[next - sides] = n;
@@ -205,7 +208,7 @@ Result<void> read_links(const Links& from, DirectedLinks& to) {
   for (Index v = 0; v < vertices; ++v) {
     const Index anchor = from.vertex_halfedge[v];
     if (anchor != kNone && anchor >= halfedges) {
-      return corrupt("the anchor of vertex " + std::to_string(v) + " is out of range");
+      return corrupt(sentence::of("the anchor of vertex {} is out of range", v));
     }
     to.vertex_halfedge[v] = anchor == kNone ? kNone : numbers[anchor];
   }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/directed_edges/validate.h>
 #include <halfedge/validate/problem_list.h>
 
@@ -10,14 +11,6 @@ namespace halfedge {
 
 namespace {
 
-std::string number(Index index) { return index == kNone ? "none" : std::to_string(index); }
-
-/// "face 7"
-template <class Tag>
-std::string text(Handle<Tag> item) {
-  return std::string(name_of(kind_of(item))) + " " + number(item.index());
-}
-
 class DirectedChecker {
  public:
   DirectedChecker(const DirectedEdges& mesh, ProblemList& problems)
@@ -29,15 +22,15 @@ class DirectedChecker {
     const std::size_t size = links_.opposite.size();
     const auto check = [&](const char* name, std::size_t actual, std::size_t expected) {
       if (actual == expected) return;
-      add_size_problem([&] {
-        return std::string(name) + " has " + std::to_string(actual) + " entries, expected " +
-               std::to_string(expected);
-      });
+      add_size_problem(
+          [&] { return sentence::of("{} has {} entries, expected {}", name, actual, expected); });
     };
     if (links_.sides % 3 != 0 || links_.sides > size) {
       add_size_problem([&] {
-        return "there are " + number(links_.sides) + " sides of faces, expected three to a face" +
-               " and at most " + std::to_string(size) + ", the entries of opposite";
+        return sentence::of(
+            "there are {} sides of faces, expected three to a face and at most {}, the entries of "
+            "opposite",
+            links_.sides, size);
       });
       return;
     }
@@ -47,8 +40,7 @@ class DirectedChecker {
     for (const std::size_t slots : {size, links_.vertex_halfedge.size()}) {
       if (slots <= kMaxSlots) continue;
       add_size_problem([&] {
-        return "an array has " + std::to_string(slots) + " entries, expected at most " +
-               std::to_string(kMaxSlots);
+        return sentence::of("an array has {} entries, expected at most {}", slots, kMaxSlots);
       });
     }
   }
@@ -78,28 +70,29 @@ class DirectedChecker {
       const Halfedge o = mesh_.opposite(h);
       if (o == h || mesh_.opposite(o) != h) {
         report(Rule::kOppositeMismatch, h, [&] {
-          return "the opposite of " + text(h) + " is " + text(o) +
-                 (o == h ? ", itself" : ", whose opposite is " + text(mesh_.opposite(o)));
+          return sentence::of(
+              "the opposite of {} is {}{}", h, o,
+              (o == h ? ", itself" : sentence::of(", whose opposite is {}", mesh_.opposite(o))));
         });
       }
       const Halfedge n = mesh_.next(h);
       if (mesh_.prev(n) != h) {
         report(Rule::kNextPrevMismatch, h, [&] {
-          return "next of " + text(h) + " is " + text(n) + ", whose prev is " + text(mesh_.prev(n));
+          return sentence::of("next of {} is {}, whose prev is {}", h, n, mesh_.prev(n));
         });
       }
       const Vertex from = mesh_.from_vertex(h);
       if (mesh_.is_isolated(from)) {
         report(Rule::kMissingAnchor, from,
-               [&] { return text(from) + " has no anchor, although " + text(h) + " leaves it"; });
+               [&] { return sentence::of("{} has no anchor, although {} leaves it", from, h); });
       }
     }
     for (const Vertex v : mesh_.vertices()) {
       const Halfedge anchor = mesh_.vertex_halfedge(v);
       if (!anchor.valid() || mesh_.from_vertex(anchor) == v) continue;
       report(Rule::kAnchorElsewhere, v, [&] {
-        return "the anchor of " + text(v) + ", " + text(anchor) + ", leaves " +
-               text(mesh_.from_vertex(anchor));
+        return sentence::of("the anchor of {}, {}, leaves {}", v, anchor,
+                            mesh_.from_vertex(anchor));
       });
     }
   }
@@ -112,8 +105,8 @@ class DirectedChecker {
       const Vertex to = mesh_.to_vertex(mesh_.opposite(h));
       if (to == from) continue;
       report(Rule::kToFromMismatch, h, [&] {
-        return text(h) + " leaves " + text(from) + ", but its opposite, " +
-               text(mesh_.opposite(h)) + ", leads to " + text(to);
+        return sentence::of("{} leaves {}, but its opposite, {}, leads to {}", h, from,
+                            mesh_.opposite(h), to);
       });
     }
   }
@@ -133,9 +126,8 @@ class DirectedChecker {
       if (seen[h.index()]) continue;
       const Vertex v = mesh_.from_vertex(h);
       report(Rule::kUnreachableHalfedge, h, [&] {
-        return text(h) + " leaves " + text(v) +
-               ", but is not reached by rotating from its anchor, " +
-               text(mesh_.vertex_halfedge(v));
+        return sentence::of("{} leaves {}, but is not reached by rotating from its anchor, {}", h,
+                            v, mesh_.vertex_halfedge(v));
       });
     }
   }
@@ -146,15 +138,16 @@ class DirectedChecker {
       const Vertex v = mesh_.from_vertex(h);
       if (!mesh_.is_boundary(v)) {
         report(Rule::kInteriorAnchor, v, [&] {
-          return "the anchor of " + text(v) + " is " + text(mesh_.vertex_halfedge(v)) +
-                 ", which has a face, although the boundary " + text(h) + " leaves it";
+          return sentence::of(
+              "the anchor of {} is {}, which has a face, although the boundary {} leaves it", v,
+              mesh_.vertex_halfedge(v), h);
         });
       }
       const Halfedge o = mesh_.opposite(h);
       if (mesh_.is_boundary(o) && h < o) {
         report(Rule::kEdgeWithoutFace, h, [&] {
-          return "neither " + text(h) + " nor its opposite, " + text(o) +
-                 ", has a face, expected one at least";
+          return sentence::of("neither {} nor its opposite, {}, has a face, expected one at least",
+                              h, o);
         });
       }
     }
@@ -168,7 +161,7 @@ class DirectedChecker {
       const Vertex c = mesh_.to_vertex(mesh_.prev(h));
       if (a == b || b == c || c == a) {
         report(Rule::kRepeatedVertex, f, [&] {
-          return text(f) + " has " + text(a == b || c == a ? a : b) + " at more than one corner";
+          return sentence::of("{} has {} at more than one corner", f, a == b || c == a ? a : b);
         });
       }
     }
@@ -176,15 +169,16 @@ class DirectedChecker {
       const Face f = mesh_.face(mesh_.edge_halfedge(e, 0));
       if (f != mesh_.face(mesh_.edge_halfedge(e, 1))) continue;
       report(Rule::kSameFaceTwice, e,
-             [&] { return text(e) + " has " + text(f) + " on both sides, expected two faces"; });
+             [&] { return sentence::of("{} has {} on both sides, expected two faces", e, f); });
     }
     check_duplicate_halfedges();
     for (const Vertex v : mesh_.vertices()) {
       if (mesh_.is_isolated(v)) {
-        report(Rule::kIsolatedVertex, v, [&] { return text(v) + " is isolated: it has no edges"; });
+        report(Rule::kIsolatedVertex, v,
+               [&] { return sentence::of("{} is isolated: it has no edges", v); });
       } else if (mesh_.is_boundary(v) && !mesh_.is_manifold(v)) {
         report(Rule::kPinchedVertex, v,
-               [&] { return text(v) + " is pinched: its faces form more than one fan"; });
+               [&] { return sentence::of("{} is pinched: its faces form more than one fan", v); });
       }
     }
   }
@@ -212,8 +206,8 @@ class DirectedChecker {
   void check_link(const char* name, Item item, Target target, Index begin, Index end) {
     if (begin <= target.index() && target.index() < end) return;
     report(target.valid() ? Rule::kIndexOutOfRange : Rule::kEmptyLink, item, [&] {
-      return std::string(name) + " of " + text(item) + " is " + number(target.index()) +
-             ", expected at least " + number(begin) + " and less than " + number(end);
+      return sentence::of("{} of {} is {}, expected at least {} and less than {}", name, item,
+                          target.index(), begin, end);
     });
   }
 
@@ -226,8 +220,8 @@ class DirectedChecker {
         const Vertex to = mesh_.to_vertex(h);
         if (mark[to.index()] == v.index() && v <= to) {
           report(Rule::kDuplicateHalfedge, h, [&] {
-            return text(h) + " leads from " + text(v) + " to " + text(to) +
-                   ", as another halfedge does already";
+            return sentence::of("{} leads from {} to {}, as another halfedge does already", h, v,
+                                to);
           });
         }
         mark[to.index()] = v.index();
@@ -268,8 +262,8 @@ std::vector<Problem> validate(const DirectedEdgesMesh& mesh, int level) {
   const std::size_t expected = 3 * mesh.links().vertex_halfedge.size();
   if (mesh.positions().size() != expected) {
     problems.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
-      return "positions has " + std::to_string(mesh.positions().size()) + " floats, expected " +
-             std::to_string(expected) + ": three for each vertex";
+      return sentence::of("positions has {} floats, expected {}: three for each vertex",
+                          mesh.positions().size(), expected);
     });
   }
   return run(mesh, level, std::move(problems));

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/bytes_layout.h>
@@ -25,11 +26,11 @@ std::uint32_t word_at(Bytes bytes, std::size_t offset) {
 }
 
 Error wrong(std::size_t offset, const std::string& what) {
-  return {"parse-error", "Byte " + std::to_string(offset) + ": " + what + "."};
+  return {"parse-error", sentence::of("Byte {}: {}.", offset, what)};
 }
 
 Error truncated(std::size_t size, const std::string& expected) {
-  return {"truncated", "The bytes end at " + std::to_string(size) + ", expected " + expected + "."};
+  return {"truncated", sentence::of("The bytes end at {}, expected {}.", size, expected)};
 }
 
 struct Header {
@@ -60,32 +61,33 @@ Result<Header> read_header(Bytes bytes) {
   if (bytes.size() < kHeaderSize) return truncated(bytes.size(), "a header of 56 bytes");
   Header header;
   if (const std::uint32_t version = word_at(bytes, 8); version != kVersion) {
-    return Error{"unsupported-version", "The bytes are of version " + std::to_string(version) +
-                                            " of the format, expected " + std::to_string(kVersion) +
-                                            "."};
+    return Error{
+        "unsupported-version",
+        sentence::of("The bytes are of version {} of the format, expected {}.", version, kVersion)};
   }
   if (word_at(bytes, 12) > 1) {
-    return wrong(12, "the storage is " + std::to_string(word_at(bytes, 12)) + ", expected 0 or 1");
+    return wrong(12, sentence::of("the storage is {}, expected 0 or 1", word_at(bytes, 12)));
   }
   header.stores_prev = word_at(bytes, 12) == 1;
   for (std::size_t i = 0; i < 3; ++i) {
     header.slots[i] = word_at(bytes, 16 + 4 * i);
     header.free[i] = {word_at(bytes, 28 + 8 * i), word_at(bytes, 32 + 8 * i)};
     if (header.slots[i] > kMaxSlots || (i == 1 && header.slots[i] % 2 != 0)) {
-      return wrong(16 + 4 * i, "there are " + std::to_string(header.slots[i]) +
-                                   " slots, expected at most " + std::to_string(kMaxSlots) +
-                                   ", and an even number of halfedges");
+      return wrong(
+          16 + 4 * i,
+          sentence::of("there are {} slots, expected at most {}, and an even number of halfedges",
+                       header.slots[i], kMaxSlots));
     }
     const Index items = i == 1 ? header.slots[i] / 2 : header.slots[i];
     if (header.free[i].count > items) {  // a chain that runs in a circle would be followed as long
-      return wrong(32 + 8 * i, "there are " + std::to_string(header.free[i].count) +
-                                   " deleted slots, expected at most all " + std::to_string(items));
+      return wrong(32 + 8 * i, sentence::of("there are {} deleted slots, expected at most all {}",
+                                            header.free[i].count, items));
     }
   }
   header.sections = word_at(bytes, 52);
   if (header.sections > kMaxSections) {
-    return wrong(52, "there are " + std::to_string(header.sections) +
-                         " sections, expected at most " + std::to_string(kMaxSections));
+    return wrong(52, sentence::of("there are {} sections, expected at most {}", header.sections,
+                                  kMaxSections));
   }
   return header;
 }
@@ -103,15 +105,14 @@ struct Sections {
 // The section that begins at `offset`, which is moved behind it.
 Result<Section> read_section(Bytes bytes, std::size_t& offset, std::string_view& tag) {
   if (bytes.size() - offset < kSectionHeaderSize) {
-    return truncated(bytes.size(), "the header of a section at " + std::to_string(offset));
+    return truncated(bytes.size(), sentence::of("the header of a section at {}", offset));
   }
   tag = {reinterpret_cast<const char*>(&bytes[offset]), 4};
   const auto length = io::load<std::uint64_t, ByteOrder::kLittle>(&bytes[offset + 8]);
   const std::size_t begin = offset + kSectionHeaderSize;
   const std::size_t left = bytes.size() - begin;
   if (length > left || padded(std::size_t(length)) > left) {
-    return truncated(bytes.size(), "a section of " + std::to_string(length) + " bytes at " +
-                                       std::to_string(begin));
+    return truncated(bytes.size(), sentence::of("a section of {} bytes at {}", length, begin));
   }
   offset = begin + padded(std::size_t(length));
   return Section{begin, bytes.subspan(begin, std::size_t(length))};
@@ -138,15 +139,15 @@ Result<Sections> read_sections(Bytes bytes, const Header& header) {
     if (known.offset != 0) return wrong(begin, "the section is there for the second time");
     const std::uint64_t expected = 4 * header.elements(which);
     if (section.value().content.size() != expected) {
-      return wrong(begin, "the section has " + std::to_string(section.value().content.size()) +
-                              " bytes, expected " + std::to_string(expected));
+      return wrong(begin, sentence::of("the section has {} bytes, expected {}",
+                                       section.value().content.size(), expected));
     }
     known = section.value();
   }
   if (offset != bytes.size()) return wrong(offset, "there is more after the last section");
   for (std::size_t i = 0; i < std::size(kTags); ++i) {
     if (sections.arrays[i].offset == 0 && (i != kPrev || header.stores_prev)) {
-      return wrong(offset, "the section \"" + std::string(kTags[i]) + "\" is missing");
+      return wrong(offset, sentence::of("the section \"{}\" is missing", kTags[i]));
     }
   }
   return sections;
@@ -164,22 +165,22 @@ Result<void> release_chain(auto& mesh, const FreeList& chain, const Section& lin
     const std::size_t at = 4 * stride * slot;
     const Index link = slot < slots ? word_at(links.content, at) : kNone;
     if (!is_deleted_link(link) || deleted.size() == chain.count) {
-      return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
-                                     " slots, expected " + std::to_string(chain.count) +
-                                     " of them, leads to slot " + std::to_string(slot));
+      return wrong(
+          links.offset,
+          sentence::of("the chain of deleted {} slots, expected {} of them, leads to slot {}",
+                       name_of(kind_of(Item{})), chain.count, slot));
     }
     if (!deleted.push_back(slot)) return no_memory_for_bytes();
     slot = next_free_slot(link);
   }
   if (deleted.size() != chain.count) {
-    return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
-                                   " slots has " + std::to_string(deleted.size()) + ", expected " +
-                                   std::to_string(chain.count));
+    return wrong(links.offset, sentence::of("the chain of deleted {} slots has {}, expected {}",
+                                            name_of(kind_of(Item{})), deleted.size(), chain.count));
   }
   for (std::size_t i = deleted.size(); i-- > 0;) {
     if (!mesh.is_live(Item(deleted[i]))) {
-      return wrong(links.offset, "the chain of deleted " + std::string(name_of(kind_of(Item{}))) +
-                                     " slots runs in a circle");
+      return wrong(links.offset, sentence::of("the chain of deleted {} slots runs in a circle",
+                                              name_of(kind_of(Item{}))));
     }
     mesh.release(Item(deleted[i]));
   }
@@ -189,8 +190,8 @@ Result<void> release_chain(auto& mesh, const FreeList& chain, const Section& lin
 Result<void> read_attribute(auto& mesh, const Header& header, const Section& section) {
   const Bytes content = section.content;
   if (content.size() < kAttributeHeaderSize) {
-    return wrong(section.offset, "the attribute has " + std::to_string(content.size()) +
-                                     " bytes, expected 20 or more");
+    return wrong(section.offset,
+                 sentence::of("the attribute has {} bytes, expected 20 or more", content.size()));
   }
   const std::uint32_t kind = word_at(content, 0);
   const std::uint32_t type = word_at(content, 4);
@@ -200,10 +201,10 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
   if (kind > std::uint32_t(ItemKind::kFace) || type > std::uint32_t(Scalar::kUint32) ||
       components < 1 || components > Attribute::kMaxComponents ||
       on_split > std::uint32_t(OnSplit::kDefault)) {
-    return wrong(section.offset, "the attribute has kind " + std::to_string(kind) + ", type " +
-                                     std::to_string(type) + ", " + std::to_string(components) +
-                                     " components, on-split " + std::to_string(on_split) +
-                                     ", expected less than 4, 8, 17 (1 or more), 4");
+    return wrong(section.offset,
+                 sentence::of("the attribute has kind {}, type {}, {} components, on-split {}, "
+                              "expected less than 4, 8, 17 (1 or more), 4",
+                              kind, type, components, on_split));
   }
   const std::uint64_t slots = header.slots_of(ItemKind(kind));
   const std::size_t width = size_of(Scalar(type));
@@ -211,9 +212,8 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
   const std::size_t default_at = padded(kAttributeHeaderSize + name_size);
   const std::size_t values_at = default_at + padded(stride);
   if (name_size > content.size() || content.size() != values_at + stride * slots) {
-    return wrong(section.offset, "the attribute has " + std::to_string(content.size()) +
-                                     " bytes, expected " +
-                                     std::to_string(values_at + stride * slots));
+    return wrong(section.offset, sentence::of("the attribute has {} bytes, expected {}",
+                                              content.size(), values_at + stride * slots));
   }
   AttributeOptions options{
       .type = Scalar(type), .components = components, .on_split = OnSplit(on_split)};
@@ -272,7 +272,7 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
     if (problem.severity != Severity::kError) continue;
     if (problem.code == "out-of-memory") return no_memory_for_bytes();
     return Error{"corrupt-connectivity",
-                 "The bytes hold links that are none of a mesh. " + problem.message};
+                 sentence::of("The bytes hold links that are none of a mesh. {}", problem.message)};
   }
   return {};
 }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/bytes_layout.h>
 
@@ -102,9 +103,10 @@ void write_all(Pen& pen, const BytesSource& source) {
 
 Result<Array<std::uint8_t>> to_bytes(const BytesSource& source) {
   if (const std::uint32_t count = count_sections(source); count > kMaxSections) {
-    return Error{"too-large", "A mesh with " + std::to_string(count - std::size(kTags)) +
-                                  " attributes has no room in bytes, expected at most " +
-                                  std::to_string(kMaxSections - std::size(kTags)) + "."};
+    return Error{
+        "too-large",
+        sentence::of("A mesh with {} attributes has no room in bytes, expected at most {}.",
+                     count - std::size(kTags), kMaxSections - std::size(kTags))};
   }
   Pen counting(nullptr);
   write_all(counting, source);

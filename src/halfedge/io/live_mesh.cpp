@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/live_mesh.h>
 #include <halfedge/io/text_scanner.h>
 
@@ -8,7 +9,7 @@ namespace halfedge::io {
 namespace {
 
 std::string name_of_attribute(const Attribute& attribute) {
-  return std::string("the ") + name_of(attribute.kind()) + " attribute " + quoted(attribute.name());
+  return sentence::of("the {} attribute {}", name_of(attribute.kind()), quoted(attribute.name()));
 }
 
 }  // namespace
@@ -24,8 +25,10 @@ std::optional<Error> LiveMesh::prepare() {
   const auto bad = std::find_if(source_.faces.items.begin(), source_.faces.items.end(),
                                 [&](Index v) { return v >= slots || !is_live(v); });
   if (bad != source_.faces.items.end()) {
-    return Error{"corrupt-connectivity", "a face has the vertex " + std::to_string(*bad) +
-                                             ", which is no live one: validate names the face"};
+    return Error{
+        "corrupt-connectivity",
+        sentence::of("a face has the vertex {}, which is no live one: validate names the face",
+                     *bad)};
   }
   for_each_face([this](Index, std::span<const Index> corners) {
     const auto degree = static_cast<Index>(corners.size());
@@ -47,7 +50,7 @@ std::vector<const Attribute*> LiveMesh::attributes(ItemKind kind) const {
 
 void LiveMesh::leave_out(const Attribute& attribute, const std::string& why) const {
   taken_.push_back(&attribute);
-  notes_.push_back("left out " + name_of_attribute(attribute) + ": " + why);
+  notes_.push_back(sentence::of("left out {}: {}", name_of_attribute(attribute), why));
 }
 
 void LiveMesh::leave_out_rest(const std::string& why) const {
@@ -62,7 +65,7 @@ void LiveMesh::leave_out_rest(const std::string& why) const {
 }
 
 void LiveMesh::note_change(const Attribute& attribute, const std::string& form) const {
-  notes_.push_back("wrote " + name_of_attribute(attribute) + " " + form);
+  notes_.push_back(sentence::of("wrote {} {}", name_of_attribute(attribute), form));
 }
 
 }  // namespace halfedge::io

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/obj_attributes.h>
 #include <halfedge/io/readers.h>
 
@@ -188,7 +189,8 @@ bool ObjReader::read_vertex() {
   for (std::size_t i = 0; i < 3; ++i) {
     text_.skip_blanks();
     if (text_.read_float(xyz[i])) continue;
-    return fail(unexpected(text_, std::string("a number for ") + "xyz"[i] + " of the vertex"));
+    return fail(unexpected(text_, sentence::of("a number for {} of the vertex",
+                                               std::string_view("xyz").substr(i, 1))));
   }
   if (!text_.at_line_end()) read_behind_position();
   out_.add_vertex(xyz[0], xyz[1], xyz[2]);
@@ -267,9 +269,10 @@ bool ObjReader::read_longer_corner(std::int64_t& vertex) {
 /// pre: the cursor is at a corner that counts back too far
 Error ObjReader::wrong_index(std::int64_t vertices) {
   Error error = index_error(text_, out_.corners_of_face(), out_.face_count());
-  error.message += vertices == 0 ? ", but no vertex comes before it"
-                                 : ", expected -1 to -" + std::to_string(vertices) +
-                                       ", counted back from the last vertex so far";
+  error.message +=
+      vertices == 0 ? ", but no vertex comes before it"
+                    : sentence::of(", expected -1 to -{}, counted back from the last vertex so far",
+                                   vertices);
   return error;
 }
 
@@ -277,8 +280,8 @@ std::vector<std::string> ObjReader::notes() {
   std::vector<std::string> notes;
   const auto add = [&notes](std::size_t count, const std::string& what) {
     if (count == 0) return;
-    notes.push_back("ignored " + std::to_string(count) + " " + what +
-                    (count == 1 ? " statement" : " statements"));
+    notes.push_back(
+        sentence::of("ignored {} {}{}", count, what, count == 1 ? " statement" : " statements"));
   };
   add(points_, "point (p)");
   add(lines_, "line (l)");
@@ -286,7 +289,7 @@ std::vector<std::string> ObjReader::notes() {
   add(unknown_, "unknown");
   if (unknown_ != 0) {
     text_.move_to(first_unknown_);
-    notes.back() += ", the first in line " + std::to_string(text_.line()) + ": " + text_.found();
+    notes.back() += sentence::of(", the first in line {}: {}", text_.line(), text_.found());
   }
   return notes;
 }
@@ -321,7 +324,7 @@ Error unknown_vertex(std::span<const std::uint8_t> bytes, PolygonSoup soup) {
   }
   Error error = index_error(text, corner, face);
   error.message += vertices == 0 ? ", but the file has no vertices"
-                                 : ", expected a vertex from 1 to " + std::to_string(vertices);
+                                 : sentence::of(", expected a vertex from 1 to {}", vertices);
   return error;
 }
 

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/obj_attributes.h>
 
 #include <algorithm>
@@ -177,10 +178,10 @@ bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& 
   if (!finish_smoothing(faces, file)) return false;
   if (!libraries_.empty()) file.names.push_back({"library", std::move(libraries_)});
   if (unknown_ > 0) {
-    file.notes.push_back(std::to_string(unknown_) +
-                         (unknown_ == 1 ? " corner has a texture coordinate or normal"
-                                        : " corners have texture coordinates or normals") +
-                         " that the file doesn't have: what is missing is 0");
+    file.notes.push_back(
+        sentence::of("{}{} that the file doesn't have: what is missing is 0", unknown_,
+                     unknown_ == 1 ? " corner has a texture coordinate or normal"
+                                   : " corners have texture coordinates or normals"));
   }
   note_losses(file);
   return true;
@@ -189,7 +190,7 @@ bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& 
 void ObjAttributes::note_losses(ParsedFile& file) const {
   const auto note = [&file](std::size_t count, const char* one, const char* many) {
     if (count == 0) return;
-    file.notes.push_back("ignored " + std::to_string(count) + " " + (count == 1 ? one : many));
+    file.notes.push_back(sentence::of("ignored {} {}", count, count == 1 ? one : many));
   };
   note(depths_, "third texture coordinate that is not 0",
        "third texture coordinates that are not 0");
@@ -260,8 +261,9 @@ bool ObjAttributes::finish_names(Names& names, const char* name, std::size_t fac
     table.names.insert(table.names.end(), names.in_order.begin(), names.in_order.end());
   }
   if (names.is_cut) {
-    file.notes.push_back("the file has more than " + std::to_string(kMostNames) +
-                         " different names of a " + name + ": faces of further ones have none");
+    file.notes.push_back(sentence::of(
+        "the file has more than {} different names of a {}: faces of further ones have none",
+        kMostNames, name));
   }
   return true;
 }

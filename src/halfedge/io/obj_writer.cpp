@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/distinct_rows.h>
 #include <halfedge/io/obj_writer.h>
 
@@ -143,8 +144,8 @@ class ObjWriter {
     }
     const auto note = [&](std::size_t count, const char* verb, const char* what) {
       if (count == 0) return;
-      mesh_.note_change(*label.column, std::string("with ") + std::to_string(count) + " of its " +
-                                           std::to_string(used) + " names " + verb + " " + what);
+      mesh_.note_change(*label.column,
+                        sentence::of("with {} of its {} names {} {}", count, used, verb, what));
     };
     note(changed, "changed:", "# and control characters become _, blanks at the ends are left out");
     note(empty, "left out,", "being empty");

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
 #include <halfedge/io/off_header.h>
@@ -116,9 +117,9 @@ bool OffReader::read_vertex() {
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) {
     if (skip_to_value(packed_) && text_.read_float(p[i])) continue;
-    return fail(unexpected(text_, std::string("a number for ") + "xyzw"[i] + " of vertex " +
-                                      std::to_string(out_.vertex_count()) + " of " +
-                                      std::to_string(header_.vertices)));
+    return fail(unexpected(text_, sentence::of("a number for {} of vertex {} of {}",
+                                               std::string_view("xyzw").substr(i, 1),
+                                               out_.vertex_count(), header_.vertices)));
   }
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
@@ -162,9 +163,8 @@ bool OffReader::read_face() {
   const TextScanner start = text_;
   std::int64_t degree = 0;
   if (!text_.read_integer(degree) || degree < 0 || !text_.at_token_end()) {
-    return fail(unexpected(start, "the number of vertices of face " +
-                                      std::to_string(out_.face_count()) + " of " +
-                                      std::to_string(header_.faces)));
+    return fail(unexpected(start, sentence::of("the number of vertices of face {} of {}",
+                                               out_.face_count(), header_.faces)));
   }
   for (std::int64_t corner = 0; corner < degree; ++corner) {
     if (!read_corner(corner, degree)) return false;
@@ -224,23 +224,23 @@ bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
     out_.add_corner(missing_vertex(vertex));
     return true;
   }
-  const std::string face = "face " + std::to_string(out_.face_count());
+  const std::string face = sentence::of("face {}", out_.face_count());
   if (!well_formed) {
-    return fail(unexpected(start, "vertex " + std::to_string(corner + 1) + " of the " +
-                                      std::to_string(degree) + " of " + face));
+    return fail(
+        unexpected(start, sentence::of("vertex {} of the {} of {}", corner + 1, degree, face)));
   }
   Error error = index_error(start, static_cast<std::size_t>(corner), out_.face_count());
   error.message += header_.vertices == 0
                        ? ", but the file has no vertices"
-                       : ", expected a vertex from 0 to " + std::to_string(header_.vertices - 1);
+                       : sentence::of(", expected a vertex from 0 to {}", header_.vertices - 1);
   return fail(std::move(error));
 }
 
 std::vector<std::string> OffReader::notes() {
   text_.skip_to_token();
   if (text_.at_end()) return {};
-  return {"ignored what follows the last face, from line " + std::to_string(text_.line()) +
-          " on: " + text_.found()};
+  return {sentence::of("ignored what follows the last face, from line {} on: {}", text_.line(),
+                       text_.found())};
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/off_attributes.h>
 
 #include <algorithm>
@@ -100,7 +101,7 @@ bool OffAttributes::add_face(std::size_t face, std::span<const float> numbers) {
 bool OffAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& file) {
   const auto note = [&file](std::size_t count, const char* noun, const char* what) {
     if (count == 0) return;
-    file.notes.push_back("of " + std::to_string(count) + " " + noun + ": " + what);
+    file.notes.push_back(sentence::of("of {} {}: {}", count, noun, what));
   };
   const char* const vertex = incomplete_ == 1 ? "vertex" : "vertices";
   note(incomplete_, vertex, "fewer numbers than the header word promises, those missing are 0");

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
@@ -25,9 +26,9 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
   const std::size_t start = bytes.offset();
   if (bytes.left() < kCounts) {
     return error_at_byte(start, "truncated",
-                         "expected the numbers of vertices, faces and edges, found the end of the "
-                         "file in " +
-                             std::to_string(bytes.left()) + " bytes");
+                         sentence::of("expected the numbers of vertices, faces and edges, found "
+                                      "the end of the file in {} bytes",
+                                      bytes.left()));
   }
   header.vertices = bytes.take<std::uint32_t, kOrder>();
   header.faces = bytes.take<std::uint32_t, kOrder>();
@@ -37,10 +38,10 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
       header.faces <= (left - header.vertices * vertex_size(header)) / kWord) {
     return std::nullopt;
   }
-  return error_at_byte(start, "truncated",
-                       "the header promises " + std::to_string(header.vertices) + " vertices and " +
-                           std::to_string(header.faces) + " faces, but only " +
-                           std::to_string(left) + " bytes follow");
+  return error_at_byte(
+      start, "truncated",
+      sentence::of("the header promises {} vertices and {} faces, but only {} bytes follow",
+                   header.vertices, header.faces, left));
 }
 
 /// How many faces can be walked over as they stand, and whether they end where the file does.
@@ -130,8 +131,7 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
   ParsedFile file{Format::kOff, std::move(out_.soup()), {}, true};
   if (!attributes_.finish(vertices, faces, file)) return no_memory_for_attributes();
   if (bytes_.left() > 0) {
-    file.notes.push_back("ignored the " + std::to_string(bytes_.left()) +
-                         " bytes behind the last face");
+    file.notes.push_back(sentence::of("ignored the {} bytes behind the last face", bytes_.left()));
   }
   return file;
 }
@@ -170,12 +170,13 @@ bool BinaryReader<kOrder>::read_face() {
       continue;
     }
     const std::size_t face = out_.face_count();
-    error_ = error_at_byte(offset, "index-out-of-range",
-                           "corner " + std::to_string(corner) + " of face " + std::to_string(face) +
-                               " is " + std::to_string(static_cast<std::int32_t>(vertex)) +
-                               (header_.vertices == 0 ? ", but the file has no vertices"
-                                                      : ", expected a vertex from 0 to " +
-                                                            std::to_string(header_.vertices - 1)));
+    error_ = error_at_byte(
+        offset, "index-out-of-range",
+        sentence::of("corner {} of face {} is {}{}", corner, face,
+                     std::to_string(static_cast<std::int32_t>(vertex)),
+                     (header_.vertices == 0 ? ", but the file has no vertices"
+                                            : ", expected a vertex from 0 to " +
+                                                  std::to_string(header_.vertices - 1))));
     error_.witness.faces = {static_cast<Index>(face)};
     return false;
   }
@@ -198,19 +199,18 @@ template <ByteOrder kOrder>
 bool BinaryReader<kOrder>::read_length(std::uint32_t& length, const char* what) {
   const std::size_t offset = bytes_.offset();
   const auto name = [&] {
-    return std::string(what) + " of face " + std::to_string(out_.face_count()) + " of " +
-           std::to_string(header_.faces);
+    return sentence::of("{} of face {} of {}", what, out_.face_count(), header_.faces);
   };
   if (bytes_.left() < kWord) {
-    error_ =
-        error_at_byte(offset, "truncated", "expected " + name() + ", found the end of the file");
+    error_ = error_at_byte(offset, "truncated",
+                           sentence::of("expected {}, found the end of the file", name()));
     return false;
   }
   length = take();
   if (length <= bytes_.left() / kWord) return true;
   error_ = error_at_byte(
       offset, "truncated",
-      name() + " is " + std::to_string(length) + ", more than the rest of the file can hold");
+      sentence::of("{} is {}, more than the rest of the file can hold", name(), length));
   return false;
 }
 

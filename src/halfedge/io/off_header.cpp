@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/off_header.h>
 #include <halfedge/io/readers.h>
 
@@ -73,7 +74,8 @@ std::optional<Error> read_dimension(TextScanner& text) {
   if (dimension == 3) return std::nullopt;
   return error_at(
       start, "unsupported-format",
-      "the vertices of this nOFF file have dimension " + start.found() + ", expected dimension 3");
+      sentence::of("the vertices of this nOFF file have dimension {}, expected dimension 3",
+                   start.found()));
 }
 
 /// The number of edges may be missing, and where it is given it is often wrong.
@@ -100,10 +102,10 @@ std::optional<Error> check_counts(const TextScanner& text, const OffHeader& head
       header.faces <= (bytes - header.vertices * vertex_bytes) / 2) {
     return std::nullopt;
   }
-  return error_at(text, "truncated",
-                  "the header promises " + std::to_string(header.vertices) + " vertices and " +
-                      std::to_string(header.faces) + " faces, but only " +
-                      std::to_string(text.rest().size()) + " bytes follow");
+  return error_at(
+      text, "truncated",
+      sentence::of("the header promises {} vertices and {} faces, but only {} bytes follow",
+                   header.vertices, header.faces, text.rest().size()));
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/readers.h>
 #include <halfedge/sort.h>
@@ -71,14 +72,17 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
   text.skip_to_token();
   if (const char* name = name_of_unreadable(raw, text.rest())) {
     return Error{"unsupported-format",
-                 std::string("this is ") + name + ", expected an OBJ, OFF, PLY or STL file"};
+                 sentence::of("this is {}, expected an OBJ, OFF, PLY or STL file", name)};
   }
   const bool has_nul = raw.find('\0') != std::string_view::npos;
   const bool is_stl = stl == io::StlKind::kBinaryOfWrongSize || claimed == Format::kStl;
   if (has_nul && is_stl) return Format::kStl;
   if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
-    return Error{"not-text", "byte " + std::to_string(nul) + " is 0, which no text has: this is " +
-                                 "no OBJ, OFF, PLY or STL file in text form"};
+    return Error{
+        "not-text",
+        sentence::of(
+            "byte {} is 0, which no text has: this is no OBJ, OFF, PLY or STL file in text form",
+            nul)};
   }
   if (io::looks_like_obj(text)) return Format::kObj;
   if (text.token() == "newmtl") {
@@ -135,13 +139,13 @@ Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Form
   if (!file) {
     Error error = file.error();
     if (error.code != "out-of-memory") {
-      error.message += std::string(" (read as ") + name_of(format.value()) + ")";
+      error.message += sentence::of(" (read as {})", name_of(format.value()));
     }
     return error;
   }
   if (claimed && *claimed != format.value()) {
-    file.value().notes.push_back(std::string("read as ") + name_of(format.value()) +
-                                 ", which its content is, and not as " + name_of(*claimed));
+    file.value().notes.push_back(sentence::of("read as {}, which its content is, and not as {}",
+                                              name_of(format.value()), name_of(*claimed)));
   }
   return file;
 }

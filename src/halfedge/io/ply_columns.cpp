@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
 
 #include <algorithm>
@@ -95,7 +96,7 @@ class ColumnChooser {
     std::vector<std::size_t> parts;
     for (std::size_t i = first; i < targets_.size(); ++i) {
       const PlyProperty& property = element_.properties[i];
-      const std::string name = std::string(stem) + "[" + std::to_string(parts.size()) + "]";
+      const std::string name = sentence::of("{}[{}]", stem, parts.size());
       if (!is_free(i) || property.name != name || parts.size() == Attribute::kMaxComponents ||
           property.type != element_.properties[first].type) {
         break;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_reader.h>
 
 #include <algorithm>
@@ -62,7 +63,7 @@ bool PlyReader<Source>::read_texture(const PlyProperty& list) {
   for (std::size_t at = begin; at < end; at += size) {
     if (source_.read(list.type, &values[at])) continue;
     return fail(
-        source_.unexpected("the texture coordinates of face " + std::to_string(out_.face_count())));
+        source_.unexpected(sentence::of("the texture coordinates of face {}", out_.face_count())));
   }
   return true;
 }
@@ -108,9 +109,8 @@ bool PlyReader<Source>::read_corner(const PlyProperty& list, std::size_t corner,
   const auto start = source_.mark();
   std::int64_t vertex = 0;
   if (!source_.read(list.type, vertex)) {
-    return fail(source_.unexpected("vertex " + std::to_string(corner + 1) + " of the " +
-                                   std::to_string(degree) + " of face " +
-                                   std::to_string(out_.face_count())));
+    return fail(source_.unexpected(
+        sentence::of("vertex {} of the {} of face {}", corner + 1, degree, out_.face_count())));
   }
   const bool exists = vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
   if (exists || options_.for_repair) {
@@ -149,8 +149,8 @@ bool PlyReader<Source>::read_strip(const PlyProperty& list) {
     const auto start = source_.mark();
     std::int64_t vertex = 0;
     if (!source_.read(list.type, vertex)) {
-      return fail(source_.unexpected("value " + std::to_string(i + 1) + " of the " +
-                                     std::to_string(length) + " of the triangle strips"));
+      return fail(source_.unexpected(
+          sentence::of("value {} of the {} of the triangle strips", i + 1, length)));
     }
     if (vertex == -1) {
       in_strip = 0;
@@ -175,9 +175,8 @@ bool PlyReader<Source>::read_strip(const PlyProperty& list) {
 template <class Source>
 Error PlyReader<Source>::wrong_index(std::size_t corner, std::int64_t vertex) const {
   Error error = source_.index_error(corner, out_.face_count(), vertex);
-  error.message += vertices_ == 0
-                       ? ", but the file has no vertices"
-                       : ", expected a vertex from 0 to " + std::to_string(vertices_ - 1);
+  error.message += vertices_ == 0 ? ", but the file has no vertices"
+                                  : sentence::of(", expected a vertex from 0 to {}", vertices_ - 1);
   return error;
 }
 

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/readers.h>
 
@@ -129,9 +130,9 @@ bool HeaderReader::read_element() {
   if (!read_name(element.name, "the name of the element")) return false;
   const bool needed = element.name == "vertex" || element.name == "face";
   if (needed && header_.find(element.name) != nullptr) {
-    return fail(error_at(
-        text_, "parse-error",
-        "the header has the element " + quoted(element.name) + " already, expected it once"));
+    return fail(error_at(text_, "parse-error",
+                         sentence::of("the header has the element {} already, expected it once",
+                                      quoted(element.name))));
   }
   text_.skip_blanks();
   const char* const start = text_.position();
@@ -187,9 +188,10 @@ bool HeaderReader::check_properties() {
   for (const std::string_view axis : {"x", "y", "z"}) {
     const PlyProperty* const property = vertex->find(axis);
     if (property != nullptr && !property->length_type) continue;
-    return fail(error_at(text_, "parse-error",
-                         "the element vertex has no property " + std::string(axis) +
-                             ", expected the numbers x, y and z"));
+    return fail(error_at(
+        text_, "parse-error",
+        sentence::of("the element vertex has no property {}, expected the numbers x, y and z",
+                     axis)));
   }
   const PlyElement* const face = header_.find("face");
   if (face != nullptr && face->count > 0 && face->vertex_list() == nullptr) {
@@ -212,10 +214,10 @@ bool HeaderReader::check_counts() {
     }
     if (row == 0) continue;
     if (element.count > room / row) {
-      return fail(error_at(text_, "truncated",
-                           "the header promises " + std::to_string(element.count) + " elements " +
-                               quoted(element.name) + ", but only " + std::to_string(left) +
-                               " bytes follow"));
+      return fail(
+          error_at(text_, "truncated",
+                   sentence::of("the header promises {} elements {}, but only {} bytes follow",
+                                element.count, quoted(element.name), left)));
     }
     room -= element.count * row;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/ply_source.h>
@@ -57,8 +58,7 @@ class PlyReader {
               bool keeps);
   void note_unread(const PlyElement& element, std::span<const PlyProperty* const> read);
   [[nodiscard]] std::string in_row(const PlyElement& element) const {
-    return " of " + quoted(element.name) + " " + std::to_string(row_) + " of " +
-           std::to_string(element.count);
+    return sentence::of(" of {} {} of {}", quoted(element.name), row_, element.count);
   }
   [[nodiscard]] Error wrong_index(std::size_t corner, std::int64_t vertex) const;
   [[nodiscard]] bool fail(Error error) {
@@ -129,25 +129,27 @@ bool PlyReader<Source>::keep_or_skip(const PlyElement& element, std::size_t prop
   SoupAttribute& column = columns_[target.column];
   const auto row = static_cast<std::size_t>(row_);
   if (source_.read(what.type, &column.values[row * column.stride() + target.offset])) return true;
-  return fail(source_.unexpected("a number for " + quoted(what.name) + in_row(element)));
+  return fail(
+      source_.unexpected(sentence::of("a number for {}{}", quoted(what.name), in_row(element))));
 }
 
 template <class Source>
 bool PlyReader<Source>::read_length(const PlyProperty& list, std::int64_t& length) {
   const auto start = source_.mark();
   const auto expected = [&] {
-    return "the length of the list " + quoted(list.name) + " of row " + std::to_string(row_);
+    return sentence::of("the length of the list {} of row {}", quoted(list.name), row_);
   };
   if (!source_.read(*list.length_type, length)) return fail(source_.unexpected(expected()));
   if (length < 0) {
     source_.move_to(start);
-    return fail(source_.error(
-        "parse-error", expected() + " is " + std::to_string(length) + ", expected 0 or more"));
+    return fail(source_.error("parse-error",
+                              sentence::of("{} is {}, expected 0 or more", expected(), length)));
   }
   if (static_cast<std::uint64_t>(length) <= source_.room(list.type)) return true;
   source_.move_to(start);
-  return fail(source_.error("truncated", expected() + " is " + std::to_string(length) +
-                                             ", more than the rest of the file can hold"));
+  return fail(source_.error(
+      "truncated",
+      sentence::of("{} is {}, more than the rest of the file can hold", expected(), length)));
 }
 
 template <class Source>
@@ -161,14 +163,15 @@ template <class Source>
 bool PlyReader<Source>::skip_values(const PlyElement& element, const PlyProperty& property,
                                     std::int64_t count) {
   if (source_.skip(property.type, static_cast<std::uint64_t>(count))) return true;
-  return fail(source_.unexpected("the value of " + quoted(property.name) + in_row(element)));
+  return fail(source_.unexpected(
+      sentence::of("the value of {}{}", quoted(property.name), in_row(element))));
 }
 
 template <class Source>
 bool PlyReader<Source>::skip_rows(const PlyElement& element) {
   if (element.count > 0) {
-    notes_.push_back("ignored the " + std::to_string(element.count) + " elements " +
-                     quoted(element.name));
+    notes_.push_back(
+        sentence::of("ignored the {} elements {}", element.count, quoted(element.name)));
   }
   if (element.properties.empty()) return true;
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
@@ -195,17 +198,18 @@ void PlyReader<Source>::note_unread(const PlyElement& element,
     if (count++ < kNamed) names += (count == 1 ? "" : ", ") + quoted(property.name);
   }
   if (count == 0 || element.count == 0) return;
-  if (count > kNamed) names += " and " + std::to_string(count - kNamed) + " more";
-  notes_.push_back((count == 1 ? "ignored the property " : "ignored the properties ") + names +
-                   " of " + quoted(element.name));
+  if (count > kNamed) names += sentence::of(" and {} more", count - kNamed);
+  notes_.push_back(sentence::of("{}{} of {}",
+                                count == 1 ? "ignored the property " : "ignored the properties ",
+                                names, quoted(element.name)));
 }
 
 template <class Source>
 std::vector<std::string> PlyReader<Source>::notes() {
   if (wrong_textures_ > 0) {
-    notes_.push_back("the list \"texcoord\" of " + std::to_string(wrong_textures_) +
-                     (wrong_textures_ == 1 ? " face" : " faces") +
-                     " has not two numbers for each corner: what is missing is 0");
+    notes_.push_back(sentence::of(
+        "the list \"texcoord\" of {}{} has not two numbers for each corner: what is missing is 0",
+        wrong_textures_, wrong_textures_ == 1 ? " face" : " faces"));
   }
   if (std::string rest = source_.rest(); !rest.empty()) notes_.push_back(std::move(rest));
   return std::move(notes_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/copy_numbers.h>
 #include <halfedge/io/ply_columns.h>
@@ -79,8 +80,8 @@ class PlyText {
   [[nodiscard]] std::string rest() {
     text_.skip_to_token();
     if (text_.at_end()) return "";
-    return "ignored what follows the last element, from line " + std::to_string(text_.line()) +
-           " on: " + text_.found();
+    return sentence::of("ignored what follows the last element, from line {} on: {}", text_.line(),
+                        text_.found());
   }
 
  private:
@@ -154,24 +155,23 @@ class PlyBinary {
 
   [[nodiscard]] Error unexpected(const std::string& expected) const {
     if (bytes_.left() >= sizeof(double)) {
-      return error("parse-error", "expected " + expected + ", found no whole number");
+      return error("parse-error", sentence::of("expected {}, found no whole number", expected));
     }
-    return error("truncated", "expected " + expected + ", found the end of the file in " +
-                                  std::to_string(bytes_.left()) + " bytes");
+    return error("truncated", sentence::of("expected {}, found the end of the file in {} bytes",
+                                           expected, bytes_.left()));
   }
   [[nodiscard]] Error error(const char* code, const std::string& message) const {
     return error_at_byte(bytes_.offset(), code, message);
   }
   [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t vertex) const {
     Error error = error_at_byte(bytes_.offset(), "index-out-of-range",
-                                "corner " + std::to_string(corner) + " of face " +
-                                    std::to_string(face) + " is " + std::to_string(vertex));
+                                sentence::of("corner {} of face {} is {}", corner, face, vertex));
     error.witness.faces = {static_cast<Index>(face)};
     return error;
   }
   [[nodiscard]] std::string rest() const {
     if (bytes_.left() == 0) return "";
-    return "ignored the " + std::to_string(bytes_.left()) + " bytes behind the last element";
+    return sentence::of("ignored the {} bytes behind the last element", bytes_.left());
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/copy_numbers.h>
 #include <halfedge/io/ply_reader.h>
 
@@ -24,8 +25,8 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
   choose(element, SoupItem::kVertex, axes, options_.attributes);
   if (std::any_of(axes.begin(), axes.end(),
                   [](const PlyProperty* axis) { return axis->type == PlyType::kFloat64; })) {
-    notes_.push_back("read the positions of " + std::to_string(element.count) +
-                     (element.count == 1 ? " vertex" : " vertices") + ", doubles, as floats");
+    notes_.push_back(sentence::of("read the positions of {}{}, doubles, as floats", element.count,
+                                  element.count == 1 ? " vertex" : " vertices"));
   }
   out_.reserve(static_cast<std::size_t>(element.count), 0);
   if (out_.out_of_memory()) return true;
@@ -45,7 +46,8 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
       }
       const auto i = static_cast<std::size_t>(axis - axes.begin());
       if (source_.read(property.type, p[i])) continue;
-      return fail(source_.unexpected(std::string("a number for ") + "xyz"[i] + in_row(element)));
+      return fail(source_.unexpected(sentence::of(
+          "a number for {}{}", std::string_view("xyz").substr(i, 1), in_row(element))));
     }
     out_.add_vertex(p[0], p[1], p[2]);
   }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_writer.h>
 #include <halfedge/io/text_scanner.h>
@@ -31,7 +32,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
   if (name == "uv" && count == 2 && attribute.kind() == ItemKind::kVertex) return {"s", "t"};
   if (count == 1) return {name};
   std::vector<std::string> names;
-  for (Index i = 0; i < count; ++i) names.push_back(name + "[" + std::to_string(i) + "]");
+  for (Index i = 0; i < count; ++i) names.push_back(sentence::of("{}[{}]", name, i));
   return names;
 }
 
@@ -88,7 +89,7 @@ class PlyWriter {
       const bool is_real = column->type() <= Scalar::kFloat64;
       if (column->name() == "uv" && column->components() == 2 && is_real) {
         texture_ = column;
-        write_list(texture_length_type_, std::string(name_in_ply(column->type())) + " texcoord");
+        write_list(texture_length_type_, sentence::of("{} texcoord", name_in_ply(column->type())));
       } else {
         mesh_.leave_out(*column, "of halfedges PLY has only uv, two floats or doubles");
       }
@@ -121,7 +122,7 @@ class PlyWriter {
       if (!is_word(column->name())) {
         mesh_.leave_out(*column, "a name in PLY is one word");
       } else if (taken != own.end()) {
-        mesh_.leave_out(*column, "there is another property " + quoted(*taken));
+        mesh_.leave_out(*column, sentence::of("there is another property {}", quoted(*taken)));
       } else {
         for (const std::string& name : own) {
           out_.text("\nproperty ");
@@ -158,7 +159,8 @@ class PlyWriter {
         mesh_.note_change(*column, "behind so many others that readers leave it out");
       } else if (read[target].name != column->name() ||
                  read[target].components != column->components()) {
-        mesh_.note_change(*column, "as what readers take for " + quoted(read[target].name));
+        mesh_.note_change(*column,
+                          sentence::of("as what readers take for {}", quoted(read[target].name)));
       }
     }
   }

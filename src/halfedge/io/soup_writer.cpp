@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/soup_writer.h>
 
 #include <string>
@@ -14,24 +15,23 @@ void SoupWriter::report(const void* position) {
 }
 
 Error error_at(const TextScanner& text, std::string code, const std::string& message) {
-  return {std::move(code), "line " + std::to_string(text.line()) + ": " + message};
+  return {std::move(code), sentence::of("line {}: {}", text.line(), message)};
 }
 
 Error unexpected(const TextScanner& text, const std::string& expected) {
   return error_at(text, text.at_end() ? "truncated" : "parse-error",
-                  "expected " + expected + ", found " + text.found());
+                  sentence::of("expected {}, found {}", expected, text.found()));
 }
 
 Error index_error(const TextScanner& text, std::size_t corner, std::size_t face) {
   Error error = error_at(text, "index-out-of-range",
-                         "corner " + std::to_string(corner) + " of face " + std::to_string(face) +
-                             " is " + text.found());
+                         sentence::of("corner {} of face {} is {}", corner, face, text.found()));
   error.witness.faces = {static_cast<Index>(face)};
   return error;
 }
 
 Error error_at_byte(std::size_t offset, std::string code, const std::string& message) {
-  return {std::move(code), "byte " + std::to_string(offset) + ": " + message};
+  return {std::move(code), sentence::of("byte {}: {}", offset, message)};
 }
 
 std::optional<Error> check_size(SoupWriter& out) {
@@ -43,13 +43,14 @@ std::optional<Error> check_size(SoupWriter& out) {
 
   out.soup() = {};
   if (out.cancelled()) return Error{"cancelled", "reading was cancelled"};
-  const std::string counts = std::to_string(vertices) + " vertices, " + std::to_string(faces) +
-                             " faces and " + std::to_string(corners) + " corners of faces";
+  const std::string counts =
+      sentence::of("{} vertices, {} faces and {} corners of faces", vertices, faces, corners);
   if (out.out_of_memory()) {
-    return Error{"out-of-memory", "memory was exhausted after " + counts + " had been read"};
+    return Error{"out-of-memory",
+                 sentence::of("memory was exhausted after {} had been read", counts)};
   }
-  return Error{"too-large", "the file has " + counts + ", expected at most " +
-                                std::to_string(kMaxSlots) + " of each"};
+  return Error{"too-large",
+               sentence::of("the file has {}, expected at most {} of each", counts, kMaxSlots)};
 }
 
 }  // namespace halfedge::io

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/position_table.h>
 #include <halfedge/io/readers.h>
@@ -74,8 +75,8 @@ class TriangleWriter {
 
 /// "x of vertex 2 of triangle 7"
 std::string name_of_number(std::size_t number, std::size_t triangle) {
-  return std::string(1, "xyz"[number % 3]) + " of vertex " + std::to_string(number / 3) +
-         " of triangle " + std::to_string(triangle);
+  return sentence::of("{} of vertex {} of triangle {}",
+                      std::string_view("xyz").substr(number % 3, 1), number / 3, triangle);
 }
 
 /// By the exponents, which are compared in one go.
@@ -92,8 +93,8 @@ bool are_finite(std::span<const float> numbers) {
 Error not_finite(Error at, std::span<const float> triangle, std::size_t face) {
   std::size_t i = 0;
   while (std::isfinite(triangle[i])) ++i;
-  at.message +=
-      name_of_number(i, face) + " is " + std::to_string(triangle[i]) + ", expected a finite number";
+  at.message += sentence::of("{} is {}, expected a finite number", name_of_number(i, face),
+                             sentence::number(triangle[i]));
   at.witness.faces = {static_cast<Index>(face)};
   return at;
 }
@@ -138,9 +139,11 @@ Error first_not_finite(std::size_t face, std::span<const float> triangles) {
 
 Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseOptions& options) {
   if (bytes.size() < kStart) {
-    return Error{"truncated", "the file has " + std::to_string(bytes.size()) +
-                                  " bytes, expected at least the " + std::to_string(kStart) +
-                                  " bytes that start a binary STL file"};
+    return Error{
+        "truncated",
+        sentence::of(
+            "the file has {} bytes, expected at least the {} bytes that start a binary STL file",
+            bytes.size(), kStart)};
   }
   const std::uint64_t count = announced(bytes);
   const std::uint64_t room = (bytes.size() - kStart) / kTriangle;
@@ -148,9 +151,9 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
     const std::size_t rest = (bytes.size() - kStart) % kTriangle;
     return error_at_byte(
         bytes.size(), "truncated",
-        "the bytes of this binary STL file of " + std::to_string(count) + " triangles end after " +
-            std::to_string(room) + " of them" +
-            (rest == 0 ? "" : " and " + std::to_string(rest) + " bytes of the next one"));
+        sentence::of("the bytes of this binary STL file of {} triangles end after {} of them{}",
+                     count, room,
+                     (rest == 0 ? "" : " and " + std::to_string(rest) + " bytes of the next one")));
   }
 
   TriangleWriter writer(bytes, {options});
@@ -182,8 +185,9 @@ Result<ParsedFile> read_binary(std::span<const std::uint8_t> bytes, const ParseO
   if (!attribute.values.empty()) file.attributes.push_back(std::move(attribute));
   const std::size_t rest = bytes.size() - kStart - static_cast<std::size_t>(count) * kTriangle;
   if (rest > 0) {
-    file.notes.push_back("ignored the " + std::to_string(rest) + " bytes behind the last of the " +
-                         std::to_string(count) + " triangles that the header promises");
+    file.notes.push_back(sentence::of(
+        "ignored the {} bytes behind the last of the {} triangles that the header promises", rest,
+        count));
   }
   return file;
 }
@@ -203,7 +207,7 @@ class TextReader {
     if (names_ > 0) {
       notes.push_back(
           std::string("ignored the ") +
-          (names_ == 1 ? "name of a solid" : "names of " + std::to_string(names_) + " solids"));
+          (names_ == 1 ? "name of a solid" : sentence::of("names of {} solids", names_)));
     }
     return notes;
   }
@@ -219,8 +223,8 @@ class TextReader {
     return true;
   }
   [[nodiscard]] bool expect(std::string_view word) {
-    return skip_word(word) || fail(unexpected(text_, std::string(word) + " of triangle " +
-                                                         std::to_string(out().face_count())));
+    return skip_word(word) ||
+           fail(unexpected(text_, sentence::of("{} of triangle {}", word, out().face_count())));
   }
   [[nodiscard]] bool fail(Error error) {
     error_ = std::move(error);
@@ -263,7 +267,8 @@ bool TextReader::read_facet() {
     if (i % 3 == 0 && !expect("vertex")) return false;
     text_.skip_blanks();
     if (text_.read_float(triangle[i])) continue;
-    return fail(unexpected(text_, "a number for " + name_of_number(i, out().face_count())));
+    return fail(
+        unexpected(text_, sentence::of("a number for {}", name_of_number(i, out().face_count()))));
   }
   if (!options_.for_repair && !are_finite(triangle)) {
     TextScanner first = start;

@@ -1,4 +1,5 @@
 #include <halfedge/algorithms/triangulate_polygon.h>
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/stl_writer.h>
 
 #include <array>
@@ -124,16 +125,17 @@ void write_binary_stl(const LiveMesh& mesh, ByteWriter& out) {
 
 std::optional<Error> check_stl(const LiveMesh& mesh, std::span<const Index> used) {
   if (mesh.triangle_count() > 0xFFFF'FFFFU) {
-    return Error{"too-large", "the mesh has " + std::to_string(mesh.triangle_count()) +
-                                  " triangles, expected at most 4294967295 in STL"};
+    return Error{"too-large",
+                 sentence::of("the mesh has {} triangles, expected at most 4294967295 in STL",
+                              mesh.triangle_count())};
   }
   for (const Index v : used) {
     const float* const p = mesh.position(v);
     if (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])) continue;
-    Error error{"non-finite-position", "vertex " + std::to_string(v) + " has the position " +
-                                           std::to_string(p[0]) + ", " + std::to_string(p[1]) +
-                                           ", " + std::to_string(p[2]) +
-                                           ", expected finite numbers in STL"};
+    Error error{
+        "non-finite-position",
+        sentence::of("vertex {} has the position {}, {}, {}, expected finite numbers in STL", v,
+                     sentence::number(p[0]), sentence::number(p[1]), sentence::number(p[2]))};
     error.witness.vertices = {v};
     return error;
   }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_writer.h>
 #include <halfedge/io/live_mesh.h>
 #include <halfedge/io/obj_writer.h>
@@ -56,7 +57,7 @@ Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format
   }
   if (out.out_of_memory()) return io::no_memory_for_a_file();
   if (format != Format::kPly) {
-    mesh.leave_out_rest(std::string(name_of(format)) + " has no place for it");
+    mesh.leave_out_rest(sentence::of("{} has no place for it", name_of(format)));
   }
   out.bytes().shrink_to_fit();
   return std::move(out.bytes());

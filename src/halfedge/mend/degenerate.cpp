@@ -15,22 +15,23 @@ namespace halfedge::mend {
 namespace {
 
 using decorator::internal::refusal;
-using decorator::internal::text;
 
 constexpr int kRounds = 32;
 
 Failure thin(Face f, const FaceShape& shape, const std::string& why) {
   return refusal("",
-                 text(f) + " is " + sentence::number(shape.length) + " long and " +
-                     sentence::number(shape.width) + " wide " + why,
+                 sentence::of("{} is {} long and {} wide {}", f, sentence::number(shape.length),
+                              sentence::number(shape.width), why),
                  {.faces = {f.index()}});
 }
 
 Failure unfinished(Edge e, double length) {
-  return refusal("",
-                 text(e) + " has a length of " + sentence::number(length) +
-                     " and was not reached, expected less to do: repair it once more",
-                 {.edges = {e.index()}});
+  return refusal(
+      "",
+      sentence::of(
+          "{} has a length of {} and was not reached, expected less to do: repair it once more", e,
+          sentence::number(length)),
+      {.edges = {e.index()}});
 }
 
 class Remover {
@@ -87,7 +88,7 @@ class Remover {
         if (done) continue;
         if (done.error().code == "out-of-memory") return done;
         left.leave(Code::kDegenerateFace, [&] {
-          return thin(f, shape, "but can't be removed: " + reason_of(done.error()));
+          return thin(f, shape, sentence::of("but can't be removed: {}", reason_of(done.error())));
         });
       }
     }
@@ -143,7 +144,7 @@ class Remover {
     const Face neighbours[] = {surface_.face(Surface::opposite(into_apex)),
                                surface_.face(Surface::opposite(from_apex))};
     if (neighbours[0].valid() && neighbours[1].valid() && surface_.is_boundary(apex)) {
-      return refusal("", text(apex) + " would be pinched");
+      return refusal("", sentence::of("{} would be pinched", apex));
     }
     if (!work_.reserve_more(2)) return no_memory();
     surface_.delete_face(f);
@@ -167,15 +168,15 @@ class Remover {
     const Vector old = cross(a - b, other - b);
     if (!is_old_thin && (dot(cross(other - a, apex - a), old) < 0 ||
                          dot(cross(b - other, apex - other), old) < 0)) {
-      return refusal("", "a triangle beyond " + text(e) + " would fold over");
+      return refusal("", sentence::of("a triangle beyond {} would fold over", e));
     }
     // Each flip makes the thinner triangle wider or, where none has a width, the edge shorter: so
     // none is undone by another.
     const auto now = std::minmax({width_of(a, b, apex), width_of(b, a, other)});
     const auto then = std::minmax({width_of(a, other, apex), width_of(b, apex, other)});
     if (!(now < then || (now == then && length(other - apex) < length(b - a)))) {
-      return refusal("", "it and " + text(faces[1]) + " would be no wider if " + text(e) +
-                             " between them were flipped");
+      return refusal("", sentence::of("it and {} would be no wider if {} between them were flipped",
+                                      faces[1], e));
     }
     if (!work_.reserve_more(2) || !report_.edges.reserve_more(1)) return no_memory();
     const Result<Edge> done = surface_.flip_edge(e);

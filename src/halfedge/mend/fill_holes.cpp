@@ -12,15 +12,14 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::number;
 using decorator::internal::refusal;
 
 Failure no_memory() { return decorator::internal::no_memory("the triangles of a hole"); }
 
 Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
   return refusal("",
-                 "the boundary loop of halfedge " + number(h.index()) + ", of " +
-                     std::to_string(edges) + (edges == 1 ? " edge, " : " edges, ") + why,
+                 sentence::of("the boundary loop of halfedge {}, of {}{}{}", h.index(), edges,
+                              edges == 1 ? " edge, " : " edges, ", why),
                  {.halfedges = {h.index()}});
 }
 
@@ -42,9 +41,9 @@ class Filler {
 
     if (edges > options_.max_edges) {
       report_.leave(Code::kLargeHole, [&] {
-        return left_open(first, edges,
-                         "is larger than asked for, expected " +
-                             std::to_string(options_.max_edges) + " at most");
+        return left_open(
+            first, edges,
+            sentence::of("is larger than asked for, expected {} at most", options_.max_edges));
       });
       return {};
     }
@@ -78,10 +77,11 @@ class Filler {
     const double degrees = 57.29577951308232 * std::acos(std::clamp(plan_.worst(), -1.0, 1.0));
     if (degrees > options_.max_angle) {
       report_.leave(Code::kFoldingHole, [&] {
-        return left_open(first, edges,
-                         "would be filled with a fold of " + sentence::number(degrees) +
-                             " degrees, expected " + sentence::number(options_.max_angle) +
-                             " at most between the normals of neighbours");
+        return left_open(
+            first, edges,
+            sentence::of("would be filled with a fold of {} degrees, expected {} at most between "
+                         "the normals of neighbours",
+                         sentence::number(degrees), sentence::number(options_.max_angle)));
       });
       return {};
     }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/box_tree.h>
 #include <halfedge/mend/measure.h>
@@ -11,36 +12,35 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::number;
 using decorator::internal::refusal;
 
 // Less than this, of area times diagonal, is not told from nothing.
 constexpr double kNoVolume = 1e-10;
 
 std::string component_of(const Extent& extent, const Component& component) {
-  return "the component of face " + number(extent.first_face) + ", of " + number(component.faces) +
-         (component.faces == 1 ? " face," : " faces,");
+  return sentence::of("the component of face {}, of {}{}", extent.first_face, component.faces,
+                      component.faces == 1 ? " face," : " faces,");
 }
 
 Failure is_open(const Extent& extent, const Component& component) {
   return refusal("",
-                 component_of(extent, component) + " has " + number(component.boundary_loops) +
-                     (component.boundary_loops == 1 ? " boundary loop" : " boundary loops") +
-                     ", expected none: what is open has no inside",
+                 sentence::of("{} has {}{}, expected none: what is open has no inside",
+                              component_of(extent, component), component.boundary_loops,
+                              component.boundary_loops == 1 ? " boundary loop" : " boundary loops"),
                  {.faces = {extent.first_face}});
 }
 
 Failure is_flat(const Extent& extent, const Component& component) {
   return refusal("",
-                 component_of(extent, component) +
-                     " has no volume that could be told from 0, expected an inside",
+                 sentence::of("{} has no volume that could be told from 0, expected an inside",
+                              component_of(extent, component)),
                  {.faces = {extent.first_face}});
 }
 
 Failure is_unmeasured(const Extent& extent, const Component& component) {
   return refusal("",
-                 component_of(extent, component) +
-                     " has a position that is no finite number, expected a volume",
+                 sentence::of("{} has a position that is no finite number, expected a volume",
+                              component_of(extent, component)),
                  {.faces = {extent.first_face}});
 }
 

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
 #include <halfedge/repair/weld.h>
@@ -10,13 +11,13 @@ namespace halfedge::mend {
 namespace {
 
 using decorator::internal::refusal;
-using decorator::internal::text;
 
 Failure runs_the_same_way(Edge e, Edge other) {
-  return refusal("",
-                 text(e) + " and " + text(other) +
-                     " lie together but run the same way, expected faces of one orientation",
-                 {.edges = {e.index(), other.index()}});
+  return refusal(
+      "",
+      sentence::of("{} and {} lie together but run the same way, expected faces of one orientation",
+                   e, other),
+      {.edges = {e.index(), other.index()}});
 }
 
 }  // namespace

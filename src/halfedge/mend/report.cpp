@@ -51,9 +51,10 @@ Result<void> first_error(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) {
     if (problem.severity != Severity::kError) continue;
     if (problem.code == "out-of-memory") return decorator::internal::no_memory("the check");
-    return decorator::internal::refusal("corrupt-connectivity",
-                                        "the mesh is not valid, expected level 4: " +
-                                            problem.message.substr(0, problem.message.size() - 1));
+    return decorator::internal::refusal(
+        "corrupt-connectivity",
+        sentence::of("the mesh is not valid, expected level 4: {}",
+                     problem.message.substr(0, problem.message.size() - 1)));
   }
   return {};
 }
@@ -63,7 +64,8 @@ void Report::summarize() {
   for (std::size_t i = 0; i < kCodeCount; ++i) {
     if (counts[i] == 0) continue;
     if (!summary.empty()) summary += ", ";
-    summary += sentence::count_of(counts[i], kWordings[i].noun) + " " + kWordings[i].outcome;
+    summary += sentence::of("{} {}", sentence::count_of(counts[i], kWordings[i].noun),
+                            kWordings[i].outcome);
   }
   summary = sentence::complete(summary.empty() ? "nothing to repair" : std::move(summary));
 }

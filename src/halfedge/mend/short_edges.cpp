@@ -6,7 +6,6 @@
 namespace halfedge::mend {
 
 using decorator::internal::refusal;
-using decorator::internal::text;
 
 bool ShortEdges::is_short(Edge e) const {
   return length_of(surface_, Halfedge(2 * e.index())) <= tolerance_;
@@ -21,10 +20,11 @@ Result<void> ShortEdges::collapse_all(Report& left) {
     if (done) continue;
     if (done.error().code == "out-of-memory") return done;
     left.leave(Code::kZeroLengthEdge, [&] {
-      return refusal("",
-                     text(e) + " has a length of " + sentence::number(length_of(surface_, side)) +
-                         " but can't be collapsed: " + reason_of(done.error()),
-                     {.edges = {e.index()}});
+      return refusal(
+          "",
+          sentence::of("{} has a length of {} but can't be collapsed: {}", e,
+                       sentence::number(length_of(surface_, side)), reason_of(done.error())),
+          {.edges = {e.index()}});
     });
   }
   return {};
@@ -35,7 +35,7 @@ Result<void> ShortEdges::collapse(Halfedge side) {
   Result<void> refused;
   for (const Halfedge h : {best, Surface::opposite(best)}) {
     if (folds(h)) {
-      refused = refusal("", "a face at " + text(surface_.from_vertex(h)) + " would fold over");
+      refused = refusal("", sentence::of("a face at {} would fold over", surface_.from_vertex(h)));
       continue;
     }
     // Before, since it is the vertex that goes whose faces have to be known.

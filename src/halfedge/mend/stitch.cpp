@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
 #include <halfedge/mend/repairs.h>
@@ -11,20 +12,20 @@ namespace halfedge::mend {
 namespace {
 
 using decorator::internal::refusal;
-using decorator::internal::text;
 
 Failure no_memory() { return decorator::internal::no_memory("the boundary edges"); }
 
 Failure several_fit(Edge e, std::size_t count) {
   return refusal("",
-                 text(e) + " lies together with " + std::to_string(count - 1) +
-                     " other boundary edges, expected one: which to glue it to can't be told",
+                 sentence::of("{} lies together with {} other boundary edges, expected one: which "
+                              "to glue it to can't be told",
+                              e, count - 1),
                  {.edges = {e.index()}});
 }
 
 Failure refused(Edge e, Edge other, const Error& why) {
   return refusal(
-      "", text(e) + " and " + text(other) + " lie together but can't be glued: " + reason_of(why),
+      "", sentence::of("{} and {} lie together but can't be glued: {}", e, other, reason_of(why)),
       {.edges = {e.index(), other.index()}});
 }
 

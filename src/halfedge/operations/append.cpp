@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/operations/append.h>
 
 #include <algorithm>
@@ -13,11 +14,9 @@ Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room f
 
 template <class Item>
 Error leads_nowhere(const char* link, Item item) {
-  return {
-      "corrupt-connectivity",
-      "the " + std::string(link) + " of " + name_of(kind_of(item)) + " " +
-          std::to_string(item.index()) +
-          " is no live item, which breaks the invariants of a mesh: validate names what is wrong"};
+  return {"corrupt-connectivity", sentence::of("the {} of {} {} is no live item, which breaks the "
+                                               "invariants of a mesh: validate names what is wrong",
+                                               link, name_of(kind_of(item)), item.index())};
 }
 
 // Whether all links of live items lead to live items.
@@ -100,9 +99,9 @@ Result<void> make_room(BasicMesh<kStored>& mesh, const CompactMaps& live) {
   const std::size_t edges = needed(mesh.edge_slots(), mesh.free_edges(), live.edges);
   const std::size_t faces = needed(mesh.face_slots(), mesh.free_faces(), live.faces);
   if (vertices > kMaxSlots || 2 * edges > kMaxSlots || faces > kMaxSlots) {
-    return Error{"too-large", "both meshes together have " + std::to_string(vertices) +
-                                  " vertices, " + std::to_string(edges) + " edges and " +
-                                  std::to_string(faces) + " faces, more than can be addressed"};
+    return Error{"too-large", sentence::of("both meshes together have {} vertices, {} edges and {} "
+                                           "faces, more than can be addressed",
+                                           vertices, edges, faces)};
   }
   const Links& links = mesh.links();
   if (mesh.reserve(Index(grown(vertices, links.vertex_halfedge.capacity())),

@@ -1,4 +1,5 @@
 #include <halfedge/algorithms/adjacency.h>
+#include <halfedge/build/sentence.h>
 #include <halfedge/operations/dual.h>
 
 #include <cstddef>
@@ -9,8 +10,6 @@ namespace halfedge {
 namespace {
 
 Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for the dual"}; }
-
-std::string number(Index index) { return std::to_string(index); }
 
 class DualPlanner {
  public:
@@ -38,16 +37,16 @@ class DualPlanner {
           (!across.valid() || links_.is_live(across)))
         continue;
       return Error{"corrupt-connectivity",
-                   "the links of halfedge " + number(h) +
-                       " lead to items that don't exist, which breaks the invariants of a mesh: "
-                       "validate names what is wrong"};
+                   sentence::of("the links of halfedge {} lead to items that don't exist, which "
+                                "breaks the invariants of a mesh: validate names what is wrong",
+                                h)};
     }
     for (const Index f : around_vertex_.items) {
       if (links_.is_live(Face(f))) continue;
       return Error{"corrupt-connectivity",
-                   "face " + number(f) +
-                       " doesn't exist, but lies at a vertex, which breaks the invariants of a "
-                       "mesh: validate names what is wrong"};
+                   sentence::of("face {} doesn't exist, but lies at a vertex, which breaks the "
+                                "invariants of a mesh: validate names what is wrong",
+                                f)};
     }
     return done;
   }
@@ -151,27 +150,30 @@ class DualPlanner {
 
   static Error has_low_valence(Index v, Index valence) {
     return {"degree-below-three",
-            "vertex " + number(v) + " has valence " + number(valence) +
-                ": its face in the dual would have as many corners, expected 3 or more",
+            sentence::of("vertex {} has valence {}: its face in the dual would have as many "
+                         "corners, expected 3 or more",
+                         v, valence),
             {.vertices = {v}}};
   }
   static Error is_on_both_sides(Index f, Index edge) {
     return {"same-face-twice",
-            "face " + number(f) + " is on both sides of edge " + number(edge) +
-                ": the dual would have an edge from a vertex to itself",
+            sentence::of("face {} is on both sides of edge {}: the dual would have an edge from a "
+                         "vertex to itself",
+                         f, edge),
             {.edges = {edge}, .faces = {f}}};
   }
   static Error share_two_edges(Index f, Index across, Index first, Index second) {
     return {"duplicate-edge",
-            "faces " + number(f) + " and " + number(across) + " share edges " + number(first) +
-                " and " + number(second) +
-                ": the dual would have two edges between the same vertices",
+            sentence::of("faces {} and {} share edges {} and {}: the dual would have two edges "
+                         "between the same vertices",
+                         f, across, first, second),
             {.edges = {first, second}, .faces = {f, across}}};
   }
   static Error is_pinched(Index f, Index fans) {
     return {"pinched-vertex",
-            "the corners of face " + number(f) + " that are not on the boundary form " +
-                number(fans) + " runs: the dual would be pinched there, expected one run",
+            sentence::of("the corners of face {} that are not on the boundary form {} runs: the "
+                         "dual would be pinched there, expected one run",
+                         f, fans),
             {.faces = {f}}};
   }
 

@@ -7,44 +7,47 @@
 
 namespace halfedge::operations {
 
-using decorator::internal::number;
 using decorator::internal::refusal;
-using decorator::internal::text;
 
 Failure repeated_on_seam(Vertex v) {
-  return refusal("repeated-vertex",
-                 text(v) +
-                     " occurs more than once among the vertices to be glued, expected "
-                     "different vertices",
-                 {.vertices = {v.index()}});
+  return refusal(
+      "repeated-vertex",
+      sentence::of(
+          "{} occurs more than once among the vertices to be glued, expected different vertices",
+          v),
+      {.vertices = {v.index()}});
 }
 
 Failure would_repeat_vertex(Face f, Vertex kept, Vertex gone) {
-  return refusal("repeated-vertex",
-                 text(f) + " has both " + text(kept) + " and " + text(gone) +
-                     ", which would become one vertex, expected faces with one of them",
-                 {.vertices = {kept.index(), gone.index()}, .faces = {f.index()}});
+  return refusal(
+      "repeated-vertex",
+      sentence::of(
+          "{} has both {} and {}, which would become one vertex, expected faces with one of them",
+          f, kept, gone),
+      {.vertices = {kept.index(), gone.index()}, .faces = {f.index()}});
 }
 
 Failure would_be_duplicate(Edge first, Edge second, Vertex a, Vertex b) {
-  return refusal("duplicate-edge",
-                 text(first) + " and " + text(second) + " would both join " + text(a) + " and " +
-                     text(b) + ", expected one edge between two vertices",
-                 {.vertices = {a.index(), b.index()}, .edges = {first.index(), second.index()}});
+  return refusal(
+      "duplicate-edge",
+      sentence::of("{} and {} would both join {} and {}, expected one edge between two vertices",
+                   first, second, a, b),
+      {.vertices = {a.index(), b.index()}, .edges = {first.index(), second.index()}});
 }
 
 Failure would_close_fan(Vertex v, Halfedge h, Halfedge g) {
   return refusal("pinched-vertex",
-                 "the faces between " + text(g) + " and " + text(h) + " would close around " +
-                     text(v) + ", which has other faces too, expected no others",
+                 sentence::of("the faces between {} and {} would close around {}, which has other "
+                              "faces too, expected no others",
+                              g, h, v),
                  {.vertices = {v.index()}, .halfedges = {h.index(), g.index()}});
 }
 
 Failure no_boundary_end(Edge e, Vertex a, Vertex b) {
   return refusal("no-boundary-end",
-                 text(e) + " would become two edges between " + text(a) + " and " + text(b) +
-                     ", which are both inside, expected an end on the boundary, or a path of "
-                     "edges",
+                 sentence::of("{} would become two edges between {} and {}, which are both inside, "
+                              "expected an end on the boundary, or a path of edges",
+                              e, a, b),
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 
@@ -54,62 +57,67 @@ Failure empty_path() {
 
 Failure not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin) {
   return refusal("not-a-path",
-                 text(h) + " leads to " + text(end) + ", but the next in the path, " +
-                     text(following) + ", leaves " + text(begin),
+                 sentence::of("{} leads to {}, but the next in the path, {}, leaves {}", h, end,
+                              following, begin),
                  {.halfedges = {h.index(), following.index()}});
 }
 
 Failure repeated_on_path(Edge e) {
-  return refusal("not-a-path", text(e) + " occurs twice in the path, expected different edges",
+  return refusal("not-a-path",
+                 sentence::of("{} occurs twice in the path, expected different edges", e),
                  {.edges = {e.index()}});
 }
 
 Failure not_a_quad(Face f, Index degree) {
-  return refusal("not-a-quad", text(f) + " has degree " + number(degree) + ", expected 4",
+  return refusal("not-a-quad", sentence::of("{} has degree {}, expected 4", f, degree),
                  {.faces = {f.index()}});
 }
 
 Failure ring_too_short(Face f, Face g) {
   return refusal("degree-below-three",
-                 "the ring consists of " + text(f) + " and " + text(g) +
-                     " only, and would leave faces of degree 2, expected three quads or more",
+                 sentence::of("the ring consists of {} and {} only, and would leave faces of "
+                              "degree 2, expected three quads or more",
+                              f, g),
                  {.faces = {f.index(), g.index()}});
 }
 
 Failure repeated_on_ring(Edge e, Vertex v) {
-  return refusal("repeated-vertex",
-                 "the ring of quads over " + text(e) + " passes " + text(v) +
-                     " more than once, expected different vertices",
-                 {.vertices = {v.index()}, .edges = {e.index()}});
+  return refusal(
+      "repeated-vertex",
+      sentence::of(
+          "the ring of quads over {} passes {} more than once, expected different vertices", e, v),
+      {.vertices = {v.index()}, .edges = {e.index()}});
 }
 
 Failure no_triangulation(Face f, Vertex a, Vertex b, Edge existing) {
   Witness witness{.vertices = {a.index(), b.index()}, .faces = {f.index()}};
   if (existing.valid()) witness.edges = {existing.index()};
-  return refusal("no-triangulation",
-                 text(f) + " can't be cut into triangles without a diagonal from " + text(a) +
-                     " to " + text(b) + ", which " +
-                     (existing.valid() ? text(existing) + " joins already"
-                                       : std::string("one across another face will join")) +
-                     ", expected diagonals that are new",
-                 std::move(witness));
+  return refusal(
+      "no-triangulation",
+      sentence::of("{} can't be cut into triangles without a diagonal from {} to {}, which {}, "
+                   "expected diagonals that are new",
+                   f, a, b,
+                   (existing.valid() ? sentence::of("{} joins already", existing)
+                                     : std::string("one across another face will join"))),
+      std::move(witness));
 }
 
 Failure not_a_fraction(const char* name, double value) {
-  return refusal("out-of-range", std::string("the ") + name + " is " + sentence::number(value) +
-                                     ", expected a number from 0 to 1");
+  return refusal("out-of-range", sentence::of("the {} is {}, expected a number from 0 to 1", name,
+                                              sentence::number(value)));
 }
 
 Failure valence_below_three(Vertex v, Index valence) {
   return refusal("valence-below-three",
-                 text(v) + " has valence " + number(valence) + ", expected 3 at least",
+                 sentence::of("{} has valence {}, expected 3 at least", v, valence),
                  {.vertices = {v.index()}});
 }
 
 Failure both_valences_below_three(Edge e, Vertex a, Vertex b) {
   return refusal("valence-below-three",
-                 "the new face would have two corners: both " + text(a) + " and " + text(b) +
-                     ", the ends of " + text(e) + ", have valence 2, expected 3 at one at least",
+                 sentence::of("the new face would have two corners: both {} and {}, the ends of "
+                              "{}, have valence 2, expected 3 at one at least",
+                              a, b, e),
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 

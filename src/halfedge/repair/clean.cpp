@@ -46,9 +46,9 @@ class Cleaner {
       const float* p = &input_.positions[3 * v];
       log_.add(RepairCode::kNonFinitePosition, [&] {
         return Error{{},
-                     "Vertex " + to_string(v) + " is at (" + number(p[0]) + ", " + number(p[1]) +
-                         ", " + number(p[2]) + "), which is no position: it was left out, with " +
-                         "its faces.",
+                     sentence::of("Vertex {} is at ({}, {}, {}), which is no position: it was left "
+                                  "out, with its faces.",
+                                  v, number(p[0]), number(p[1]), number(p[2])),
                      {.vertices = {Index(v)}}};
       });
     }
@@ -58,8 +58,8 @@ class Cleaner {
     if (!check_indices(f, corners)) return true;
     if (corners.size() < 3) {
       drop(f, RepairCode::kDegreeBelowThree, {corners.begin(), corners.end()}, [&] {
-        return " has " + count_of(corners.size(), "corner") + "; a face needs at least 3: it was " +
-               "left out.";
+        return sentence::of(" has {}; a face needs at least 3: it was left out.",
+                            count_of(corners.size(), "corner"));
       });
       return true;
     }
@@ -87,9 +87,10 @@ class Cleaner {
     log_.add(RepairCode::kRepeatedVertex, [&] {
       if (left < 3) return repeated(f, corners, ", and encloses nothing: it was left out.");
       if (is_doubled) return repeated(f, corners, ": that vertex was doubled.");
-      return repeated(f, corners,
-                      ": " + count_of(corners.size() - left, "corner") + " of it " +
-                          (corners.size() - left == 1 ? "was" : "were") + " left out.");
+      return repeated(
+          f, corners,
+          sentence::of(": {} of it {} left out.", count_of(corners.size() - left, "corner"),
+                       (corners.size() - left == 1 ? "was" : "were")));
     });
     return true;
   }
@@ -104,7 +105,8 @@ class Cleaner {
             const Describe& describe) {
     log_.mark(f, code);
     log_.add(code, [&] {
-      return Error{{}, "Face " + to_string(f) + describe(), {.vertices = vertices, .faces = {f}}};
+      return Error{
+          {}, sentence::of("Face {}{}", f, describe()), {.vertices = vertices, .faces = {f}}};
     });
   }
 
@@ -113,10 +115,9 @@ class Cleaner {
       if (v >= input_.vertex_count()) {
         drop(f, RepairCode::kIndexOutOfRange, {v}, [&] {
           const std::size_t count = input_.vertex_count();
-          return " uses vertex " + signed_index(v) + ", but " +
-                 (count == 0 ? "there are no vertices"
-                             : "the last one is " + to_string(count - 1)) +
-                 ": it was left out.";
+          return sentence::of(
+              " uses vertex {}, but {}: it was left out.", signed_index(v),
+              (count == 0 ? "there are no vertices" : "the last one is " + to_string(count - 1)));
         });
         return false;
       }
@@ -218,16 +219,16 @@ class Cleaner {
   // "Face 7 uses vertex 5 more than once", or vertices that were welded; and what became of it.
   [[nodiscard]] Error repeated(Index f, std::span<const Index> corners, const std::string& fate) {
     const Repeat repeat = find_repeat(corners);
-    const std::string face = "Face " + to_string(f) + " uses ";
+    const std::string face = sentence::of("Face {} uses ", f);
     if (repeat.a == repeat.b) {
       return {{},
-              face + "vertex " + signed_index(repeat.a) + " more than once" + fate,
+              sentence::of("{}vertex {} more than once{}", face, signed_index(repeat.a), fate),
               {.vertices = {repeat.a}, .faces = {f}}};
     }
-    return {{},
-            face + "vertices " + to_string(repeat.a) + " and " + to_string(repeat.b) +
-                ", which were welded" + fate,
-            {.vertices = {repeat.a, repeat.b}, .faces = {f}}};
+    return {
+        {},
+        sentence::of("{}vertices {} and {}, which were welded{}", face, repeat.a, repeat.b, fate),
+        {.vertices = {repeat.a, repeat.b}, .faces = {f}}};
   }
 
   const Polygons& input_;

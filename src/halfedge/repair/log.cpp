@@ -46,7 +46,7 @@ std::string summary_of(const RepairReport& report, const RepairOptions& options,
   const auto say = [&](std::size_t count, const char* noun, const char* done) {
     if (count == 0) return;
     if (!list.empty()) list += ", ";
-    list += count_of(count, noun) + " " + done;
+    list += sentence::of("{} {}", count_of(count, noun), done);
   };
   const auto count = [&](RepairCode code) { return report.count(code); };
   say(count(RepairCode::kNonFinitePosition), "vertex", "without a finite position left out");

@@ -10,7 +10,6 @@ namespace halfedge::repair {
 namespace {
 
 using sentence::list_of;
-using std::to_string;
 
 class Matcher {
  public:
@@ -78,10 +77,10 @@ class Matcher {
     log_.mark(face, RepairCode::kDuplicateFace);
     log_.add(RepairCode::kDuplicateFace, [&] {
       const Index original = input_.source[surface_.kept[f]];
-      return Error{{},
-                   "Face " + to_string(face) + " has the vertices of face " + to_string(original) +
-                       ": it was left out.",
-                   {.faces = {original, face}}};
+      return Error{
+          {},
+          sentence::of("Face {} has the vertices of face {}: it was left out.", face, original),
+          {.faces = {original, face}}};
     });
   }
 
@@ -193,10 +192,9 @@ class Matcher {
         error.witness.faces.push_back(face_in_input(surface_.face_of[side.side]));
       }
       introsort(error.witness.faces);
-      error.message = "Edge " + to_string(std::min(a, b)) + "-" + to_string(std::max(a, b)) +
-                      " is used by " + to_string(sides.size()) + " faces (" +
-                      list_of(error.witness.faces) + "): it was doubled, so that no copy has " +
-                      "more than 2.";
+      error.message = sentence::of(
+          "Edge {}-{} is used by {} faces ({}): it was doubled, so that no copy has more than 2.",
+          std::min(a, b), std::max(a, b), sides.size(), list_of(error.witness.faces));
       return error;
     });
     return crowds_.end.push_back(Index(crowds_.sides.size()));

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/repair/soup.h>
 #include <halfedge/sort.h>
 
@@ -8,8 +9,6 @@
 namespace halfedge::repair {
 
 namespace {
-
-using std::to_string;
 
 // Turns the faces of each component, as joined at edges with two faces.
 class Orienter {
@@ -184,13 +183,13 @@ class Orienter {
         log_.mark(a, RepairCode::kNonOrientable);
         log_.mark(b, RepairCode::kNonOrientable);
         log_.add(RepairCode::kNonOrientable, [&] {
-          return Error{{},
-                       "Edge " + to_string(std::min(from, to)) + "-" +
-                           to_string(std::max(from, to)) + " between faces " +
-                           to_string(std::min(a, b)) + " and " + to_string(std::max(a, b)) +
-                           " was cut: the surface is one-sided there.",
-                       {.vertices = {std::min(from, to), std::max(from, to)},
-                        .faces = {std::min(a, b), std::max(a, b)}}};
+          return Error{
+              {},
+              sentence::of(
+                  "Edge {}-{} between faces {} and {} was cut: the surface is one-sided there.",
+                  std::min(from, to), std::max(from, to), std::min(a, b), std::max(a, b)),
+              {.vertices = {std::min(from, to), std::max(from, to)},
+               .faces = {std::min(a, b), std::max(a, b)}}};
         });
         surface_.split[surface_.from(side)] = surface_.split[surface_.to(side)] = true;
         surface_.cut(side);
@@ -243,7 +242,7 @@ class Orienter {
       log_.mark(face, RepairCode::kOppositeOrientation);
       log_.add(RepairCode::kOppositeOrientation, [&] {
         return Error{{},
-                     "Face " + to_string(face) + " was turned over, to agree with its neighbours.",
+                     sentence::of("Face {} was turned over, to agree with its neighbours.", face),
                      {.faces = {face}}};
       });
     }

@@ -199,15 +199,15 @@ class Repair {
     if (welded == 0) return;
     log_.add(RepairCode::kCoincidentPosition, [&] {
       return Error{{},
-                   count_of(welded, "vertex") + (welded == 1 ? " was" : " were") +
-                       " welded to another " + where() + ": " + sentence::list_of(first) + ".",
+                   sentence::of("{}{} welded to another {}: {}.", count_of(welded, "vertex"),
+                                welded == 1 ? " was" : " were", where(), sentence::list_of(first)),
                    {.vertices = first}};
     });
     log_.add_more(RepairCode::kCoincidentPosition, welded - 1);
   }
   [[nodiscard]] std::string where() const {
     if (*options_.weld == 0) return "at the same position";
-    return "closer than " + sentence::number(*options_.weld);
+    return sentence::of("closer than {}", sentence::number(*options_.weld));
   }
 
   void report_isolated() {
@@ -221,12 +221,12 @@ class Repair {
     if (isolated_ == 0) return;
     log_.add(RepairCode::kIsolatedVertex, [&] {
       return Error{{},
-                   count_of(isolated_, "vertex") + (isolated_ == 1 ? " has" : " have") +
-                       " no faces" +
-                       (!options_.drop_isolated ? ""
-                        : isolated_ == 1        ? ", and was left out"
-                                                : ", and were left out") +
-                       ": " + sentence::list_of(first) + ".",
+                   sentence::of("{}{} no faces{}: {}.", count_of(isolated_, "vertex"),
+                                isolated_ == 1 ? " has" : " have",
+                                !options_.drop_isolated ? ""
+                                : isolated_ == 1        ? ", and was left out"
+                                                        : ", and were left out",
+                                sentence::list_of(first)),
                    {.vertices = first}};
     });
     log_.add_more(RepairCode::kIsolatedVertex, isolated_ - 1);
@@ -290,8 +290,8 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
   }
   if (options.weld && !(*options.weld >= 0 && std::isfinite(*options.weld))) {
     return fail(report, "bad-tolerance",
-                "The tolerance of welding is " + sentence::number(*options.weld) +
-                    "; expected a finite number from 0.");
+                sentence::of("The tolerance of welding is {}; expected a finite number from 0.",
+                             sentence::number(*options.weld)));
   }
   Repair repair(mesh, polygons, options, report);
   ConnectResult result = repair.run();
@@ -306,14 +306,16 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
     case ConnectResult::kNotManifold:
       return fail(report, "not-manifold", "The repaired faces make no manifold, which is a bug.");
     case ConnectResult::kTooLarge:
-      return fail(report, "too-large",
-                  "A mesh of these faces needs more than the " + std::to_string(kMaxSlots) +
-                      " halfedges that a mesh can have.");
+      return fail(
+          report, "too-large",
+          sentence::of(
+              "A mesh of these faces needs more than the {} halfedges that a mesh can have.",
+              kMaxSlots));
     case ConnectResult::kOutOfMemory:
       return fail(report, "out-of-memory",
-                  "There is not enough memory for repairing a mesh of " +
-                      count_of(polygons.vertex_count(), "vertex") + " and " +
-                      count_of(polygons.face_count(), "face") + ".");
+                  sentence::of("There is not enough memory for repairing a mesh of {} and {}.",
+                               count_of(polygons.vertex_count(), "vertex"),
+                               count_of(polygons.face_count(), "face")));
   }
   return false;
 }

@@ -10,8 +10,6 @@ namespace halfedge::repair {
 
 namespace {
 
-using std::to_string;
-
 // Gives the fans of a vertex vertices of their own, where they can't share one.
 //
 // Copies of an edge must differ in a vertex, or they would be one edge again. They do, if their
@@ -158,9 +156,9 @@ class Splitter {
         error.witness.faces.push_back(
             input_.source[surface_.faces.source[surface_.face_of[fan.first]]]);
       }
-      error.message = "Vertex " + to_string(surface_.origin[v]) + " joins " + to_string(count_[v]) +
-                      " separate fans of faces (beginning with faces " +
-                      sentence::list_of(error.witness.faces) + "): it was doubled.";
+      error.message = sentence::of(
+          "Vertex {} joins {} separate fans of faces (beginning with faces {}): it was doubled.",
+          surface_.origin[v], count_[v], sentence::list_of(error.witness.faces));
       return error;
     });
   }

@@ -11,17 +11,17 @@ namespace halfedge::shapes {
 Maker::Maker(const char* shape, std::uint64_t vertices, std::uint64_t faces,
              std::uint64_t corners) {
   if (vertices > kMaxSlots || corners > kMaxSlots) {
-    error_ = {"too-large", std::string(shape) + " of " + std::to_string(vertices) +
-                               " vertices and " + std::to_string(faces) +
-                               " faces has more items than can be addressed"};
+    error_ = {"too-large",
+              sentence::of("{} of {} vertices and {} faces has more items than can be addressed",
+                           shape, vertices, faces)};
     return;
   }
   const bool all_triangles = corners == 3 * faces;
   if (!soup_.positions.reserve(3 * std::size_t(vertices)) ||
       !soup_.corners.reserve(std::size_t(corners)) ||
       (!all_triangles && !soup_.sizes.reserve(std::size_t(faces)))) {
-    error_ = {"out-of-memory", "memory is exhausted: no room for the " + std::to_string(faces) +
-                                   " faces of " + shape};
+    error_ = {"out-of-memory",
+              sentence::of("memory is exhausted: no room for the {} faces of {}", faces, shape)};
   }
 }
 
@@ -55,17 +55,18 @@ Result<PolygonSoup> Maker::take() {
 Error check_lengths(const char* shape, std::initializer_list<double> lengths) {
   for (const double length : lengths) {
     if (length > 0 && length <= double{std::numeric_limits<float>::max()}) continue;
-    return {"bad-argument", "a length of " + std::string(shape) + " is " +
-                                sentence::number(length) +
-                                ", expected a positive number that fits a 32-bit float"};
+    return {
+        "bad-argument",
+        sentence::of("a length of {} is {}, expected a positive number that fits a 32-bit float",
+                     shape, sentence::number(length))};
   }
   return {};
 }
 
 Error check_count(const char* shape, const char* what, Index count, Index least) {
   if (count >= least) return {};
-  return {"bad-argument", std::string(shape) + " has " + sentence::count_of(count, what) +
-                              ", expected " + std::to_string(least) + " or more"};
+  return {"bad-argument", sentence::of("{} has {}, expected {} or more", shape,
+                                       sentence::count_of(count, what), least)};
 }
 
 bool refused(std::initializer_list<Error> checks, Error& error) {

@@ -1,5 +1,6 @@
 #include <halfedge/build/build.h>
 #include <halfedge/build/connect.h>
+#include <halfedge/build/sentence.h>
 #include <halfedge/shapes/maker.h>
 #include <halfedge/shapes/shapes.h>
 
@@ -328,15 +329,16 @@ ConnectResult subdivide(PolygonSoup& soup) {
 Result<PolygonSoup> ico_sphere(Index subdivisions, double radius) {
   if (Error error; refused({check_lengths("an ico-sphere", {radius})}, error)) return error;
   if (subdivisions > 12) {
-    return Error{"too-large", "an ico-sphere of " + std::to_string(subdivisions) +
-                                  " subdivisions has more items than can be addressed, expected "
-                                  "at most 12"};
+    return Error{"too-large", sentence::of("an ico-sphere of {} subdivisions has more items than "
+                                           "can be addressed, expected at most 12",
+                                           subdivisions)};
   }
   Result<PolygonSoup> shape = icosahedron();
   for (Index i = 0; shape && i < subdivisions; ++i) {
     if (subdivide(shape.value()) == ConnectResult::kDone) continue;
-    return Error{"out-of-memory", "memory is exhausted: no room for an ico-sphere of " +
-                                      std::to_string(subdivisions) + " subdivisions"};
+    return Error{"out-of-memory",
+                 sentence::of("memory is exhausted: no room for an ico-sphere of {} subdivisions",
+                              subdivisions)};
   }
   if (!shape) return shape;
   for (float& coordinate : shape.value().positions) coordinate = float(coordinate * radius);

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@ void LinkChecker<Mesh>::check_inverse_links() {
     const Halfedge n = mesh_.next(h);
     if (mesh_.prev(n) == h) continue;
     report(Rule::kNextPrevMismatch, h, [&] {
-      return "the next of " + text(h) + " is " + text(n) + ", whose prev is " + text(mesh_.prev(n));
+      return sentence::of("the next of {} is {}, whose prev is {}", h, n, mesh_.prev(n));
     });
   }
   check_missing_anchors();
@@ -20,16 +21,16 @@ void LinkChecker<Mesh>::check_inverse_links() {
     const Halfedge anchor = mesh_.vertex_halfedge(v);
     if (!anchor.valid() || mesh_.from_vertex(anchor) == v) continue;
     report(Rule::kAnchorElsewhere, v, [&] {
-      return "the anchor of " + text(v) + " is " + text(anchor) + ", which leaves " +
-             text(mesh_.from_vertex(anchor));
+      return sentence::of("the anchor of {} is {}, which leaves {}", v, anchor,
+                          mesh_.from_vertex(anchor));
     });
   }
   for (const Face f : mesh_.faces()) {
     const Halfedge first = mesh_.face_halfedge(f);
     if (mesh_.face(first) == f) continue;
     report(Rule::kFaceHalfedgeElsewhere, f, [&] {
-      return "the halfedge of " + text(f) + " is " + text(first) + ", which lies in " +
-             text(mesh_.face(first));
+      return sentence::of("the halfedge of {} is {}, which lies in {}", f, first,
+                          mesh_.face(first));
     });
   }
 }
@@ -47,8 +48,8 @@ void LinkChecker<Mesh>::check_missing_anchors() {
   for (const Vertex v : mesh_.vertices()) {
     if (!lacks_anchor(v) || leaving[v.index()] == kNone) continue;
     report(Rule::kMissingAnchor, v, [&] {
-      return text(v) + " has no anchor, although " + text(Halfedge(leaving[v.index()])) +
-             " leaves it";
+      return sentence::of("{} has no anchor, although {} leaves it", v,
+                          Halfedge(leaving[v.index()]));
     });
   }
 }
@@ -59,14 +60,14 @@ void LinkChecker<Mesh>::check_loops_agree() {
     const Halfedge n = mesh_.next(h);
     if (mesh_.from_vertex(n) != mesh_.to_vertex(h)) {
       report(Rule::kToFromMismatch, h, [&] {
-        return text(h) + " leads to " + text(mesh_.to_vertex(h)) + ", but its next, " + text(n) +
-               ", leaves " + text(mesh_.from_vertex(n));
+        return sentence::of("{} leads to {}, but its next, {}, leaves {}", h, mesh_.to_vertex(h), n,
+                            mesh_.from_vertex(n));
       });
     }
     if (mesh_.face(n) != mesh_.face(h)) {
       report(Rule::kFaceMismatch, h, [&] {
-        return text(h) + " lies in " + text(mesh_.face(h)) + ", but its next, " + text(n) +
-               ", lies in " + text(mesh_.face(n));
+        return sentence::of("{} lies in {}, but its next, {}, lies in {}", h, mesh_.face(h), n,
+                            mesh_.face(n));
       });
     }
   }

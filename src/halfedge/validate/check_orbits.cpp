@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/checker.h>
 
 namespace halfedge {
@@ -17,8 +18,8 @@ void OrbitChecker<Mesh>::check_vertex_orbits() {
     if (seen[h.index()]) continue;
     const Vertex v = mesh_.from_vertex(h);
     report(Rule::kUnreachableHalfedge, h, [&] {
-      return text(h) + " leaves " + text(v) + ", but is not reached by rotating from its anchor, " +
-             text(mesh_.vertex_halfedge(v));
+      return sentence::of("{} leaves {}, but is not reached by rotating from its anchor, {}", h, v,
+                          mesh_.vertex_halfedge(v));
     });
   }
 }
@@ -40,8 +41,8 @@ void OrbitChecker<Mesh>::check_face_loops() {
     if (mesh_.is_boundary(h) || seen[h.index()]) continue;
     see_loop(h);
     report(Rule::kFaceWithManyLoops, mesh_.face(h), [&] {
-      return text(mesh_.face(h)) + " has a second loop, through " + text(h) +
-             ", beside that of its halfedge, " + text(mesh_.face_halfedge(mesh_.face(h)));
+      return sentence::of("{} has a second loop, through {}, beside that of its halfedge, {}",
+                          mesh_.face(h), h, mesh_.face_halfedge(mesh_.face(h)));
     });
   }
 }
@@ -55,7 +56,7 @@ void OrbitChecker<Mesh>::check_boundary() {
       continue;
     }
     report(Rule::kEdgeWithoutFace, e,
-           [&] { return text(e) + " has no face on either side, expected one at least"; });
+           [&] { return sentence::of("{} has no face on either side, expected one at least", e); });
   }
 }
 
@@ -71,9 +72,9 @@ void OrbitChecker<Mesh>::check_boundary_anchors() {
     for (const Halfedge h : mesh_.outgoing_cw(v)) {
       if (!mesh_.is_boundary(h)) continue;
       report(Rule::kInteriorAnchor, v, [&] {
-        return "the anchor of " + text(v) + " is " + text(mesh_.vertex_halfedge(v)) +
-               ", which has a face, although the boundary halfedge " + number(h.index()) +
-               " leaves it";
+        return sentence::of(
+            "the anchor of {} is {}, which has a face, although the boundary halfedge {} leaves it",
+            v, mesh_.vertex_halfedge(v), h.index());
       });
       break;
     }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void PolygonChecker<Mesh>::check_polygons() {
     const Face f = mesh_.face(mesh_.edge_halfedge(e, 0));
     if (!f.valid() || f != mesh_.face(mesh_.edge_halfedge(e, 1))) continue;
     report(Rule::kSameFaceTwice, e,
-           [&] { return text(e) + " has " + text(f) + " on both sides, expected two faces"; });
+           [&] { return sentence::of("{} has {} on both sides, expected two faces", e, f); });
   }
   check_vertices();
 }
@@ -30,8 +31,8 @@ void PolygonChecker<Mesh>::check_degrees() {
     const Halfedge second = mesh_.next(first);
     if (first != second && mesh_.next(second) != first) continue;
     report(Rule::kDegreeBelowThree, f, [&] {
-      return text(f) + " has " + number(mesh_.degree(f)) +
-             (first == second ? " corner" : " corners") + ", expected three or more";
+      return sentence::of("{} has {}{}, expected three or more", f, mesh_.degree(f),
+                          first == second ? " corner" : " corners");
     });
   }
 }
@@ -42,7 +43,7 @@ void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
     for (const Vertex v : mesh_.face_vertices_ccw(f)) {
       if (mark[v.index()] == f.index()) {
         report(Rule::kRepeatedVertex, f,
-               [&] { return text(f) + " has " + text(v) + " at more than one corner"; });
+               [&] { return sentence::of("{} has {} at more than one corner", f, v); });
       }
       mark[v.index()] = f.index();
     }
@@ -57,8 +58,7 @@ void PolygonChecker<Mesh>::check_duplicate_halfedges(Array<Index>& mark) {
       const Vertex to = mesh_.to_vertex(h);
       if (mark[to.index()] == v.index() && v <= to) {
         report(Rule::kDuplicateHalfedge, h, [&] {
-          return text(h) + " leads from " + text(v) + " to " + text(to) +
-                 ", as another halfedge does already";
+          return sentence::of("{} leads from {} to {}, as another halfedge does already", h, v, to);
         });
       }
       mark[to.index()] = v.index();
@@ -70,10 +70,11 @@ template <class Mesh>
 void PolygonChecker<Mesh>::check_vertices() {
   for (const Vertex v : mesh_.vertices()) {
     if (mesh_.is_isolated(v)) {
-      report(Rule::kIsolatedVertex, v, [&] { return text(v) + " is isolated: it has no edges"; });
+      report(Rule::kIsolatedVertex, v,
+             [&] { return sentence::of("{} is isolated: it has no edges", v); });
     } else if (mesh_.is_boundary(v) && !mesh_.is_manifold(v)) {
       report(Rule::kPinchedVertex, v,
-             [&] { return text(v) + " is pinched: its faces form more than one fan"; });
+             [&] { return sentence::of("{} is pinched: its faces form more than one fan", v); });
     }
   }
 }

@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/checker.h>
 
 #include <string>
@@ -13,8 +14,10 @@ void ReferenceChecker<Mesh>::check_array_sizes() {
   check_halfedge_array("face", links.face.size(), size);
   if (size % 2 != 0) {
     problems_.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
-      return "next has " + std::to_string(size) + " entries, expected an even number: " +
-             "the two halfedges of an edge lie side by side";
+      return sentence::of(
+          "next has {} entries, expected an even number: the two halfedges of an edge lie side by "
+          "side",
+          size);
     });
   }
   check_addressable("next", size);
@@ -27,8 +30,8 @@ void ReferenceChecker<Mesh>::check_halfedge_array(const char* name, std::size_t 
                                                   std::size_t expected) {
   if (size == expected) return;
   problems_.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
-    return std::string(name) + " has " + std::to_string(size) + " entries, expected " +
-           std::to_string(expected) + ": one for each halfedge, as next has";
+    return sentence::of("{} has {} entries, expected {}: one for each halfedge, as next has", name,
+                        size, expected);
   });
 }
 
@@ -36,8 +39,9 @@ template <class Mesh>
 void ReferenceChecker<Mesh>::check_addressable(const char* name, std::size_t size) {
   if (size <= kMaxSlots) return;
   problems_.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
-    return std::string(name) + " has " + std::to_string(size) + " entries, expected at most " +
-           std::to_string(kMaxSlots) + ": the sign bit marks empty and deleted links";
+    return sentence::of(
+        "{} has {} entries, expected at most {}: the sign bit marks empty and deleted links", name,
+        size, kMaxSlots);
   });
 }
 
@@ -79,29 +83,30 @@ void ReferenceChecker<Mesh>::check_free_list(ItemKind kind, const FreeList& list
   }
   const auto complain = [&](Index slot, const std::string& what) {
     problems_.add(Rule::kFreeList, kind, slot, [&] {
-      return std::string("the chain of deleted ") + name_of(kind) + " slots " + what;
+      return sentence::of("the chain of deleted {} slots {}", name_of(kind), what);
     });
   };
   if (deleted != list.count) {
-    return complain(kNone, "should have " + number(list.count) + " entries, but " +
-                               number(deleted) + " slots are marked as deleted");
+    return complain(kNone,
+                    sentence::of("should have {} entries, but {} slots are marked as deleted",
+                                 list.count, deleted));
   }
   Index length = 0;
   for (Index slot = list.head; slot != kNone; ++length) {
     if (slot >= slots) {
-      return complain(kNone, "leads to slot " + number(slot) + " of " + std::to_string(slots));
+      return complain(kNone, sentence::of("leads to slot {} of {}", slot, slots));
     }
     const Index link = links[slot * stride];
     if (!is_deleted_link(link)) {
-      return complain(slot, "leads to slot " + number(slot) + ", which is not deleted");
+      return complain(slot, sentence::of("leads to slot {}, which is not deleted", slot));
     }
     if (length == deleted) {
-      return complain(slot, "runs in a circle through slot " + number(slot));
+      return complain(slot, sentence::of("runs in a circle through slot {}", slot));
     }
     slot = next_free_slot(link);
   }
   if (length != deleted) {
-    complain(kNone, "ends after " + number(length) + " of " + number(deleted) + " deleted slots");
+    complain(kNone, sentence::of("ends after {} of {} deleted slots", length, deleted));
   }
 }
 
@@ -126,8 +131,10 @@ void ReferenceChecker<Mesh>::check_edge_references(Edge e) {
   if (deleted == 8) return;
   if (deleted != 0) {
     return report(Rule::kHalfDeletedEdge, e, [&] {
-      return text(e) + " is half deleted: " + std::to_string(deleted) +
-             " of the 8 links of its halfedges are marked as deleted, expected all or none";
+      return sentence::of(
+          "{} is half deleted: {} of the 8 links of its halfedges are marked as deleted, expected "
+          "all or none",
+          e, deleted);
     });
   }
   for (const Index side : {0U, 1U}) {
@@ -143,18 +150,19 @@ template <class Mesh>
 template <class Item, class Target>
 void ReferenceChecker<Mesh>::check_link(const char* name, Item item, Target target) {
   if (mesh_.is_live(target)) return;
-  const auto subject = [&] { return "the " + std::string(name) + " of " + text(item); };
+  const auto subject = [&] { return sentence::of("the {} of {}", name, item); };
   if (!target.valid()) {
-    report(Rule::kEmptyLink, item,
-           [&] { return subject() + " is empty, expected a " + name_of(kind_of(target)); });
+    report(Rule::kEmptyLink, item, [&] {
+      return sentence::of("{} is empty, expected a {}", subject(), name_of(kind_of(target)));
+    });
   } else if (target.index() >= mesh_.slots(Target{})) {
     report(Rule::kIndexOutOfRange, item, [&] {
-      return subject() + " is " + text(target) + ", expected less than " +
-             number(mesh_.slots(Target{}));
+      return sentence::of("{} is {}, expected less than {}", subject(), target,
+                          mesh_.slots(Target{}));
     });
   } else {
     report(Rule::kDeletedReference, item,
-           [&] { return subject() + " is " + text(target) + ", which is deleted"; });
+           [&] { return sentence::of("{} is {}, which is deleted", subject(), target); });
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/problem_list.h>
 #include <halfedge/validate/validate.h>
 
@@ -30,15 +31,6 @@ class Checker {
     return false;
   }
 
-  [[nodiscard]] static std::string number(Index index) {
-    return index == kNone ? "none" : std::to_string(index);
-  }
-  /// "face 7"
-  template <class Tag>
-  [[nodiscard]] static std::string text(Handle<Tag> item) {
-    return std::string(name_of(kind_of(item))) + " " + number(item.index());
-  }
-
   const Mesh& mesh_;
   ProblemList& problems_;
 };
@@ -55,9 +47,7 @@ class ReferenceChecker : Checker<Mesh> {
  private:
   using Checker<Mesh>::mesh_;
   using Checker<Mesh>::problems_;
-  using Checker<Mesh>::number;
   using Checker<Mesh>::report;
-  using Checker<Mesh>::text;
 
   void check_halfedge_array(const char* name, std::size_t size, std::size_t expected);
   void check_addressable(const char* name, std::size_t size);
@@ -83,7 +73,6 @@ class LinkChecker : Checker<Mesh> {
   using Checker<Mesh>::mesh_;
   using Checker<Mesh>::has_memory;
   using Checker<Mesh>::report;
-  using Checker<Mesh>::text;
 
   void check_missing_anchors();
 };
@@ -103,9 +92,7 @@ class OrbitChecker : Checker<Mesh> {
  private:
   using Checker<Mesh>::mesh_;
   using Checker<Mesh>::has_memory;
-  using Checker<Mesh>::number;
   using Checker<Mesh>::report;
-  using Checker<Mesh>::text;
 
   void check_boundary_anchors();
 };
@@ -120,9 +107,7 @@ class PolygonChecker : Checker<Mesh> {
  private:
   using Checker<Mesh>::mesh_;
   using Checker<Mesh>::has_memory;
-  using Checker<Mesh>::number;
   using Checker<Mesh>::report;
-  using Checker<Mesh>::text;
 
   void check_degrees();
   void check_repeated_vertices(Array<Index>& mark);

@@ -61,7 +61,7 @@ class ProblemList {
       if (counts_[rule] <= kMaxProblemsPerCode) continue;
       const std::string left_out = std::to_string(counts_[rule] - kMaxProblemsPerCode);
       listed_.push_back({code(Rule(rule)), severity(Rule(rule)), ItemKind::kMesh, kNone,
-                         "And " + left_out + " more problems with this code."});
+                         sentence::of("And {} more problems with this code.", left_out)});
     }
     return std::move(listed_);
   }

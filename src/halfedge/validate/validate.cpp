@@ -1,3 +1,4 @@
+#include <halfedge/build/sentence.h>
 #include <halfedge/validate/checker.h>
 #include <halfedge/validate/problem_list.h>
 #include <halfedge/validate/validate.h>
@@ -43,8 +44,8 @@ std::vector<Problem> run_with_positions(const BasicMesh<kStored>& mesh, int leve
   const std::size_t expected = 3 * mesh.links().vertex_halfedge.size();
   if (size != expected) {
     problems.add(Rule::kArraySize, ItemKind::kMesh, kNone, [&] {
-      return "positions has " + std::to_string(size) + " floats, expected " +
-             std::to_string(expected) + ": three for each vertex slot";
+      return sentence::of("positions has {} floats, expected {}: three for each vertex slot", size,
+                          expected);
     });
   }
   return run<BasicConnectivity<kStored>>(mesh, level, std::move(problems));
