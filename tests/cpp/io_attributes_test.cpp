@@ -565,10 +565,10 @@ TEST(ObjAttributes, HaveSmoothingGroups) {
   EXPECT_EQ(smoothing_of("s -7\nf 1 2 3\ns 0\nf 2 4 3\n"), (Doubles{-7, 0}));
   EXPECT_EQ(smoothing_of("s off\nf 1 2 3\ns 0\nf 2 4 3\n"), Doubles()) << "nothing is said";
   const test::MeshFile strange =
-      read_mesh(triangle + "s on\nf 1 2 3\ns 1\nf 2 4 3\ns 9999999999\n");
-  EXPECT_EQ(values_of(strange.mesh, ItemKind::kFace, "smoothing"), (Doubles{0, 1}));
+      read_mesh(triangle + "s on\nf 1 2 3\ns 1\nf 2 4 3\ns 9999999999\nf 2 1 5\ns 7x\nf 1 4 5\n");
+  EXPECT_EQ(values_of(strange.mesh, ItemKind::kFace, "smoothing"), (Doubles{0, 1, 0, 0}));
   EXPECT_EQ(strange.notes,
-            Strings{"ignored 2 smoothing groups (s) that are neither integers nor off"});
+            Strings{"ignored 3 smoothing groups (s) that are neither integers nor off"});
 }
 
 TEST(ObjAttributes, KeepAnAlphaThatComesLate) {
