@@ -1,5 +1,6 @@
 // `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
-// WebAssembly against native. `npm run bench:variants`: our own variants. Arguments after `--` are handed on to the benchmark.
+// WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
+// start. Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -13,6 +14,12 @@ const benchmarks = {
     await setup(['build']);
     await build();
     await run(process.execPath, ['--expose-gc', join(root, 'bench/web/run.mjs'), ...args]);
+  },
+
+  async start() {
+    await setup(['build']);
+    await build();
+    await run(process.execPath, [join(root, 'bench/web/start.mjs')]);
   },
 
   async native(args) {

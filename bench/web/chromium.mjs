@@ -20,17 +20,24 @@ const TYPES = {
 const FLAGS = ['--no-sandbox', '--js-flags=--no-concurrent-recompilation,--expose-gc'];
 
 export async function inChromium({ say, ...options }) {
+  return withChromium(async (browser, address) => {
+    const page = await browser.newPage();
+    page.on('console', (message) => say(message.text()));
+    await page.goto(`${address}/bench/web/page.html`);
+    await page.waitForFunction(() => 'bench' in globalThis);
+    const measured = await page.evaluate((given) => globalThis.bench(given), options);
+    return { engine: `Chromium ${browser.version()}`, ...measured };
+  });
+}
+
+/** Calls `use(browser, address)`; the project's files are served below the address. */
+export async function withChromium(use) {
   const server = createServer(serve);
   await new Promise((resolve) => server.listen(0, '127.0.0.1', resolve));
   const executablePath = which('chromium') ?? which('chromium-browser');
   const browser = await chromium.launch({ executablePath, args: FLAGS });
   try {
-    const page = await browser.newPage();
-    page.on('console', (message) => say(message.text()));
-    await page.goto(`http://127.0.0.1:${server.address().port}/bench/web/page.html`);
-    await page.waitForFunction(() => 'bench' in globalThis);
-    const measured = await page.evaluate((given) => globalThis.bench(given), options);
-    return { engine: `Chromium ${browser.version()}`, ...measured };
+    return await use(browser, `http://127.0.0.1:${server.address().port}`);
   } finally {
     await browser.close();
     server.close();
