@@ -207,8 +207,12 @@ export class HalfedgeFigure extends LitElement implements Controls {
     if (changed.has('speed')) this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
     if ((changed.has('src') || changed.has('build')) && this.state !== 'waiting') void this.#load();
     if (this.state !== 'ready') return;
-    if (this.#follow(changed.has('camera')) && this.step !== 0) this.#model.player.seek(this.step);
-    else if (changed.has('step')) this.#model.player.seek(this.step);
+    const anew = this.#follow(changed.has('camera'));
+    // A step that the player has made itself is no reason to rest.
+    const { story } = this.#model;
+    if ((anew || changed.has('step')) && story && story.position !== this.step) {
+      this.#model.player.seek(this.step);
+    }
   }
 
   protected override updated(changed: PropertyValues<this>): void {
