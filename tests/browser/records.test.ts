@@ -135,6 +135,14 @@ describe('The records', () => {
   });
 });
 
+test('Records that need no scrolling are there when the table is first opened', async () => {
+  const cube = await ExplorerPage.open({ link: 'sample=cube&select=h3', mesh: 'Cube' });
+  await cube.page.click('[data-tab-button=records]');
+  await cube.page.waitForSelector('.record.selected[data-row="3"]');
+  expect(cube.complaints).toEqual([]);
+  await cube.close();
+});
+
 test('A large mesh has a few rows in the page, and all of them in reach', async () => {
   const [width, height] = [320, 160];
   const lines: string[] = [];

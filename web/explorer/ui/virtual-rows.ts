@@ -57,8 +57,9 @@ export class VirtualRows {
       { passive: false },
     );
     new ResizeObserver(() => {
-      if (this.#wanted === null) this.#moveTo(this.#top);
-      else this.reveal(this.#wanted);
+      if (this.#wanted !== null) this.reveal(this.#wanted);
+      // Rows that are in sight already were not drawn while there was no room.
+      this.#moveTo(this.#top);
     }).observe(this.element);
   }
 
