@@ -41,11 +41,13 @@ export interface Label {
   /** How far it lies from the point, in CSS pixels: upwards, or towards `side`. */
   readonly lift: number;
   readonly side?: Vector3 | undefined;
+  /** Whether it goes aside where it would cover another one, instead of being hidden. */
+  readonly yields?: boolean;
 }
 
 /**
- * Labels come in the order of their importance. One that would cover an earlier one goes aside if it is
- * that of the selection or of its links, and is hidden otherwise.
+ * Labels come in the order of their importance. One that would cover an earlier one goes aside if it
+ * yields, and is hidden otherwise.
  */
 export class Labels {
   readonly #stage: Stage;
@@ -95,8 +97,7 @@ export class Labels {
           (other) =>
             Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
         );
-      const goesAside = label.look === 'self' || label.look === 'link';
-      const places = goesAside ? ASIDE : ASIDE.slice(0, 1);
+      const places = label.yields ? ASIDE : ASIDE.slice(0, 1);
       const place = places
         .map(([dx, dy]) => [wanted.x + dx * (width + 4), wanted.y + dy])
         .find(([x, y]) => isFree(x, y));

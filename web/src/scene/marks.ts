@@ -44,7 +44,9 @@ export function overlayOf(shows: Shows, palette: Palette, anchors: Anchors): Ove
   const overlay: Overlay = { marks: [], labels: [] };
   const { mesh, selected, hovered, visits, witness, first, links = true, numbers = true } = shows;
   if (selected) {
-    addSelected(overlay, palette, anchors, selected);
+    // A witness, and the first of two, have labels of their own.
+    const hasOther = [...(witness ?? []), first].some((item) => sameItem(item, selected));
+    addSelected(overlay, palette, anchors, selected, !hasOther);
     // A refusal has the picture to itself: what its sentence names, and nothing else.
     if (visits.length > 0 && !witness) addTrail(overlay, visits, palette, anchors);
     else if (links && !witness && !first) {
@@ -71,14 +73,17 @@ function addSelected(
   palette: Palette,
   anchors: Anchors,
   selected: Item,
+  hasLabel: boolean,
 ): void {
   marks.push({ item: selected, color: palette.self, weight: 'strong' });
+  if (!hasLabel) return;
   labels.push({
     text: itemName(selected),
     look: 'self',
     point: anchors.point(selected),
     side: anchors.side(selected),
     lift: selected.kind === 'face' ? 0 : 22,
+    yields: true,
   });
 }
 
@@ -184,6 +189,8 @@ function addLinks(
         role,
         point: anchors.point(target),
         lift: role === 'vertex' ? 18 : 0,
+        // A face is large: its number need not be in the middle.
+        yields: role === 'face',
       });
     }
   }

@@ -118,14 +118,30 @@ export class Pointers {
       this.#segment(end, barb.addScaledVector(across, side * HEAD_PX * pixel), color);
     }
     const lift = way.length() / pixel < SHORT_PX ? 11 : 0;
-    return { text: `${number}`, look: 'link', role, point: at(0.5), side: control, lift };
+    return {
+      text: `${number}`,
+      look: 'link',
+      role,
+      point: at(0.5),
+      side: control,
+      lift,
+      yields: true,
+    };
   }
 
   /** A link that leads nowhere is told beside the item. */
   #empty(item: Item, { number, role }: Link, parts: Parts): Label {
     const point = placeOn(item, 0.5, parts);
     const side = item.kind === 'halfedge' ? sideOf(item.index, parts.glyphs) : undefined;
-    return { text: `${number} ∅`, look: 'link', role, point, side, lift: side ? 22 : -22 };
+    return {
+      text: `${number} ∅`,
+      look: 'link',
+      role,
+      point,
+      side,
+      lift: side ? 22 : -22,
+      yields: true,
+    };
   }
 
   #segment(a: Vector3, b: Vector3, color: Color): void {
