@@ -20,6 +20,7 @@ import { Signal } from './app/signal.js';
 import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
+import { emptyState } from './ui/empty-state.js';
 import { listenToKeys } from './ui/keyboard.js';
 import { busyNotice, dropTarget, failureNotice, helpDialog, listenToPaste } from './ui/notices.js';
 import { panel, type Tab } from './ui/panel.js';
@@ -63,6 +64,7 @@ async function start(): Promise<void> {
     pickBar(explorer, () => view.focus()),
     pictureSwitch(explorer),
     side,
+    emptyState(explorer),
     failureNotice(explorer),
     refusalNotice(explorer),
     pendingNotice(explorer),

@@ -33,7 +33,8 @@ export function inspector(explorer: Explorer): HTMLElement {
     const mesh = explorer.document.value?.mesh;
     if (!selected || !mesh) {
       title.textContent = 'Nothing selected';
-      fill(facts, 'Pick a vertex, edge, halfedge or face.');
+      const isEmpty = mesh?.vertexCount === 0;
+      fill(facts, isEmpty ? 'There is nothing to pick.' : 'Pick a vertex, edge, halfedge or face.');
       fill(links);
       fill(attributes);
       return;
