@@ -1,6 +1,6 @@
-import { mkdirSync, symlinkSync } from 'node:fs';
+import { mkdirSync, readFileSync, symlinkSync } from 'node:fs';
 import { join } from 'node:path';
-import { node, project, tool, tryNode } from './support/project.js';
+import { node, packed, project, tool, tryNode } from './support/project.js';
 
 /** A project in which three.js, its types and three-mesh-bvh are installed beside the package. */
 function projectWithThree(name: string, files: Record<string, string>): string {
@@ -54,4 +54,44 @@ describe('Installed, `halfedge/three`', () => {
     expect(output.trim()).toBe('');
     expect(await node(folder, 'main.js')).toBe('24 14 true 14 1 4.5');
   });
+
+  test('does what the README says, its blocks run one after the other', async () => {
+    const readme = readFileSync(
+      join(packed.folder, 'installed/node_modules/halfedge/README.md'),
+      'utf8',
+    );
+    const [, section] = /^## three\.js$(.*?)^## /ms.exec(readme) ?? [];
+    const blocks = [...section.matchAll(/^```js\n(.*?)^```$/gms)].map(([, block]) => block);
+    expect(blocks.length).toBeGreaterThanOrEqual(4);
+    const folder = projectWithThree('three-readme', { 'main.mjs': around(blocks.join('\n')) });
+    expect(JSON.parse(await node(folder, 'main.mjs'))).toEqual({
+      vertices: 9,
+      faces: 14,
+      children: 2,
+      steps: 3,
+      picked: 'face',
+    });
+  });
 });
+
+/** What a page has that the README takes for granted, and what there is in the end. */
+const around = (blocks: string) => `
+import { PerspectiveCamera, Raycaster, Scene, Vector3 } from 'three';
+
+const scene = new Scene();
+const camera = new PerspectiveCamera();
+camera.position.z = 5;
+camera.updateMatrixWorld();
+const canvas = { clientWidth: 640, clientHeight: 480 };
+const [x, y] = [327, 231];
+const raycaster = new Raycaster(new Vector3(0.1, 0.2, 5), new Vector3(0, 0, -1));
+const { ray } = raycaster;
+${blocks}
+console.log(JSON.stringify({
+  vertices: mesh.vertexCount,
+  faces: mesh.faceCount,
+  children: object.children.length,
+  steps: trace.trace().length,
+  picked: picker.pick(x, y, view, { mode: 'face' }).kind,
+}));
+`;

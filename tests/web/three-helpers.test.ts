@@ -1,10 +1,11 @@
-import { HalfedgeMesh, init } from 'halfedge';
+import { HalfedgeMesh, init, type Refusal } from 'halfedge';
 import {
   BoundaryLoopsHelper,
   CirculatorHelper,
   HalfedgeGlyphs,
   HalfedgesHelper,
   IndexLabelsHelper,
+  MeshGeometry,
   type MeshHelper,
   ProblemsHelper,
 } from 'halfedge/three';
@@ -135,15 +136,30 @@ test('ProblemsHelper draws what a refusal or the validation is about', () => {
   const mesh = HalfedgeMesh.grid(2, 2);
   expect(new ProblemsHelper(mesh).segments).toBe(0);
   const e = mesh.findEdge(0, 1);
-  const refusal = mesh.checkFlipEdge(e);
-  const helper = new ProblemsHelper(mesh, { problems: [{ kind: 'edge', index: e, ...refusal }] });
-  const [[a, b]] = segmentsOf(helper);
+  const refusal = mesh.checkFlipEdge(e) as Refusal;
+  expect(refusal.witness.edges).toEqual([e]);
+  const helper = new ProblemsHelper(mesh, { problems: [refusal] });
+  const [a, b] = segmentsOf(helper).at(-1) as THREE.Vector3[];
   expect([a.toArray(), b.toArray()].sort()).toEqual([mesh.position(0), mesh.position(1)].sort());
   mesh.connectivity.next[5] = 5; // a broken link
   helper.problems = undefined;
   helper.update();
   expect(mesh.validate().length).toBeGreaterThan(0);
   expect(helper.segments).toBeGreaterThan(0);
+});
+
+test('A ray that hits the surface does not hit the helpers upon it', () => {
+  const mesh = HalfedgeMesh.cube({ size: 2 });
+  const object = new THREE.Mesh(new MeshGeometry(mesh));
+  object.add(new HalfedgesHelper(mesh, { linewidth: 50 }));
+  const camera = new THREE.PerspectiveCamera();
+  camera.position.z = 5;
+  camera.updateMatrixWorld();
+  const raycaster = new THREE.Raycaster();
+  raycaster.setFromCamera(new THREE.Vector2(0.1, 0.2), camera);
+  const hits = raycaster.intersectObject(object);
+  expect(hits).not.toHaveLength(0);
+  for (const hit of hits) expect(hit.object).toBe(object);
 });
 
 describe('IndexLabelsHelper', () => {

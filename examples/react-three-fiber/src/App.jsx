@@ -52,7 +52,7 @@ export function App() {
     return { problems, color: colors.picked };
   }, [picked, colors]);
   const witness = useMemo(() => {
-    const problems = refusal ? [{ kind: 'mesh', index: -1, witness: refusal.witness }] : [];
+    const problems = refusal ? [refusal] : [];
     return { problems, color: colors.refusal, linewidth: 5 };
   }, [refusal, colors]);
   const shown = { mesh, version };

@@ -23,7 +23,6 @@ export function Surface({ mesh, version, color, onPick }) {
 
 /**
  * One of the helpers: `kind` is its class. It is made anew when `options` is another object, so keep that.
- * Let it stand beside the surface, not inside, where React Three Fiber would look for clicks on it.
  */
 export function Helper({ kind: Kind, mesh, version, options }) {
   const helper = useMemo(() => new Kind(mesh, options), [Kind, mesh, options]);

@@ -21,7 +21,8 @@ export interface HelperOptions {
 
 /**
  * What is drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines are as wide
- * as they are told to be, in CSS pixels, at any distance. Call `update()` after edits.
+ * as they are told to be, in CSS pixels, at any distance. Call `update()` after edits. Rays go through it: what
+ * a `Raycaster` hits is the object.
  */
 export abstract class MeshHelper extends Group implements DrawnMesh {
   readonly mesh: HalfedgeMesh;
@@ -40,7 +41,9 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.pixel = checkLength('pixel', pixel);
     this.color = new Color(options.color ?? color);
     this.#material = lineMaterial(checkLength('linewidth', linewidth), 2);
-    this.add(lines(this.batch, this.#material, 3));
+    const drawn = lines(this.batch, this.#material, 3);
+    drawn.raycast = () => {};
+    this.add(drawn);
   }
 
   get points(): Float32Array {

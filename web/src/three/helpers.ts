@@ -148,11 +148,18 @@ export class CirculatorHelper extends MeshHelper {
 
 /** What {@link ProblemsHelper} can be told. */
 export interface ProblemsOptions extends HelperOptions {
-  /** Those of a build or a refusal, for example. Default: what `mesh.validate()` finds at each update. */
-  problems?: readonly Pick<Problem, 'kind' | 'index' | 'witness'>[];
+  /** Problems, refusals and errors, whose items are shown. Default: what `mesh.validate()` finds at each update. */
+  problems?: readonly Partial<Pick<Problem, 'kind' | 'index' | 'witness'>>[];
 }
 
-/** The items that problems or refusals are about: edges, the outlines of faces, the edges at vertices. */
+/**
+ * The items that problems or refusals are about: edges, the outlines of faces, the edges at vertices.
+ *
+ * ```ts
+ * const refusal = mesh.checkFlipEdge(e);
+ * if (refusal) object.add(new ProblemsHelper(mesh, { problems: [refusal] }));
+ * ```
+ */
 export class ProblemsHelper extends MeshHelper {
   override readonly type = 'ProblemsHelper' as 'Group';
   /** To be followed by `update()`. */
@@ -166,7 +173,7 @@ export class ProblemsHelper extends MeshHelper {
 
   protected override draw(): void {
     for (const { kind, index, witness } of this.problems ?? this.mesh.validate()) {
-      if (kind !== 'mesh') this.#drawItem(kind, index);
+      if (kind !== undefined && index !== undefined) this.#drawItem(kind, index);
       if (witness) this.#drawWitness(witness);
     }
   }
