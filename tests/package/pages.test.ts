@@ -3,6 +3,7 @@
 
 import { cpSync, mkdirSync, readFileSync, symlinkSync } from 'node:fs';
 import { dirname, join } from 'node:path';
+import { setTimeout as pause } from 'node:timers/promises';
 import { root } from '../../scripts/lib/run.mjs';
 import { disconnect, screenshots } from './support/browser.js';
 import { Example } from './support/example.js';
@@ -102,6 +103,13 @@ describe('The example of React Three Fiber', () => {
     await press('Delete');
     await example.text('#counts', /^42 vertices, 119 edges, 78 faces$/);
     await example.text('#picked', /^No edge/);
+    await page.setViewportSize({ width: 1280, height: 720 });
+    await pause(300); // the picture follows
+    await example.click(135, 84); // beside the hole
+    await example.text('#picked', /on the boundary, at face \d+\.$/);
+    await press('Flip');
+    await example.text('#refusal', /^Edge \d+ lies on the boundary/);
+    await page.screenshot({ path: join(root, 'build/screenshots/example-react-refusal.png') });
     // React Three Fiber 9.8.2 uses a clock that three.js has deprecated.
     expect(example.complaints.filter((text) => !text.startsWith('THREE.Clock: '))).toEqual([]);
   }
