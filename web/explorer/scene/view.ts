@@ -206,7 +206,7 @@ export class View {
     // Above what is lit, not on it.
     const { x, y, z } = place.centre;
     const pixels = place.radius / this.stage.pixelAt(this.stage.depthOf(x, y, z));
-    const lift = place.vertices.length > 0 ? 24 : Math.min(90, 14 + 0.8 * pixels);
+    const lift = place.rings.length === 0 ? 24 : Math.min(110, 16 + 0.9 * pixels);
     return [{ text, look: 'problem', point: place.centre, lift }];
   }
 }

@@ -12,10 +12,11 @@ export function emptyState(explorer: Explorer): HTMLElement {
   );
   const show = () => {
     const opened = explorer.document.value;
-    element.hidden = opened?.mesh.vertexCount !== 0;
+    element.hidden = opened?.mesh.vertexCount !== 0 || explorer.busy.value !== null;
     title.textContent = element.hidden ? '' : `${opened?.name} has no vertices`;
   };
   explorer.document.subscribe(show);
   explorer.facts.subscribe(show);
+  explorer.busy.subscribe(show);
   return element;
 }
