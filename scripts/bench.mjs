@@ -1,6 +1,6 @@
 // `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
 // WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
-// start. Arguments after `--` are handed on to the benchmark.
+// start. `npm run bench:files`: readers of files. Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -20,6 +20,12 @@ const benchmarks = {
     await setup(['build']);
     await build();
     await run(process.execPath, [join(root, 'bench/web/start.mjs')]);
+  },
+
+  async files(args) {
+    await setup(['build']);
+    await build();
+    await run(process.execPath, ['--expose-gc', join(root, 'bench/web/files.mjs'), ...args]);
   },
 
   async native(args) {
