@@ -90,7 +90,7 @@ export function checkDocument(json: unknown): GltfDocument {
   }
   checkViews(document.bufferViews, document.buffers);
   checkAccessors(document.accessors, document.bufferViews);
-  checkMeshes(document.meshes, document.accessors.length);
+  checkMeshes(document.meshes, document.accessors);
   checkNodes(document.nodes, document.meshes.length, document.accessors.length);
   if (root.scene === undefined) return document as unknown as GltfDocument;
   const scene = reference('scene', root.scene, document.scenes.length);
@@ -186,15 +186,28 @@ function numberSize(what: string, type: unknown): number {
   throw wrong(what, type, `one of ${Object.keys(SIZES).join(', ')}`);
 }
 
-function checkMeshes(meshes: Dictionary[], accessors: number): void {
+/** Bytes, shorts and words without a sign. */
+const INDEX_TYPES: readonly unknown[] = [5121, 5123, 5125];
+
+function checkMeshes(meshes: Dictionary[], accessors: Dictionary[]): void {
+  const accessorOf = (what: string, index: unknown) =>
+    accessors[reference(what, index, accessors.length)];
   for (const [i, mesh] of meshes.entries()) {
     for (const [j, entry] of array(`meshes[${i}].primitives`, mesh.primitives).entries()) {
       const what = `meshes[${i}].primitives[${j}]`;
       const { attributes, indices, mode = 4, ...rest } = dictionary(what, entry);
       for (const [name, accessor] of Object.entries(dictionary(`${what}.attributes`, attributes))) {
-        reference(`${what}.attributes.${name}`, accessor, accessors);
+        const { type } = accessorOf(`${what}.attributes.${name}`, accessor);
+        if (name !== 'POSITION' || type === 'VEC3') continue;
+        throw wrong(`accessors[${accessor}].type`, type, 'VEC3, as its rows are positions');
       }
-      if (indices !== undefined) reference(`${what}.indices`, indices, accessors);
+      if (indices !== undefined) {
+        const { type, componentType } = accessorOf(`${what}.indices`, indices);
+        if (type !== 'SCALAR' || !INDEX_TYPES.includes(componentType)) {
+          const rows = `${type} of ${componentType}`;
+          throw wrong(`accessors[${indices}]`, rows, 'SCALAR of 5121, 5123 or 5125 for indices');
+        }
+      }
       if (!(Number.isInteger(mode) && (mode as number) >= 0 && (mode as number) <= 6)) {
         throw wrong(`${what}.mode`, mode, 'a number from 0 to 6');
       }

@@ -85,32 +85,38 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   const { scene, parser } = await loadScene(makeGlb(packed.document, packed.binary), options);
   const { Matrix4 } = await loadThree();
   const parts: Loaded['parts'] = [];
-  let corners = 0;
   scene.updateMatrixWorld(true);
+  const meshes: Mesh[] = [];
   scene.traverse((object) => {
-    if (!('isMesh' in object)) return;
-    const mesh = object as Mesh;
-    const which = parser.associations.get(object)?.meshes ?? -1;
+    if ('isMesh' in object) meshes.push(object as Mesh);
+  });
+  checkCorners(meshes);
+  for (const mesh of meshes) {
+    const which = parser.associations.get(mesh)?.meshes ?? -1;
     const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path
-    const instances = 'isInstancedMesh' in object ? (object as InstancedMesh) : undefined;
-    const { index, attributes } = mesh.geometry;
-    corners += (instances?.count ?? 1) * Math.max(index?.count ?? 0, attributes.position.count);
-    checkCorners(corners);
-    for (let i = 0; i < (instances?.count ?? 1); i++) {
+    for (let i = 0; i < instancesOf(mesh); i++) {
       const matrix = new Matrix4();
-      instances?.getMatrixAt(i, matrix);
+      if (isInstanced(mesh)) mesh.getMatrixAt(i, matrix);
       parts.push({ name, triangles: trianglesOf(mesh, matrix.premultiply(mesh.matrixWorld)) });
     }
-  });
+  }
   return { format: file.format, parts, notes };
 }
 
+const isInstanced = (mesh: Mesh): mesh is InstancedMesh => 'isInstancedMesh' in mesh;
+const instancesOf = (mesh: Mesh) => (isInstanced(mesh) ? mesh.count : 1);
+
 /** A few bytes of a file can place a mesh once more, which takes as much memory as the mesh. */
-function checkCorners(count: number): void {
+function checkCorners(meshes: readonly Mesh[]): void {
+  let count = 0;
+  for (const mesh of meshes) {
+    const { index, attributes } = mesh.geometry;
+    count += instancesOf(mesh) * Math.max(index?.count ?? 0, attributes.position.count);
+  }
   if (count <= MOST_CORNERS) return;
   throw fileError(
     'too-large',
-    `glTF: the scene has ${count} corners or more, those of a mesh as often as nodes place it, expected at most ${MOST_CORNERS}.`,
+    `glTF: the scene has ${count} corners, those of a mesh as often as nodes place it, expected at most ${MOST_CORNERS}.`,
   );
 }
 
