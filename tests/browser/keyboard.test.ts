@@ -1,0 +1,94 @@
+import type { Page } from 'playwright-core';
+import { disconnect, ExplorerPage } from './support/explorer.js';
+
+afterAll(disconnect);
+
+/**
+ * Presses Tab until the focus has come around; returns the controls in sight that it did not come to, and
+ * those where nothing shows that it is there.
+ */
+async function tabThrough(page: Page): Promise<{ missed: string[]; unseen: string[] }> {
+  const expected = await page.evaluate(() => {
+    const all = document.querySelectorAll<HTMLElement>(
+      'button, select, [tabindex="0"], input:not([type=radio]), input[type=radio]:checked',
+    );
+    const reachable = [...all].filter(
+      (each) => each.checkVisibility() && !each.matches(':disabled, [inert] *'),
+    );
+    reachable.forEach((each, i) => {
+      each.dataset.stop = String(i);
+    });
+    (document.activeElement as HTMLElement | null)?.blur();
+    return reachable.length;
+  });
+  const reached = new Set<string>();
+  const unseen: string[] = [];
+  for (let presses = 0; presses < expected + 5; presses++) {
+    await page.keyboard.press('Tab');
+    const at = await page.evaluate(() => {
+      const focused = document.activeElement as HTMLElement;
+      const rings = [focused, focused.closest('label')].map((each) => {
+        if (!each) return false;
+        const { outlineStyle, outlineWidth, boxShadow } = getComputedStyle(each);
+        return (outlineStyle !== 'none' && outlineWidth !== '0px') || boxShadow !== 'none';
+      });
+      const name = focused.getAttribute('aria-label') ?? focused.textContent?.trim();
+      return { stop: focused.dataset.stop, name, isSeen: rings.some(Boolean) };
+    });
+    if (at.stop === undefined || reached.has(at.stop)) continue;
+    reached.add(at.stop);
+    if (!at.isSeen) unseen.push(at.name ?? '');
+  }
+  const missed = await page.$$eval(
+    '[data-stop]',
+    (all, stops) =>
+      all
+        .filter((each) => !stops.includes((each as HTMLElement).dataset.stop ?? ''))
+        .map((each) => each.getAttribute('aria-label') ?? each.textContent ?? ''),
+    [...reached],
+  );
+  return { missed, unseen };
+}
+
+test.each([
+  ['circulate', 'sample=suzanne&select=h500', 'Suzanne'],
+  ['edit', 'sample=cube&select=e3', 'Cube'],
+  ['mesh', 'sample=annulus&select=v0', 'Annulus'],
+  ['records', 'sample=cube&select=v3', 'Cube'],
+  ['problems', 'sample=three-faces', 'Three faces at an edge'],
+])(
+  'Tab comes to every control beside the panel “%s”, and shows where it is',
+  async (tab, link, mesh) => {
+    const explorer = await ExplorerPage.open({ link, mesh });
+    await explorer.page.click(`[data-tab-button=${tab}]`);
+    await explorer.rest();
+    expect(await tabThrough(explorer.page)).toEqual({ missed: [], unseen: [] });
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  },
+);
+
+test('Menus open, close and choose by keys alone, and give the focus back', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v3', mesh: 'Cube' });
+  const { page } = explorer;
+  await page.focus('.mesh-button');
+  await explorer.press('Enter', 'Tab', 'Tab', 'Tab', 'Enter');
+  await explorer.ready('Icosahedron');
+  expect(await page.evaluate(() => document.activeElement?.className)).toContain('mesh-button');
+  await page.focus('.captions > button');
+  await explorer.press('Enter', 'Tab', 'ArrowRight');
+  expect(await page.isChecked('[name=label-scope][value=selection]')).toBe(true);
+  await explorer.press('Tab', 'Space');
+  expect(await page.isChecked('[name=label-kind][value=vertex]')).toBe(false);
+  await explorer.press('Escape');
+  expect(await page.isVisible('.captions-menu')).toBe(false);
+  expect(await page.evaluate(() => document.activeElement?.parentElement?.className)).toBe(
+    'captions',
+  );
+  await explorer.press('?');
+  await page.waitForSelector('dialog.help[open]');
+  await explorer.press('Escape');
+  expect(await page.isVisible('dialog.help')).toBe(false);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});
