@@ -19,16 +19,19 @@ const EDITS = {
   Delete: (mesh, e) => mesh.deleteEdge(e),
 };
 
+/** The length of a pixel at the ball, which says how large arrows are. */
+const PIXEL = 0.005;
+
 const LIGHT = {
   surface: '#dfe5ee',
-  arrows: { color: '#2485f7', boundaryColor: '#6c1f04', linewidth: 1.5, pixel: 0.005 },
+  arrows: { color: '#2485f7', boundaryColor: '#6c1f04', linewidth: 1.5, pixel: PIXEL },
   boundary: { color: '#6c1f04' },
   picked: '#046a53',
   refusal: '#e01297',
 };
 const DARK = {
   surface: '#4a5566',
-  arrows: { color: '#87a6fb', boundaryColor: '#fe342e', linewidth: 1.5, pixel: 0.005 },
+  arrows: { color: '#87a6fb', boundaryColor: '#fe342e', linewidth: 1.5, pixel: PIXEL },
   boundary: { color: '#fe342e' },
   picked: '#58fecb',
   refusal: '#fed218',
@@ -53,7 +56,7 @@ export function App() {
   }, [picked, colors]);
   const witness = useMemo(() => {
     const problems = refusal ? [refusal] : [];
-    return { problems, color: colors.refusal, linewidth: 5 };
+    return { problems, color: colors.refusal, linewidth: 5, pixel: PIXEL };
   }, [refusal, colors]);
   const shown = { mesh, version };
 
