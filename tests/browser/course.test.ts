@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { disconnect, FigurePage } from './support/figures.js';
+import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
 
 interface Axe {
   run(): Promise<{ violations: { impact: string; id: string; nodes: { target: string[] }[] }[] }>;
@@ -8,7 +8,18 @@ interface Axe {
 
 const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
 
+let open: FigurePage | undefined;
+
+afterEach(async () => {
+  await open?.close();
+  open = undefined;
+});
 afterAll(disconnect);
+
+async function course(settings: FigurePageSettings): Promise<FigurePage> {
+  open = await FigurePage.open('', { ...settings, path: 'docs/course.html' });
+  return open;
+}
 
 describe('The course page', () => {
   test.each([
@@ -16,7 +27,7 @@ describe('The course page', () => {
     ['a desktop, dark', 'dark', { width: 1280, height: 900, dark: true }],
     ['a telephone, light', 'narrow', { width: 390, height: 844 }],
   ])('shows its ten figures with one context: %s', async (_name, look, settings) => {
-    const page = await FigurePage.open('', { ...settings, path: 'docs/course.html' });
+    const page = await course(settings);
     expect(await page.ready()).toBe(10);
     expect((await page.counts()).contexts).toBe(1);
     expect(await page.events('halfedge-error')).toEqual([]);
@@ -33,11 +44,10 @@ describe('The course page', () => {
       .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(' ')}`);
     expect(serious).toEqual([]);
     await page.screenshot(`course-${look}`);
-    await page.close();
   });
 
   test('every figure that plays comes to its end', async () => {
-    const page = await FigurePage.open('', { path: 'docs/course.html' });
+    const page = await course({});
     await page.ready();
     const ends = await page.page.$$eval('halfedge-figure', (figures) =>
       figures.map((figure) => {
@@ -47,6 +57,5 @@ describe('The course page', () => {
     );
     expect(ends.map(([step]) => step)).toEqual([0, 5, 5, 14, 8, 1, 1, 1, 1, 5]);
     expect(ends.filter(([, words]) => String(words).startsWith('Refused:'))).toHaveLength(2);
-    await page.close();
   });
 });

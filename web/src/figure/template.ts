@@ -83,7 +83,7 @@ function directionButton({ player }: WalkStory, controls: Controls): TemplateRes
     class="wide direction"
     part="button direction"
     title=${`Goes ${word}: turn round`}
-    aria-label=${`Direction: ${word}`}
+    aria-label=${`${direction}, ${word}: turn round`}
     @click=${controls.turn}
   >
     ${icon(direction)}<span>${direction}</span>

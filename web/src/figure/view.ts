@@ -103,7 +103,7 @@ export class FigureView {
 
   /** Draws what has changed of the state; `edit` is a change of the mesh. */
   update(edit: Edit | null = null): void {
-    const { story, overlays } = this.#state();
+    const { story, selected, overlays } = this.#state();
     this.#picture.setLayers({
       arrows: overlays.has('halfedges'),
       boundary: overlays.has('boundary'),
@@ -112,7 +112,7 @@ export class FigureView {
     else this.#picture.mark();
     if (story?.witness) this.#picture.travel.turnTo(story.witness);
     else if (story && story.visits.length > 0 && story.current) {
-      this.#picture.travel.turnTo([story.current]);
+      this.#picture.travel.turnTo(selected ? [story.current, selected] : [story.current]);
     }
   }
 

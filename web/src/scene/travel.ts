@@ -134,20 +134,18 @@ export class Travel {
     if (hidden) this.#stage.flyToAll(shown.surface.points, this.#towards(items, shown));
   }
 
-  /** As `turnTo`, without a flight. */
+  /** Jumps to where the whole mesh is seen, and an item with all that is around it. */
   lookAtAll(item: Item): void {
     const { shown } = this;
-    if (shown) this.#stage.lookAtAll(shown.surface.points, this.#towards([item], shown));
+    if (!shown) return;
+    const direction = this.#offset().normalize();
+    direction.lerp(normalOf([item], shown), 0.65);
+    if (direction.lengthSq() > 1e-9) this.#stage.lookAtAll(shown.surface.points, direction);
   }
 
   /** The direction to look from: the present one, turned to the front of the items if that is behind. */
-  #towards(items: readonly Item[], { surface, frames }: Shown): Vector3 {
-    const normal = new Vector3();
-    for (const f of items.flatMap((item) => facesAt(surface, item))) {
-      const at = frames.at(f) + 3;
-      normal.add(new Vector3().fromArray(frames.data, at));
-    }
-    return this.#facing(normal);
+  #towards(items: readonly Item[], shown: Shown): Vector3 {
+    return this.#facing(normalOf(items, shown));
   }
 
   /** The present direction, turned towards `normal` where that is far off. */
@@ -158,4 +156,13 @@ export class Travel {
     if (direction.dot(normal) > 0.55) return direction;
     return direction.lerp(normal, 0.7).normalize();
   }
+}
+
+/** The mean normal of the faces at the items; zero where there is none. */
+function normalOf(items: readonly Item[], { surface, frames }: Shown): Vector3 {
+  const normal = new Vector3();
+  for (const f of items.flatMap((item) => facesAt(surface, item))) {
+    normal.add(new Vector3().fromArray(frames.data, frames.at(f) + 3));
+  }
+  return normal.normalize();
 }
