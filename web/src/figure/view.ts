@@ -23,7 +23,7 @@ export interface FigureState {
 /** A press that moves further than this many pixels turns the camera instead of picking. */
 const CLICK_SLOP = 5;
 const FINGER = 1.9;
-const SPACE = { top: 12, right: 12, bottom: 12, left: 12 };
+const SPACE = { top: 28, right: 14, bottom: 14, left: 14 };
 
 /** The picture of a figure, on a canvas that shares its WebGL context with all others of the page. */
 export class FigureView {
