@@ -13,10 +13,13 @@ export function digestOf(mesh: HalfedgeMesh): string {
   };
   add(sizes);
   add(corners);
-  for (const v of new Set(corners)) add(bits(mesh.positions.subarray(3 * v, 3 * v + 3)));
+  const { buffer, byteOffset, length } = mesh.positions;
+  const bits = new Uint32Array(buffer, byteOffset, length);
+  const isAdded = new Uint8Array(mesh.vertexSlots);
+  for (const v of corners) {
+    if (isAdded[v] === 1) continue;
+    isAdded[v] = 1;
+    add(bits.subarray(3 * v, 3 * v + 3));
+  }
   return (hash >>> 0).toString(16).padStart(8, '0');
-}
-
-function bits(values: Float32Array): Uint32Array {
-  return new Uint32Array(values.buffer, values.byteOffset, values.length);
 }

@@ -1,4 +1,4 @@
-import type { HalfedgeMesh } from 'halfedge';
+import { type HalfedgeMesh, NONE } from 'halfedge';
 
 /** The topology numbers of a mesh, in the order in which they are told. */
 export interface Numbers {
@@ -38,9 +38,15 @@ export function factsOfMesh(mesh: HalfedgeMesh, before: MeshFacts | null): MeshF
     numbers,
     changes: before ? changesBetween(before.numbers, numbers) : {},
     boundaryLoops,
-    isolatedVertices: mesh.connectivity.vertexHalfedge.filter((h) => h === -1).length,
+    isolatedVertices: isolatedIn(mesh),
     problems: mesh.validate(4),
   };
+}
+
+function isolatedIn({ connectivity: { vertexHalfedge } }: HalfedgeMesh): number {
+  let count = 0;
+  for (const h of vertexHalfedge) if (h === NONE) count += 1;
+  return count;
 }
 
 function changesBetween(before: Numbers, after: Numbers): Partial<Numbers> {

@@ -51,7 +51,9 @@ export class ArrowLayer {
     this.#seen = new Uint32Array(surface.mesh.faceSlots);
     this.#stamp = 0;
     const { face, next } = surface.mesh.connectivity;
-    this.#closed = !face.some((f, h) => f === NONE && next[h] >= 0);
+    let h = 0;
+    while (h < face.length && (face[h] !== NONE || next[h] < 0)) h += 1;
+    this.#closed = h === face.length;
   }
 
   setColors(faded: Color, arrow: Color, boundary: Color): void {

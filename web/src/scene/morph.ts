@@ -13,13 +13,12 @@ const DURATION_MS = 420;
 
 /** What the layers that show the mesh at rest leave out, because it is in motion. */
 export interface InMotion {
-  readonly triangles: readonly number[];
   readonly faces: ReadonlySet<number>;
   readonly edges: ReadonlySet<number>;
 }
 
 /** Nothing is. */
-export const AT_REST: InMotion = { triangles: [], faces: new Set(), edges: new Set() };
+export const AT_REST: InMotion = { faces: new Set(), edges: new Set() };
 
 /** Animates the picture from the state before an edit to the one after it. */
 export class Morph {
@@ -82,7 +81,6 @@ export class Morph {
       return true;
     });
     return {
-      triangles: triangles.after,
       faces: triangles.faces,
       edges: new Set(edges.map(({ edge }) => edge)),
     };

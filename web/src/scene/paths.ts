@@ -49,12 +49,12 @@ export class Paths {
 
   /** Moves the vertices of the surface to where they are at `t` from 0 to 1. */
   moveTo(t: number): void {
-    const { points, position } = this.#after;
+    const { points } = this.#after;
     for (const [v, [from, to]] of this.#moving) {
       for (let k = 0; k < 3; k++)
         points[3 * v + k] = t === 1 ? to[k] : from[k] + t * (to[k] - from[k]);
     }
-    if (this.#moving.length > 0) position.needsUpdate = true;
+    if (this.#moving.length > 0) this.#after.movePoints(this.#moving.map(([v]) => v));
   }
 
   /** The path of a vertex as a corner of what was there before. */

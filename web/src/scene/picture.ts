@@ -234,7 +234,7 @@ export class MeshPicture {
     this.#inMotion = inMotion;
     if (!this.#shown) return;
     const { surface } = this.#shown;
-    this.#surfaceView.show(surface, inMotion.triangles);
+    this.#surfaceView.show(surface, inMotion.faces);
     this.#wire.show(surface, inMotion.edges);
     this.#arrows.hidden = inMotion.faces;
     this.mark();

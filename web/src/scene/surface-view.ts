@@ -1,4 +1,5 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
+import { BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
+import { ShownTriangles } from './shown-triangles.js';
 import type { Surface } from './surface.js';
 
 /** The looks of the surface: flat facets, back sides in a tint of their own. */
@@ -35,32 +36,25 @@ export class SurfaceLook {
 /** The surface as an object of the scene. */
 export class SurfaceView {
   readonly object: Mesh;
+  readonly #triangles = new ShownTriangles();
 
   constructor(look: SurfaceLook) {
     this.object = new Mesh(new BufferGeometry(), look.material(1));
     this.object.frustumCulled = false;
   }
 
-  /** Shows a surface, but for some of its triangles. */
-  show(surface: Surface, hidden: readonly number[] = []): void {
-    this.object.geometry.dispose();
-    const geometry = new BufferGeometry();
-    const triangles = hidden.length === 0 ? surface.triangles : without(surface.triangles, hidden);
-    geometry.setAttribute('position', surface.position);
-    geometry.setIndex(new BufferAttribute(triangles, 1));
-    this.object.geometry = geometry;
+  /** Shows a surface, but for some of its faces. */
+  show(surface: Surface, hidden: ReadonlySet<number> = new Set()): void {
+    this.#triangles.show(surface, hidden);
+    const { geometry } = this.object;
+    const { index, count } = this.#triangles;
+    if (geometry.index !== index || geometry.attributes.position !== surface.position) {
+      // What it had on the graphics card is freed; but points that stay are those of the wire, too.
+      if (geometry.attributes.position === surface.position) geometry.deleteAttribute('position');
+      geometry.dispose();
+      geometry.setAttribute('position', surface.position);
+      geometry.setIndex(index);
+    }
+    geometry.setDrawRange(0, 3 * count);
   }
-}
-
-/** The triangles but those at `hidden`, which are in ascending order. */
-function without(triangles: Uint32Array, hidden: readonly number[]): Uint32Array {
-  const rest = new Uint32Array(triangles.length - 3 * hidden.length);
-  let from = 0;
-  let to = 0;
-  for (const at of [...hidden, triangles.length / 3]) {
-    rest.set(triangles.subarray(from, 3 * at), to);
-    to += 3 * at - from;
-    from = 3 * (at + 1);
-  }
-  return rest;
 }

@@ -1,8 +1,9 @@
-import { BufferAttribute, Matrix4, ShapeUtils, Vector2 } from 'three';
+import { BufferAttribute, DynamicDrawUsage, Matrix4, ShapeUtils, Vector2 } from 'three';
 import { type HalfedgeMesh, NONE } from '../api.js';
 import { FaceTree, type FaceTreeOptions, type ShownFaces } from '../three/face-tree.js';
 import { newellNormal } from '../three/index.js';
 import type { PickTarget } from '../three/item-picker.js';
+import { roomFor } from '../three/rows.js';
 import { firstOf, type Triangles } from '../three/triangle-tree.js';
 import { type ChangedTriangles, changedTriangles, type Drawn } from './change.js';
 
@@ -22,7 +23,7 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
   readonly triangles: Uint32Array;
   /** Takes a position of the mesh to its place in the scene. */
   readonly placement: Matrix4;
-  /** The points, as layers share them. */
+  /** The points, as layers share them: those of surfaces that come one from the other, while there is room. */
   readonly position: BufferAttribute;
   readonly tree: FaceTree;
   /** Its points are in the world as they are. */
@@ -34,6 +35,8 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
   /** A typical length of an edge. */
   readonly medianEdge: number;
   readonly #bounds: Bounds;
+  /** The points, and room for some more. */
+  readonly #room: Float32Array;
 
   /** With a surface that was made from the mesh earlier, before an edit: in the same place. */
   constructor(mesh: HalfedgeMesh, earlier?: Surface, options: FaceTreeOptions = {}) {
@@ -43,15 +46,19 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
     this.toVertex = mesh.connectivity.toVertex.slice();
     this.#bounds = earlier ? earlier.#bounds : bounds(mesh.positions);
     const { centre, scale } = this.#bounds;
-    this.points = placed(mesh.positions, this.vertexHalfedge, this.#bounds);
+    const { length } = mesh.positions;
+    const known = earlier ? earlier.#room.length : 0;
+    this.#room = new Float32Array(length <= known ? known : 3 * roomFor(length / 3));
+    this.points = this.#room.subarray(0, length);
+    this.#placePoints();
     this.placement = new Matrix4()
       .makeScale(scale, scale, scale)
       .multiply(new Matrix4().makeTranslation(-centre[0], -centre[1], -centre[2]));
     const { triangles, faceOf } = triangulate(mesh, this.points);
     this.faceOf = faceOf;
     this.triangles = triangles;
-    this.position = new BufferAttribute(this.points, 3);
     this.change = earlier ? changedTriangles(earlier, this, MOST_CHANGES) : null;
+    this.position = this.#sharedPosition(earlier);
     this.tree = earlier?.tree ?? new FaceTree(this, options);
     if (earlier) this.tree.update(this.change?.faces ?? null, this);
     this.medianEdge = earlier ? earlier.medianEdge : medianEdge(mesh, this.points);
@@ -79,6 +86,12 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
     return triangulateFace(this.mesh, this.points, face);
   }
 
+  /** Vertices whose points are others now: they are uploaded, and nothing else. */
+  movePoints(vertices: Iterable<number>): void {
+    for (const v of vertices) this.position.addUpdateRange(3 * v, 3);
+    this.position.needsUpdate = true;
+  }
+
   triangleVertices(face: number): Uint32Array {
     const from = firstOf(this.faceOf, face);
     return this.triangles.subarray(3 * from, 3 * firstOf(this.faceOf, face + 1));
@@ -88,6 +101,39 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
     const { points, triangles, faceOf } = this;
     return { points: points.slice(), vertices: triangles.slice(), faces: faceOf };
   }
+
+  #placePoints(): void {
+    const { centre, scale } = this.#bounds;
+    const { positions } = this.mesh;
+    for (let v = 0; v < this.vertexHalfedge.length; v++) {
+      if (this.vertexHalfedge[v] < NONE) continue;
+      for (let k = 0; k < 3; k++) {
+        const x = (positions[3 * v + k] - centre[k]) * scale;
+        if (Number.isFinite(x)) this.points[3 * v + k] = x;
+      }
+    }
+  }
+
+  /** That of the surface before with these points, if they fit: what has not changed is not uploaded again. */
+  #sharedPosition(earlier?: Surface): BufferAttribute {
+    if (!earlier || earlier.#room.length !== this.#room.length) {
+      return new BufferAttribute(this.#room, 3).setUsage(DynamicDrawUsage);
+    }
+    const { position } = earlier;
+    position.array = this.#room;
+    position.needsUpdate = true;
+    if (this.change === null) {
+      position.clearUpdateRanges(); // all of it, then
+      return position;
+    }
+    const changed = new Set(this.change.after.flatMap((t) => [...this.#cornersOf(t)]));
+    for (const v of changed) position.addUpdateRange(3 * v, 3);
+    return position;
+  }
+
+  #cornersOf(triangle: number): Uint32Array {
+    return this.triangles.subarray(3 * triangle, 3 * triangle + 3);
+  }
 }
 
 interface Bounds {
@@ -95,44 +141,27 @@ interface Bounds {
   readonly scale: number;
 }
 
-function placed(
-  positions: Float32Array,
-  vertexHalfedge: Int32Array,
-  { centre, scale }: Bounds,
-): Float32Array {
-  const points = new Float32Array(positions.length);
-  for (let v = 0; v < vertexHalfedge.length; v++) {
-    if (vertexHalfedge[v] < NONE) continue;
-    for (let k = 0; k < 3; k++) {
-      const x = (positions[3 * v + k] - centre[k]) * scale;
-      if (Number.isFinite(x)) points[3 * v + k] = x;
-    }
-  }
-  return points;
-}
-
 /** The middle of the bounding box, and the scale that makes everything fit into the unit sphere. */
 function bounds(positions: Float32Array): Bounds {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const x = positions[i];
-    if (!Number.isFinite(x)) continue;
-    const k = i % 3;
-    if (x < low[k]) low[k] = x;
-    if (x > high[k]) high[k] = x;
+  for (let i = 0; i < positions.length; i += 3) {
+    for (let k = 0; k < 3; k++) {
+      const x = positions[i + k];
+      if (!Number.isFinite(x)) continue;
+      if (x < low[k]) low[k] = x;
+      if (x > high[k]) high[k] = x;
+    }
   }
   const centre = low.map((x, k) => (Number.isFinite(x) ? (x + high[k]) / 2 : 0));
-  let radius = 0;
+  const [cx, cy, cz] = centre;
+  let squared = 0;
   for (let i = 0; i < positions.length; i += 3) {
-    const r = Math.hypot(
-      positions[i] - centre[0],
-      positions[i + 1] - centre[1],
-      positions[i + 2] - centre[2],
-    );
-    if (r > radius && Number.isFinite(r)) radius = r;
+    const [x, y, z] = [positions[i] - cx, positions[i + 1] - cy, positions[i + 2] - cz];
+    const r = x * x + y * y + z * z;
+    if (r > squared && Number.isFinite(r)) squared = r;
   }
-  return { centre, scale: radius > 0 ? 1 / radius : 1 };
+  return { centre, scale: squared > 0 ? 1 / Math.sqrt(squared) : 1 };
 }
 
 function triangulate(

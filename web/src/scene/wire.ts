@@ -1,11 +1,6 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  type Color,
-  LineBasicMaterial,
-  LineSegments,
-} from 'three';
+import { BufferGeometry, type Color, LineBasicMaterial, LineSegments } from 'three';
 import { LineBatch, lineMaterial, lines } from '../three/index.js';
+import { RowBuffer, roomFor } from '../three/rows.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
@@ -21,6 +16,9 @@ export class Wire {
   readonly #boundary = new LineBatch();
   readonly #boundaryMaterial = lineMaterial(2.25, 1);
   readonly #boundaryLines = lines(this.#boundary, this.#boundaryMaterial, 2);
+  readonly #edges = new RowBuffer(new Uint32Array(0), 2, false, 1);
+  /** Whether the edges are to be written, as soon as they are to be seen. */
+  #isStale = false;
   #surface: Surface | null = null;
   #colored: Color | null = null;
   #hidden: ReadonlySet<number> = new Set();
@@ -41,8 +39,7 @@ export class Wire {
   show(surface: Surface, hidden: ReadonlySet<number> = new Set()): void {
     this.#surface = surface;
     this.#hidden = hidden;
-    this.#hairlines.geometry.dispose();
-    this.#hairlines.geometry = new BufferGeometry();
+    this.#isStale = true;
     this.#writeBoundary();
   }
 
@@ -62,21 +59,33 @@ export class Wire {
     this.#hairlines.visible = strength > 0;
     this.#material.opacity = 0.15 + 0.85 * strength;
     // The index of all edges is only made for meshes that are seen close enough to need it.
-    if (strength > 0 && !this.#hairlines.geometry.index) this.#writeEdges(surface);
+    if (strength > 0 && this.#isStale) this.#writeEdges(surface);
   }
 
+  /** Each edge has a place of its own, so that after an edit only those are uploaded that changed. */
   #writeEdges(surface: Surface): void {
     const { toVertex, next } = surface.mesh.connectivity;
-    const index = new Uint32Array(toVertex.length);
-    let count = 0;
-    for (let h = 0; h < toVertex.length; h += 2) {
-      if (next[h] < 0 || this.#hidden.has(h >> 1)) continue;
-      index[count++] = toVertex[h + 1];
-      index[count++] = toVertex[h];
+    const edges = toVertex.length / 2;
+    const known = this.#edges.attribute;
+    if (2 * edges > known.array.length) this.#edges.reserve(roomFor(edges));
+    for (let e = 0; e < edges; e++) {
+      const isShown = next[2 * e] >= 0 && !this.#hidden.has(e);
+      ends[0] = isShown ? toVertex[2 * e + 1] : 0;
+      ends[1] = isShown ? toVertex[2 * e] : 0;
+      this.#edges.write(e, ends, 0);
     }
     const { geometry } = this.#hairlines;
-    geometry.setAttribute('position', surface.position);
-    geometry.setIndex(new BufferAttribute(index.subarray(0, count), 1));
+    const { attribute } = this.#edges;
+    if (attribute === known) this.#edges.mark();
+    else this.#edges.forget();
+    if (geometry.index !== attribute || geometry.attributes.position !== surface.position) {
+      geometry.deleteAttribute('position'); // which the surface goes on to use
+      geometry.dispose();
+      geometry.setAttribute('position', surface.position);
+      geometry.setIndex(attribute);
+    }
+    geometry.setDrawRange(0, 2 * edges);
+    this.#isStale = false;
   }
 
   #writeBoundary(): void {
@@ -92,3 +101,5 @@ export class Wire {
     this.#boundary.upload();
   }
 }
+
+const ends = [0, 0];
