@@ -115,11 +115,13 @@ TEST(Ply, TakesElementsAndPropertiesInAnyOrder) {
   EXPECT_EQ(file.error, "");
   EXPECT_EQ(file.positions, (std::vector<float>{1, 2, 3, 4, 5, 6, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {0, 1, 2, 3}}));
-  EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the property \"uv\" of \"face\"",
-                                                  "ignored the 5 elements \"nothing\"",
-                                                  "ignored the property \"n\" of \"vertex\"",
-                                                  "read the positions of 4 vertices, doubles, as "
-                                                  "floats"}));
+  EXPECT_EQ(
+      file.notes,
+      (std::vector<std::string>{
+          "ignored the list \"uv\" of \"face\": expected 1 to 16 numbers, as many in each row",
+          "ignored the 5 elements \"nothing\"",
+          "read the positions of 4 vertices, doubles, as floats",
+          "ignored the list \"n\" of \"vertex\": expected 1 to 16 numbers, as many in each row"}));
 }
 
 TEST(Ply, TakesAnyEndOfLine) {

@@ -197,8 +197,8 @@ TEST(Write, RefusesWhatAFormatCannotHold) {
   EXPECT_EQ(written(mesh, Format::kStl, Encoding::kBinaryBigEndian),
             "unsupported-format: STL has no big-endian form");
   mesh.set_position(Vertex(4), {0, std::numeric_limits<float>::infinity(), 0});
-  EXPECT_EQ(written(mesh, Format::kStl).substr(0, 51),
-            "non-finite-position: vertex 4 has the position 0.00");
+  EXPECT_EQ(written(mesh, Format::kStl).substr(0, 54),
+            "non-finite-position: vertex 4 has the position 0, inf,");
   const Parsed file = read_back(mesh, Format::kOff, Encoding::kText);
   EXPECT_EQ(file.positions[13], std::numeric_limits<float>::infinity());
 }
