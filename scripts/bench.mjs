@@ -1,6 +1,7 @@
 // `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
 // WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
-// start. `npm run bench:files`: readers of files. Arguments after `--` are handed on to the benchmark.
+// start. `npm run bench:files`: readers of files. `npm run bench:explorer`: the explorer in Chromium. Arguments
+// after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -26,6 +27,12 @@ const benchmarks = {
     await setup(['build']);
     await build();
     await run(process.execPath, ['--expose-gc', join(root, 'bench/web/files.mjs'), ...args]);
+  },
+
+  async explorer(args) {
+    await setup(['build', 'tests']);
+    await build();
+    await run(process.execPath, [join(root, 'bench/web/explorer.mjs'), ...args]);
   },
 
   async native(args) {
