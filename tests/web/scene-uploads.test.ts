@@ -1,7 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { Surface } from 'halfedge/scene';
+import { ShownTriangles, Surface } from 'halfedge/scene';
 import type { BufferAttribute } from 'three';
-import { ShownTriangles } from '../../dist/scene/shown-triangles.js';
 import { random } from './support/random.js';
 import { randomEdit, refusalOf } from './support/random-edits.js';
 

@@ -412,7 +412,7 @@ void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
     const std::size_t count = write.word - size;
     std::size_t arrays = 0;
     (void)internal::for_halfedge_arrays(storage(), links_,
-                                                 [&](Array<Index>&) { return ++arrays > 0; });
+                                        [&](Array<Index>&) { return ++arrays > 0; });
     const auto* dropped = static_cast<const Index*>(journal_->take_dropped(arrays * count));
     (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
       array.grow_to(write.word);

@@ -20,6 +20,7 @@ export { Discs } from './points.js';
 export { prefersReducedMotion } from './reduced-motion.js';
 export { OwnScreen, type Screen } from './screen.js';
 export { SharedScreen } from './shared-screen.js';
+export { ShownTriangles } from './shown-triangles.js';
 export { FILE_LAYER, type Insets, MESH_LAYER, Stage } from './stage.js';
 export { Surface, triangulateRing } from './surface.js';
 export { SurfaceLook } from './surface-view.js';
