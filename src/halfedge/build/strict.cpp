@@ -56,7 +56,7 @@ ConnectResult copy_positions(std::span<const float> from, Array<float>& to) {
 
 bool explain(ConnectResult result, const Polygons& polygons, BuildReport& report) {
   const auto fail = [&](const char* code, std::string message) {
-    report.problems.push_back({code, std::move(message)});
+    report.problems.emplace_back(code, std::move(message));
     report.problem_count = 1;
   };
   switch (result) {

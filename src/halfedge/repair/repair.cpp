@@ -271,7 +271,7 @@ class Repair {
 
 bool fail(RepairReport& report, const char* code, std::string message) {
   report = {};
-  report.problems.push_back({code, std::move(message)});
+  report.problems.emplace_back(code, std::move(message));
   return false;
 }
 
