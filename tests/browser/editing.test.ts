@@ -380,7 +380,8 @@ describe('A refusal', () => {
     await explorer.press('Escape');
     expect(await explorer.state('refusal')).toBeNull();
     expect(await explorer.page.isVisible('.refusal')).toBe(false);
-    expect(await explorer.page.locator('.tag.witness:visible').count()).toBe(0);
+    const labels = explorer.page.locator('.tag.witness:visible');
+    expect(await explorer.comesTrue(async () => (await labels.count()) === 0)).toBe(true);
   });
 });
 
