@@ -17,20 +17,24 @@ if(EMSCRIPTEN_ROOT_PATH STREQUAL "/usr/share/emscripten")
     "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs PATH=/usr/bin:/bin")
 endif()
 
-# A page waits for every byte, so only the files that all of a mesh passes through are compiled for
-# speed, and the others for size. Each entry is a regular expression.
+# A page waits for every byte, so only the files that all of a mesh passes through, or that are called
+# for one edit after the other, are compiled for speed, and the others for size.
 set(halfedge_fast_files
-  "algorithms/(adjacency|topology)"                        # rows of all rings, loops, components
-  "attributes/attributes?"                                 # columns follow each operation
-  "build/(connect|fans|strict)"                            # every build
-  "connectivity/array"                                     # all arrays grow here
-  "directed_edges/(connect|fans)"                          # every build
-  "io/(obj|off|off_binary|ply|stl)"                        # every file that is read
-  "io/(text_scanner|copy_numbers)"                         # and what reads its words and numbers
-  "io/(bytes_reader|live_mesh|number_writer|stl_writer)"   # what workers and files are given
-  "operations/append" "operations/dual" "making_bindings"  # whole meshes
-  "repair/(arrange|match|orient|weld)"                     # every build from a soup
-  "validate/check_.*"                                      # every validation
+  # every file that is read, and what reads its words and numbers
+  io/obj io/off io/off_binary io/ply io/stl io/text_scanner io/copy_numbers
+  # what workers and files are given
+  io/bytes_reader io/live_mesh io/number_writer io/stl_writer
+  # every build, and every build from a soup
+  build/connect build/fans build/strict directed_edges/connect directed_edges/fans
+  repair/arrange repair/match repair/orient repair/weld
+  # all arrays grow here, and columns of attributes follow each operation
+  connectivity/array attributes/attribute attributes/attributes
+  # every edit
+  operation_bindings construction_bindings history/journal
+  # whole meshes: rows of all rings, topology, validation, copies
+  algorithms/adjacency algorithms/topology
+  validate/check_links validate/check_orbits validate/check_polygons validate/check_references
+  making_bindings operations/append operations/dual
 )
 
 # Compiles all files but those for size: by -Oz, which inlines what gets smaller by it, such as
@@ -39,10 +43,23 @@ function(halfedge_trade_speed_for_size)
   if(CMAKE_BUILD_TYPE STREQUAL "Debug")
     return()
   endif()
-  list(JOIN halfedge_fast_files "|" fast)
   foreach(source IN LISTS ARGN)
-    if(source MATCHES "\\.cpp$" AND NOT source MATCHES "/(halfedge|wasm)/(${fast})\\.cpp$")
+    string(REGEX REPLACE ".*/(halfedge|wasm)/|\\.cpp$" "" name "${source}")
+    if(source MATCHES "\\.cpp$" AND NOT name IN_LIST halfedge_fast_files)
       set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "-Oz;-finline-functions")
     endif()
   endforeach()
+endfunction()
+
+# Of a template that several files compile, the linker takes the first: put those for speed in front.
+function(halfedge_put_fast_files_first list)
+  foreach(source IN LISTS ${list})
+    string(REGEX REPLACE ".*/(halfedge|wasm)/|\\.cpp$" "" name "${source}")
+    if(name IN_LIST halfedge_fast_files)
+      list(APPEND first "${source}")
+    else()
+      list(APPEND last "${source}")
+    endif()
+  endforeach()
+  set(${list} ${first} ${last} PARENT_SCOPE)
 endfunction()
