@@ -71,7 +71,7 @@ describe('The circulator player', () => {
     await explorer.until('player', 'done');
     expect(await explorer.visited()).toEqual(names('v', mesh.vertexVertices(1224)));
     const count = Number(await explorer.state('count'));
-    expect(await explorer.page.textContent('.tag.current')).toBe(String(count));
+    await explorer.page.waitForSelector(`.tag.current:text-is("${count}")`); // with the next frame
     const ordinals = await explorer.page.$$eval('.tag.ordinal:not(.away)', (all) =>
       all.map((tag) => tag.textContent),
     );

@@ -23,8 +23,12 @@ export class Example {
     return (await element.textContent({ timeout: 60_000 })) ?? '';
   }
 
-  /** Clicks so far from the middle of the picture, in pixels. */
+  /** Clicks so far from the middle of the picture, in pixels, once the picture fills its place. */
   async click(right = 0, down = 0): Promise<void> {
+    await this.page.waitForFunction(() => {
+      const { width = 0, clientWidth = 0 } = document.querySelector('canvas') ?? {};
+      return width === clientWidth && width !== 300; // which is what it has at first
+    });
     const { x, y, width, height } = await this.page.locator('canvas').evaluate((canvas) => {
       return canvas.getBoundingClientRect().toJSON();
     });
