@@ -20,6 +20,7 @@
 #include <halfedge/operations/append.h>
 #include <halfedge/operations/dual.h>
 #include <halfedge/operations/operations.h>
+#include <halfedge/operations/reorder.h>
 #include <halfedge/repair/repair.h>
 #include <halfedge/result.h>
 #include <halfedge/shapes/shapes.h>

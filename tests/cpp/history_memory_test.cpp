@@ -158,8 +158,9 @@ TEST(HistoryMemoryDeathTest, WhatIsUndoneWithoutRoomForRedoCannotBeRedone) {
   EXPECT_EXIT(undo_without_memory(), testing::ExitedWithCode(0), "");
 }
 
-// The maps are what can fail in compact: nothing was noted before.
-[[noreturn]] void compact_without_memory() {
+// The maps are what can fail in compact, and all that is planned in reorder: nothing was noted
+// before.
+[[noreturn]] void renumber_without_memory(Result<CompactMaps> (*renumber)(Mesh&)) {
   Mesh mesh = with_history(quad_grid(150, 150));
   if (!operations::delete_face(mesh, Face(0)).ok()) std::_Exit(2);
   mesh.end_step();
@@ -168,7 +169,7 @@ TEST(HistoryMemoryDeathTest, WhatIsUndoneWithoutRoomForRedoCannotBeRedone) {
   expect(mesh.undo() && mesh.history()->redo_count() == 1, 3);
   const std::size_t bytes = mesh.history()->bytes();
   use_up_memory();
-  const Result<CompactMaps> maps = compact(mesh);
+  const Result<CompactMaps> maps = renumber(mesh);
   expect(!maps && maps.error().code == "out-of-memory", 4);
   expect(!mesh.history()->has_open_step() && mesh.history()->bytes() == bytes, 5);
   leave(mesh.redo() && mesh.position(Vertex(7)) == Point{1, 1, 1});
@@ -176,7 +177,13 @@ TEST(HistoryMemoryDeathTest, WhatIsUndoneWithoutRoomForRedoCannotBeRedone) {
 
 TEST(HistoryMemoryDeathTest, ACompactionThatDoesNotFitLeavesHistoryAlone) {
   HALFEDGE_NEEDS_A_MEMORY_LIMIT();
-  EXPECT_EXIT(compact_without_memory(), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(renumber_without_memory(compact), testing::ExitedWithCode(0), "");
+}
+
+TEST(HistoryMemoryDeathTest, AReorderingThatDoesNotFitLeavesHistoryAlone) {
+  HALFEDGE_NEEDS_A_MEMORY_LIMIT();
+  EXPECT_EXIT(renumber_without_memory(reorder), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(renumber_without_memory(reorder_breadth_first), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -192,6 +192,10 @@ TEST(Stability, CompactClosesTheGapsAndSaysWhereItemsWent) {
   }
 }
 
+Face maps_back(const Array<Index>& map, Face now) {
+  return Face(Index(std::find(map.begin(), map.end(), now.index()) - map.begin()));
+}
+
 TEST(Stability, CompactOfAReducedMeshIsTheReducedCompactMesh) {
   const TwoParts parts(random_polygons(3), random_polygons(4));
   Mesh whole = built<Mesh>(parts.both);
@@ -205,6 +209,43 @@ TEST(Stability, CompactOfAReducedMeshIsTheReducedCompactMesh) {
   EXPECT_EQ(Canonical(completed).sides, Canonical(whole).sides);
   EXPECT_EQ(Canonical(completed).anchors, Canonical(whole).anchors);
   EXPECT_EQ(Canonical(completed).firsts, Canonical(whole).firsts);
+}
+
+TYPED_TEST(Stability, ReorderOfAReducedMeshIsTheReducedReorderedMesh) {
+  constexpr Storage kStored = TypeParam::kStorage;
+  const Shape shape = torus(6, 5, 1);
+  Mesh whole = built<Mesh>(shape);
+  auto mesh = built<BasicMesh<kStored>>(shape);
+  for (Array<float>* positions : {&whole.mutable_positions(), &mesh.mutable_positions()}) {
+    for (std::size_t i = 0; i < positions->size(); ++i) (*positions)[i] = float(i * i % 101);
+  }
+  Result<CompactMaps> of_whole = reorder(whole);
+  Result<CompactMaps> maps = reorder(mesh);
+  ASSERT_TRUE(of_whole && maps);
+  if constexpr (kStored.face || kStored.face_halfedge) {
+    EXPECT_EQ(mesh.face_count(), whole.face_count());
+  }
+  for (const Vertex v : whole.vertices()) {
+    EXPECT_EQ(maps.value()(v), of_whole.value()(v));
+    EXPECT_EQ(mesh.position(v), whole.position(v));
+    if constexpr (kStored.vertex_halfedge) {
+      EXPECT_EQ(mesh.vertex_halfedge(v), whole.vertex_halfedge(v));
+    }
+  }
+  for (const Halfedge h : whole.halfedges()) {
+    EXPECT_EQ(mesh.next(h), whole.next(h));
+    EXPECT_EQ(mesh.prev(h), whole.prev(h));
+    EXPECT_EQ(mesh.to_vertex(h), whole.to_vertex(h));
+    if constexpr (kStored.face) {
+      EXPECT_EQ(mesh.face(h), whole.face(h));
+    }
+  }
+  if constexpr (kStored.face_halfedge) {
+    for (const Face f : whole.faces()) {
+      const Face here = kStored.face ? f : maps.value()(maps_back(of_whole.value().faces, f));
+      EXPECT_EQ(mesh.face_halfedge(here), whole.face_halfedge(f));
+    }
+  }
 }
 
 TEST(Stability, CompactOfACompactMeshChangesNoIndex) {

@@ -8,7 +8,7 @@
 
 namespace halfedge {
 
-/// Where `compact` moved items to, by old slot; kNone for slots that were deleted.
+/// Where `compact` and `reorder` moved items to, by old slot; kNone for slots that were deleted.
 struct CompactMaps {
   Array<Index> vertices;
   Array<Index> edges;
@@ -24,7 +24,7 @@ struct CompactMaps {
   }
 };
 
-/// The parts of `compact`, which write the links of a mesh.
+/// The parts of `compact` and of `reorder`, which write the links of a mesh.
 class Compaction {
  public:
   /// Where everything goes. All that can fail.
@@ -45,21 +45,29 @@ class Compaction {
 
   template <Storage kStored>
   static void run(BasicConnectivity<kStored>& mesh, const CompactMaps& maps) {
-    Links& links = mesh.links_;
+    rewrite(mesh, [&](Links& links, Attributes& attributes) {
+      const auto halfedge = [&](Index h) { return h == kNone ? kNone : maps(Halfedge(h)).index(); };
+      const auto vertex = [&](Index v) { return maps.vertices[v]; };
+      const auto face = [&](Index f) { return f == kNone ? kNone : maps.faces[f]; };
+      move_down<1>(maps.vertices, links.vertex_halfedge, halfedge);
+      move_down<1>(maps.faces, links.face_halfedge, halfedge);
+      move_down<2>(maps.edges, links.to_vertex, vertex);
+      move_down<2>(maps.edges, links.face, face);
+      move_down<2>(maps.edges, links.prev, halfedge);
+      move_down<2>(maps.edges, links.next, halfedge);
+      attributes.compact(ItemKind::kVertex, maps.vertices);
+      attributes.compact(ItemKind::kHalfedge, maps.edges);
+      attributes.compact(ItemKind::kEdge, maps.edges);
+      attributes.compact(ItemKind::kFace, maps.faces);
+    });
+  }
+
+  /// Calls `move(links, attributes)`, which gives all live items other slots without gaps; as one
+  /// change, noted by history.
+  template <Storage kStored, class Move>
+  static void rewrite(BasicConnectivity<kStored>& mesh, const Move& move) {
     if (mesh.history() != nullptr) note_all(mesh);
-    const auto halfedge = [&](Index h) { return h == kNone ? kNone : maps(Halfedge(h)).index(); };
-    const auto vertex = [&](Index v) { return maps.vertices[v]; };
-    const auto face = [&](Index f) { return f == kNone ? kNone : maps.faces[f]; };
-    move_down<1>(maps.vertices, links.vertex_halfedge, halfedge);
-    move_down<1>(maps.faces, links.face_halfedge, halfedge);
-    move_down<2>(maps.edges, links.to_vertex, vertex);
-    move_down<2>(maps.edges, links.face, face);
-    move_down<2>(maps.edges, links.prev, halfedge);
-    move_down<2>(maps.edges, links.next, halfedge);
-    mesh.attributes_.compact(ItemKind::kVertex, maps.vertices);
-    mesh.attributes_.compact(ItemKind::kHalfedge, maps.edges);
-    mesh.attributes_.compact(ItemKind::kEdge, maps.edges);
-    mesh.attributes_.compact(ItemKind::kFace, maps.faces);
+    move(mesh.links_, mesh.attributes_);
     mesh.attributes_.end_all_generations();
     mesh.free_vertices_ = mesh.free_edges_ = mesh.free_faces_ = FreeList{};
     ++mesh.version_;
