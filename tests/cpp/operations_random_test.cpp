@@ -20,6 +20,7 @@
 #include "support/complexes.h"
 #include "support/random_polygons.h"
 #include "support/reference_build.h"
+#include "support/same_but_prev.h"
 #include "support/shapes.h"
 
 namespace halfedge::test {
@@ -71,17 +72,9 @@ TEST(RandomOperations, KeepTheMeshValidAndCanBeTakenBack) {
   }
 }
 
-// All links but prev, and the positions.
+// All links but prev, the positions and the attributes.
 void expect_same(const Mesh& mesh, const MeshWithoutPrev& other) {
-  const auto same = [](const auto& a, const auto& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  };
-  EXPECT_TRUE(same(mesh.links().next, other.links().next));
-  EXPECT_TRUE(same(mesh.links().to_vertex, other.links().to_vertex));
-  EXPECT_TRUE(same(mesh.links().face, other.links().face));
-  EXPECT_TRUE(same(mesh.links().vertex_halfedge, other.links().vertex_halfedge));
-  EXPECT_TRUE(same(mesh.links().face_halfedge, other.links().face_halfedge));
-  EXPECT_TRUE(same(mesh.positions(), other.positions()));
+  expect_same_but_prev(mesh, other);
   for (const ItemKind kind :
        {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
     for (std::size_t i = 0; i < mesh.attributes().of(kind).size(); ++i) {

@@ -3,12 +3,12 @@
 #include <halfedge/operations/append.h>
 #include <halfedge/operations/dual.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "support/operations.h"
 #include "support/reference_build.h"
+#include "support/same_but_prev.h"
 #include "support/shapes.h"
 
 namespace halfedge::test {
@@ -31,15 +31,7 @@ std::vector<Index> prevs_of(const auto& mesh) {
 }
 
 void expect_same(const Mesh& mesh, const Chosen& other) {
-  const auto same = [](const auto& a, const auto& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  };
-  EXPECT_TRUE(same(mesh.links().next, other.links().next));
-  EXPECT_TRUE(same(mesh.links().to_vertex, other.links().to_vertex));
-  EXPECT_TRUE(same(mesh.links().face, other.links().face));
-  EXPECT_TRUE(same(mesh.links().vertex_halfedge, other.links().vertex_halfedge));
-  EXPECT_TRUE(same(mesh.links().face_halfedge, other.links().face_halfedge));
-  EXPECT_TRUE(same(mesh.positions(), other.positions()));
+  expect_same_but_prev(mesh, other);
   EXPECT_EQ(prevs_of(mesh), prevs_of(other));
   if (other.stores_prev()) {
     EXPECT_TRUE(same(mesh.links().prev, other.links().prev));
