@@ -1,7 +1,8 @@
 // The suites of one runner: `web` tests the package that dist/ holds, `three-oldest` those parts of it that
 // use three.js with the oldest release of it that package.json allows, `browser` drives the explorer in
-// Chromium and Firefox, `package` tries the packed tarball. Modules are loaded as what they are, ES modules
-// (node --experimental-vm-modules), so that the shipped files are tested unchanged.
+// Chromium and Firefox, `package` tries the packed tarball; `fuzz` is for `npm run fuzz`. Modules are
+// loaded as what they are, ES modules (node --experimental-vm-modules), so that the shipped files are
+// tested unchanged.
 
 const suite = (name) => ({
   displayName: name,
@@ -39,7 +40,9 @@ export default {
     {
       ...web,
       displayName: 'three-oldest',
-      testMatch: ['three-*', 'gltf'].map((name) => `<rootDir>/tests/web/${name}.test.ts`),
+      testMatch: ['three-*', 'gltf', 'gltf-write', 'gltf-broken'].map(
+        (name) => `<rootDir>/tests/web/${name}.test.ts`,
+      ),
       moduleNameMapper: {
         ...web.moduleNameMapper,
         '^three$': 'three-oldest',
@@ -52,6 +55,7 @@ export default {
       globalSetup: '<rootDir>/tests/browser/support/setup.mjs',
       globalTeardown: '<rootDir>/tests/browser/support/teardown.mjs',
     },
+    { ...suite('fuzz'), testMatch: ['<rootDir>/tests/fuzz/*.fuzz.ts'] },
     {
       ...suite('package'),
       globalSetup: '<rootDir>/tests/package/support/setup.mjs',

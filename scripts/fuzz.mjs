@@ -1,7 +1,7 @@
 // `npm run fuzz`: names the fuzz targets. `npm run fuzz -- soup --minutes 10` runs one of them (or
 // several, or `all`) for so long each; what it has learnt stays in build/fuzz. `npm run fuzz -- soup
 // <file>` tries one input, and `npm run fuzz -- soup --minimize <file>` makes it smaller. The target
-// gltf is a test of the package, tests/web/gltf-fuzz.test.ts, and is run with other seeds each time.
+// gltf is tests/fuzz/gltf.fuzz.ts, which Jest runs with other seeds each time.
 
 import { existsSync, mkdirSync } from 'node:fs';
 import { basename, join, relative, resolve } from 'node:path';
@@ -51,12 +51,10 @@ async function fuzz(target, seconds) {
 async function fuzzGltf(seconds) {
   const seed = String(Date.now() % 1e6);
   console.log(`\ngltf: ${seconds} s from seed ${seed} on`);
-  const jest = ['node_modules/jest/bin/jest.js', 'tests/web/gltf-fuzz.test.ts'];
-  await run(
-    process.execPath,
-    ['--experimental-vm-modules', '--no-warnings', ...jest, '--selectProjects', 'web'],
-    { env: { HALFEDGE_FUZZ_SECONDS: String(seconds), HALFEDGE_FUZZ_SEED: seed } },
-  );
+  const jest = ['node_modules/jest/bin/jest.js', '--selectProjects', 'fuzz'];
+  await run(process.execPath, ['--experimental-vm-modules', '--no-warnings', ...jest], {
+    env: { HALFEDGE_FUZZ_SECONDS: String(seconds), HALFEDGE_FUZZ_SEED: seed },
+  });
 }
 
 await asProgram(async () => {

@@ -3,6 +3,7 @@ import { HE_mesh, Polyhedron, PolyMesh } from 'halfedge/dialects';
 import {
   annulus,
   bowTie,
+  build,
   pillow,
   quadGrid,
   randomPolygons,
@@ -12,9 +13,6 @@ import {
 } from './support/meshes.js';
 
 beforeAll(() => init());
-
-const build = ({ positions, faces }: { positions: number[]; faces: number[][] }) =>
-  HalfedgeMesh.fromPolygons(positions, faces);
 
 const shapes = {
   quadGrid,

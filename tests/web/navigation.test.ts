@@ -1,6 +1,7 @@
 import { HalfedgeError, HalfedgeMesh, init, NONE } from 'halfedge';
 import {
   bowTie,
+  build,
   pillow,
   quadGrid,
   randomPolygons,
@@ -10,9 +11,6 @@ import {
 import { Reference } from './support/reference.js';
 
 beforeAll(() => init());
-
-const build = ({ positions, faces }: { positions: number[]; faces: number[][] }) =>
-  HalfedgeMesh.fromPolygons(positions, faces);
 
 describe('The links', () => {
   test('of a grid are those of its quads', () => {

@@ -2,6 +2,7 @@ import { HalfedgeMesh, init } from 'halfedge';
 import {
   annulus,
   bowTie,
+  build,
   type Input,
   pillow,
   puncturedTorus,
@@ -13,8 +14,6 @@ import {
 } from './support/meshes.js';
 
 beforeAll(() => init());
-
-const build = ({ positions, faces }: Input) => HalfedgeMesh.fromPolygons(positions, faces);
 
 /** Two inputs side by side, sharing nothing. */
 function together(a: Input, b: Input): Input {

@@ -1,9 +1,15 @@
+import { type BuildOptions, HalfedgeMesh } from 'halfedge';
 import { random, shuffle } from './random.js';
 
 /** Positions and faces, as `fromPolygons` takes them. */
 export interface Input {
   positions: number[];
   faces: number[][];
+}
+
+/** The mesh of polygons; throws what `fromPolygons` throws. */
+export function build({ positions, faces }: Input, options: BuildOptions = {}): HalfedgeMesh {
+  return HalfedgeMesh.fromPolygons(positions, faces, options);
 }
 
 /** 4x4 vertices row by row, 9 quads: the example of the circulators' order. */
@@ -136,3 +142,15 @@ function cut([a, b, c, d]: number[], next: () => number): number[][] {
         [b, d, a],
       ];
 }
+
+/** Two triangles with the edge 0-2 in common. */
+export const twoTriangles = () => ({
+  positions: [0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0],
+  faces: [
+    [0, 1, 2],
+    [0, 2, 3],
+  ],
+});
+
+/** The same square as one face. */
+export const oneSquare = () => ({ positions: twoTriangles().positions, faces: [[0, 1, 2, 3]] });

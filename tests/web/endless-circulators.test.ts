@@ -1,0 +1,99 @@
+import { type CirculatorKind, init, NONE } from 'halfedge';
+import { directions, range } from './support/circulators.js';
+import { changeConnectivity, growMemory } from './support/core.js';
+import { build, quadGrid, triangleAndIsolatedVertex } from './support/meshes.js';
+
+beforeAll(() => init());
+
+describe('The endless form', () => {
+  test('stands on a halfedge', () => {
+    using mesh = build(quadGrid());
+    const circulator = mesh.circulate('vertexFaces', 1, { direction: 'cw' });
+    expect(mesh.face(circulator.halfedge)).toBe(0);
+    expect(mesh.fromVertex(circulator.halfedge)).toBe(1);
+    const { halfedge } = circulator;
+    circulator.next();
+    expect(circulator.halfedge).not.toBe(halfedge);
+    expect(mesh.face(circulator.halfedge)).toBe(1);
+  });
+
+  test('moves to another item of its kind', () => {
+    using mesh = build(triangleAndIsolatedVertex());
+    for (const direction of directions) {
+      const ring = mesh.circulate('vertexVertices', 3, { direction });
+      expect(ring.current).toBe(NONE);
+      for (const v of [0, 1, 2, 3, 0]) {
+        expect(ring.moveTo(v)).toBe(ring);
+        const fresh = mesh.circulate('vertexVertices', v, { direction });
+        for (let i = 0; i < 5; i++) {
+          expect([ring.halfedge, ring.current]).toEqual([fresh.halfedge, fresh.current]);
+          expect(ring.next()).toBe(fresh.next());
+        }
+      }
+      const start = mesh.findHalfedge(1, 2);
+      expect(ring.moveTo(1, start).halfedge).toBe(start);
+      expect(() => ring.moveTo(2, start)).toThrow(RangeError);
+      expect(() => ring.moveTo(4)).toThrow('expected a vertex from 0 to 3');
+    }
+  });
+
+  test('can move on after the connectivity has changed', () => {
+    using mesh = build(quadGrid());
+    const ring = mesh.circulate('vertexFaces', 0);
+    changeConnectivity(mesh);
+    expect(() => ring.current).toThrow('after the connectivity changed');
+    expect(ring.moveTo(0).current).toBe(0);
+  });
+
+  test.each(['vertexOutgoingHalfedges', 'vertexFaces', 'faceVertices', 'edgeFaces'] as const)(
+    '%s moves on in the views of after a change, and of after growth of the memory',
+    (kind) => {
+      using mesh = build(quadGrid());
+      for (const direction of directions) {
+        const ring = mesh.circulate(kind, 0, { direction });
+        for (const disturb of [() => changeConnectivity(mesh), growMemory]) {
+          disturb();
+          for (const item of [5, 1, 8]) {
+            ring.moveTo(item);
+            const lap = [...range(mesh, kind)(item, direction)];
+            const items = lap.map((_, i) => (i === 0 ? ring.current : ring.next()));
+            expect([item, ...items]).toEqual([item, ...lap]);
+            disturb();
+            expect(() => ring.moveTo(48)).toThrow('expected a');
+          }
+        }
+      }
+    },
+  );
+
+  test('refuses an anchor that is out of range', () => {
+    using mesh = build(quadGrid());
+    mesh.connectivity.vertexHalfedge[5] = 999;
+    const ring = mesh.circulate('vertexOutgoingHalfedges', 1, { direction: 'cw' });
+    expect(() => ring.moveTo(5)).toThrow(expect.objectContaining({ code: 'corrupt-connectivity' }));
+  });
+
+  test('begins at a start', () => {
+    using mesh = build(quadGrid());
+    const start = mesh.findHalfedge(5, 1);
+    for (const direction of directions) {
+      expect(mesh.circulate('vertexVertices', 5, { direction, start }).current).toBe(1);
+    }
+  });
+
+  test.each([
+    [
+      'one that is none',
+      'vertexHoles',
+      RangeError,
+      'kind is "vertexHoles"; expected one of vertexVertices, ',
+    ],
+    ['a property of objects', 'constructor', RangeError, 'kind is "constructor"; expected one of'],
+    ['no string', 7, TypeError, 'kind is 7; expected one of'],
+  ])('refuses a kind that is %s', (_, kind, type, message) => {
+    using mesh = build(quadGrid());
+    const call = () => mesh.circulate(kind as CirculatorKind, 0);
+    expect(call).toThrow(type);
+    expect(call).toThrow(message);
+  });
+});
