@@ -37,3 +37,14 @@ export const NONE = -1;
 export type Direction = 'ccw' | 'cw';
 /** What a mesh is made of. */
 export type ItemKind = 'vertex' | 'halfedge' | 'edge' | 'face';
+
+/** The letter that an item's name begins with: `v12`, `h31`. */
+export const LETTERS = { vertex: 'v', halfedge: 'h', edge: 'e', face: 'f' } as const;
+
+/** More than one of a kind; also the methods of a mesh that give all of them. */
+export const PLURALS = {
+  vertex: 'vertices',
+  halfedge: 'halfedges',
+  edge: 'edges',
+  face: 'faces',
+} as const;

@@ -7,8 +7,8 @@ import type { HalfedgeMesh } from './mesh.js';
 import { Neighbourhoods } from './neighbourhoods.js';
 import { unwrap } from './reports.js';
 
-/** In the order of `polygons_of` in wasm/making_bindings.cpp. */
-const SHAPES = [
+/** The static methods that make shapes; in the order of `polygons_of` in wasm/making_bindings.cpp. */
+export const SHAPES = [
   'tetrahedron',
   'cube',
   'octahedron',

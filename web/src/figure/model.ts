@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../api.js';
+import { PLURALS } from '../items.js';
 import { circulators } from '../teaching/circulators.js';
 import { type Item, isLive, itemName, linksOf, sameItem, type WalkKey } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
@@ -147,13 +148,7 @@ export class FigureModel {
 /** The first item that a circulator can go around. */
 function firstFor(mesh: HalfedgeMesh, query: string): Item | null {
   const kind = circulators.find(({ name }) => name === query)?.around ?? 'vertex';
-  const items = {
-    vertex: () => mesh.vertices(),
-    halfedge: () => mesh.halfedges(),
-    edge: () => mesh.edges(),
-    face: () => mesh.faces(),
-  }[kind]();
-  for (const index of items) return { kind, index };
+  for (const index of mesh[PLURALS[kind]]()) return { kind, index };
   return null;
 }
 

@@ -1,4 +1,5 @@
 import { HalfedgeMesh } from '../api.js';
+import { SHAPES } from '../shapes.js';
 import { type FaceList, faceListOf } from './build-story.js';
 
 /** Where the mesh of a figure comes from: an address, a shape by its name, or the text of a file. */
@@ -9,23 +10,8 @@ export interface Source {
 }
 
 const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
+/** One of the static methods of `HalfedgeMesh` that make shapes, and its parameters. */
 const SHAPE = /^shape:\s*(\w+)\s*(?:\(([^()]*)\))?\s*$/;
-
-/** The shapes that `src="shape:…"` can name: the static methods of `HalfedgeMesh`. */
-export const SHAPES = [
-  'tetrahedron',
-  'cube',
-  'octahedron',
-  'icosahedron',
-  'dodecahedron',
-  'prism',
-  'cone',
-  'cylinder',
-  'grid',
-  'torus',
-  'uvSphere',
-  'icoSphere',
-] as const;
 
 /** The mesh of a figure. Throws a sentence where there is none. */
 export async function openSource(

@@ -1,21 +1,8 @@
-import type { Direction, HalfedgeMesh, ItemKind } from '../api.js';
+import type { CirculatorKind, Direction, HalfedgeMesh, ItemKind } from '../api.js';
 import type { Item } from './items.js';
 
 /** The methods of `HalfedgeMesh` that circulate around one item. */
-export type CirculatorName =
-  | 'vertexVertices'
-  | 'vertexOutgoingHalfedges'
-  | 'vertexIncomingHalfedges'
-  | 'vertexEdges'
-  | 'vertexFaces'
-  | 'faceVertices'
-  | 'faceHalfedges'
-  | 'faceEdges'
-  | 'faceFaces'
-  | 'edgeVertices'
-  | 'edgeHalfedges'
-  | 'edgeFaces'
-  | 'halfedgeLoop';
+export type CirculatorName = CirculatorKind;
 
 /** How a circulator steps from halfedge to halfedge. */
 export type Walk = 'rotate' | 'loop' | 'across';
@@ -32,31 +19,40 @@ export interface Circulator {
   readonly label: string;
 }
 
-function kind(
-  name: CirculatorName,
-  around: ItemKind,
-  yields: ItemKind,
-  walk: Walk,
-  view: View,
-  label: string,
-): Circulator {
-  return { name, around, yields, walk, view, label };
+const WALKS: Record<ItemKind, Walk> = {
+  vertex: 'rotate',
+  halfedge: 'loop',
+  edge: 'across',
+  face: 'loop',
+};
+
+const YIELDS: Record<View, ItemKind> = {
+  itself: 'halfedge',
+  opposite: 'halfedge',
+  toVertex: 'vertex',
+  edge: 'edge',
+  face: 'face',
+  faceAcross: 'face',
+};
+
+function circulator(around: ItemKind, name: CirculatorName, view: View, label: string): Circulator {
+  return { name, around, yields: YIELDS[view], walk: WALKS[around], view, label };
 }
 
 export const circulators: readonly Circulator[] = [
-  kind('vertexVertices', 'vertex', 'vertex', 'rotate', 'toVertex', 'one-ring vertices'),
-  kind('vertexOutgoingHalfedges', 'vertex', 'halfedge', 'rotate', 'itself', 'outgoing halfedges'),
-  kind('vertexIncomingHalfedges', 'vertex', 'halfedge', 'rotate', 'opposite', 'incoming halfedges'),
-  kind('vertexEdges', 'vertex', 'edge', 'rotate', 'edge', 'edges'),
-  kind('vertexFaces', 'vertex', 'face', 'rotate', 'face', 'faces'),
-  kind('faceVertices', 'face', 'vertex', 'loop', 'toVertex', 'vertices'),
-  kind('faceHalfedges', 'face', 'halfedge', 'loop', 'itself', 'halfedges'),
-  kind('faceEdges', 'face', 'edge', 'loop', 'edge', 'edges'),
-  kind('faceFaces', 'face', 'face', 'loop', 'faceAcross', 'neighbouring faces'),
-  kind('halfedgeLoop', 'halfedge', 'halfedge', 'loop', 'itself', 'loop'),
-  kind('edgeVertices', 'edge', 'vertex', 'across', 'toVertex', 'vertices'),
-  kind('edgeHalfedges', 'edge', 'halfedge', 'across', 'itself', 'halfedges'),
-  kind('edgeFaces', 'edge', 'face', 'across', 'face', 'faces'),
+  circulator('vertex', 'vertexVertices', 'toVertex', 'one-ring vertices'),
+  circulator('vertex', 'vertexOutgoingHalfedges', 'itself', 'outgoing halfedges'),
+  circulator('vertex', 'vertexIncomingHalfedges', 'opposite', 'incoming halfedges'),
+  circulator('vertex', 'vertexEdges', 'edge', 'edges'),
+  circulator('vertex', 'vertexFaces', 'face', 'faces'),
+  circulator('face', 'faceVertices', 'toVertex', 'vertices'),
+  circulator('face', 'faceHalfedges', 'itself', 'halfedges'),
+  circulator('face', 'faceEdges', 'edge', 'edges'),
+  circulator('face', 'faceFaces', 'faceAcross', 'neighbouring faces'),
+  circulator('halfedge', 'halfedgeLoop', 'itself', 'loop'),
+  circulator('edge', 'edgeVertices', 'toVertex', 'vertices'),
+  circulator('edge', 'edgeHalfedges', 'itself', 'halfedges'),
+  circulator('edge', 'edgeFaces', 'face', 'faces'),
 ];
 
 /** One question to the mesh: which circulator, around what, which way, from where. */

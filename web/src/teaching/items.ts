@@ -1,12 +1,11 @@
 import { type HalfedgeMesh, type ItemKind, NONE } from '../api.js';
+import { LETTERS } from '../items.js';
 
 /** A vertex, halfedge, edge or face of the mesh on show. */
 export interface Item {
   readonly kind: ItemKind;
   readonly index: number;
 }
-
-const LETTERS: Record<ItemKind, string> = { vertex: 'v', halfedge: 'h', edge: 'e', face: 'f' };
 
 /** The item, or null where a link is empty. */
 export function item(kind: ItemKind, index: number): Item | null {
@@ -34,16 +33,7 @@ export function parseItemName(text: string): Item | null {
 
 /** The range of the indices of that kind: live items and deleted ones. */
 export function itemSlots(mesh: HalfedgeMesh, kind: ItemKind): number {
-  switch (kind) {
-    case 'vertex':
-      return mesh.vertexSlots;
-    case 'halfedge':
-      return mesh.halfedgeSlots;
-    case 'edge':
-      return mesh.edgeSlots;
-    case 'face':
-      return mesh.faceSlots;
-  }
+  return mesh[`${kind}Slots` as const];
 }
 
 /** Whether the mesh has the item: its index is in range, and it was not deleted. */
@@ -103,9 +93,7 @@ export function linksOf(mesh: HalfedgeMesh, of: Item): Link[] {
         {
           number: 1,
           name: 'vertexHalfedge',
-          hint: mesh.isBoundaryVertex(i)
-            ? 'an outgoing halfedge, on the boundary'
-            : 'an outgoing halfedge',
+          hint: mesh.isBoundaryVertex(i) ? 'a boundary one' : 'an outgoing one',
           target: item('halfedge', mesh.vertexHalfedge(i)),
           key: 'h',
           role: 'halfedge',
@@ -116,7 +104,7 @@ export function linksOf(mesh: HalfedgeMesh, of: Item): Link[] {
         {
           number: 2,
           name: 'faceHalfedge',
-          hint: 'a bounding halfedge',
+          hint: 'one around it',
           target: item('halfedge', mesh.faceHalfedge(i)),
           key: 'h',
           role: 'halfedge',

@@ -1,17 +1,11 @@
 import type { HalfedgeMesh } from '../api.js';
+import { PLURALS } from '../items.js';
 import type { Item } from './items.js';
 import type { Operation } from './operation.js';
 import { onHalfedges } from './operations-on-halfedges.js';
 import { repairs } from './operations-that-repair.js';
 
 type Maps = ReturnType<HalfedgeMesh['compact']>;
-
-const MAP_NAMES = {
-  vertex: 'vertices',
-  halfedge: 'halfedges',
-  edge: 'edges',
-  face: 'faces',
-} as const;
 
 const onVertices: readonly Operation[] = [
   {
@@ -222,7 +216,7 @@ const onMeshes: readonly Operation[] = [
     label: 'Compact',
     meaning: 'closes the gaps of deleted items',
     key: 'K',
-    renumbers: (maps, { kind, index }) => (maps as Maps)[MAP_NAMES[kind]][index],
+    renumbers: (maps, { kind, index }) => (maps as Maps)[PLURALS[kind]][index],
   },
 ];
 

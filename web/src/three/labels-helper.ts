@@ -1,7 +1,7 @@
 import { Group, Vector3 } from 'three';
 import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import { checkOptions } from '../arguments.js';
-import type { ItemKind } from '../items.js';
+import { type ItemKind, LETTERS, PLURALS } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
@@ -18,8 +18,6 @@ export interface LabelsOptions {
   /** As for the arrows that labels of halfedges stand beside: a pixel in units of the mesh. Default: 0.01. */
   pixel?: number;
 }
-
-const LETTERS = { vertex: 'v', halfedge: 'h', edge: 'e', face: 'f' } as const;
 
 /** The indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
 export class IndexLabelsHelper extends Group {
@@ -48,7 +46,7 @@ export class IndexLabelsHelper extends Group {
     const labels = this.children as CSS2DObject[];
     let count = 0;
     for (const kind of kinds) {
-      for (const index of this.#items(kind)) {
+      for (const index of this.mesh[PLURALS[kind]]()) {
         if (count === most) break;
         let label = labels[count];
         if (label === undefined) {
@@ -67,20 +65,6 @@ export class IndexLabelsHelper extends Group {
   /** Takes all labels out of the page. */
   override dispose(): void {
     this.clear();
-  }
-
-  #items(kind: ItemKind): Iterable<number> {
-    const { mesh } = this;
-    switch (kind) {
-      case 'vertex':
-        return mesh.vertices();
-      case 'halfedge':
-        return mesh.halfedges();
-      case 'edge':
-        return mesh.edges();
-      case 'face':
-        return mesh.faces();
-    }
   }
 
   /** Vertices and the middles of edges, arrows and faces. */
