@@ -1,4 +1,4 @@
-import { type HalfedgeMesh, init } from 'halfedge';
+import { HalfedgeMesh, init } from 'halfedge';
 import { disconnect, ExplorerPage, sampleMesh } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -133,6 +133,128 @@ describe('The records', () => {
     await explorer.until('undo', '0');
     expect(await row(33)).toEqual(['f33', `h${mesh.faceHalfedge(33)}`]);
   });
+});
+
+describe('Attributes in the records', () => {
+  /** Colours of vertices; normals and texture coordinates of corners; groups and materials of faces. */
+  const ATTRIBUTED = `
+v 0 0 0 1 0 0
+v 1 0 0 0 1 0
+v 1 1 0 0 0 1
+v 0 1 0.5 0.25 0.5 0.75
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0.125 1
+vn 0 0 1
+g left
+usemtl steel
+f 1/1/1 2/2/1 3/3/1
+g right
+f 1/1/1 3/3/1 4/4/1
+`;
+  let page: ExplorerPage;
+  const texts = (selector: string) =>
+    page.page.$$eval(selector, (cells) => cells.map((cell) => cell.textContent));
+  const rowOf = (index: number) => texts(`.record[data-row="${index}"]:not([hidden]) > *`);
+  beforeAll(async () => {
+    page = await ExplorerPage.open();
+    await page.page.click('[data-tab-button=records]');
+    await page.drop('attributed.obj', ATTRIBUTED);
+    await page.ready('attributed.obj');
+  });
+  afterEach(() => expect(page.complaints).toEqual([]));
+  afterAll(() => page.close());
+
+  test('have a column each, by their names, with all components in a cell', async () => {
+    await page.goTo('v3');
+    expect(await texts('.record.head > *')).toEqual(['vertex', 'halfedge', 'x', 'y', 'z', 'color']);
+    expect((await rowOf(3)).slice(2)).toEqual(['0', '1', '0.5', '(0.25, 0.5, 0.75)']);
+    await page.goTo('h0');
+    expect((await texts('.record.head > *')).slice(5)).toEqual(['opposite', 'uv', 'normal']);
+    const { mesh: parsed } = HalfedgeMesh.parse(ATTRIBUTED, { format: 'obj' });
+    const corner = [...parsed.faceHalfedges(1)].find((h) => parsed.toVertex(h) === 3) ?? -1;
+    await page.goTo(`h${corner}`);
+    expect((await rowOf(corner)).slice(6)).toEqual(['(0.125, 1)', '(0, 0, 1)']);
+    await page.goTo('f1');
+    expect(await texts('.record.head > *')).toEqual(['face', 'halfedge', 'group', 'material']);
+    expect((await rowOf(1)).slice(2)).toEqual(['2 “right”', '1 “steel”']);
+  });
+
+  test('are told to screen readers, and reached by keys, scrolled to where they can be read', async () => {
+    await page.goTo('h0');
+    await page.page.focus('[role=grid]');
+    await page.press('End');
+    const active = await page.page.evaluate(() => {
+      const grid = document.querySelector('[role=grid]') as HTMLElement;
+      const cell = document.getElementById(grid.getAttribute('aria-activedescendant') ?? '');
+      const place = cell?.getBoundingClientRect();
+      const room = grid.getBoundingClientRect();
+      return {
+        role: cell?.getAttribute('role'),
+        title: cell?.title === cell?.textContent,
+        name: cell?.dataset.name,
+        columns: Number(grid.getAttribute('aria-colcount')),
+        heads: grid.querySelectorAll('[role=columnheader]').length,
+        inSight: place && place.left >= room.left && place.right <= room.right,
+        scrolled: grid.scrollLeft > 0,
+      };
+    });
+    expect(active).toEqual({
+      ...{ role: 'gridcell', title: true, name: 'normal', columns: 8, heads: 8 },
+      ...{ inSight: true, scrolled: true },
+    });
+    expect(await page.page.getAttribute('[role=columnheader][data-attribute]', 'title')).toBe(
+      'attribute: 2 float32',
+    );
+    await page.screenshot('records-attributes-1280-light');
+    // An attribute leads nowhere, and picks nothing.
+    await page.press('Enter');
+    expect(await page.state('selected')).toBe('h0');
+    await page.press('Home');
+    expect(await page.page.$eval('[role=grid]', (grid) => grid.scrollLeft)).toBe(0);
+  });
+
+  test('stay beside the name of their record', async () => {
+    await page.goTo('h4');
+    await page.page.focus('[role=grid]');
+    await page.press('End');
+    const left = (selector: string) =>
+      page.page.$eval(selector, (cell) => cell.getBoundingClientRect().left);
+    const grid = await left('[role=grid]');
+    expect((await left('.record[data-row="4"] [role=rowheader]')) - grid).toBeLessThan(4);
+    expect((await left('.record.head > :first-child')) - grid).toBeLessThan(4);
+  });
+
+  test('follow an edit and its way back', async () => {
+    await page.goTo('f0');
+    await page.page.click('[data-tab-button=edit]');
+    await page.page.click('[data-operation=splitFace]');
+    await page.until('undo', '1');
+    await page.page.click('[data-tab-button=records]');
+    await page.goTo('v4');
+    await page.page.waitForSelector('.record.selected[data-row="4"]');
+    expect((await rowOf(4)).at(-1)).toBe('(0.3333, 0.3333, 0.3333)');
+    await page.press('Control+z');
+    await page.until('undo', '0');
+    await page.page.check('[name=records][value=vertex]');
+    expect(await page.page.getAttribute('[role=grid]', 'aria-rowcount')).toBe('5');
+  });
+});
+
+test('Edges have records: their two halfedges', async () => {
+  const cube = await ExplorerPage.open({ link: 'sample=cube&select=e5', mesh: 'Cube' });
+  await cube.page.click('[data-tab-button=records]');
+  await cube.page.waitForSelector('.record.selected[data-row="10"]');
+  expect(await cube.page.getAttribute('[role=grid]', 'data-records')).toBe('halfedge');
+  expect(await cube.page.locator('.record.selected:not([hidden])').count()).toBe(2);
+  await cube.page.check('[name=records][value=edge]');
+  await cube.goTo('e7');
+  expect(await cube.page.textContent('.record.selected')).toBe('e7h14h15');
+  await cube.page.click('.record[data-row="7"] [data-name=second]');
+  expect(await cube.state('selected')).toBe('h15');
+  expect(cube.complaints).toEqual([]);
+  await cube.close();
 });
 
 test('Records that need no scrolling are there when the table is first opened', async () => {

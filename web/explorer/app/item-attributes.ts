@@ -23,16 +23,18 @@ export function attributesOf(
   for (const info of mesh.attributes.list()) {
     if (info.kind !== of.kind) continue;
     const values = mesh.attributes.values(info.kind, info.name, of.index);
-    shown.push({ name: info.name, type: typeOf(info), text: worded(values, names[info.name]) });
+    shown.push({ name: info.name, type: typeOf(info), text: textOf(values, names[info.name]) });
   }
   return shown;
 }
 
-const typeOf = ({ type, components }: AttributeInfo) =>
-  components === 1 ? type : `${components} ${type}`;
+/** `3 float32`. */
+export function typeOf({ type, components }: AttributeInfo): string {
+  return components === 1 ? type : `${components} ${type}`;
+}
 
-/** Some attributes are places in a list of names, as those of groups and materials. */
-function worded(values: readonly number[], names: readonly string[] | undefined): string {
+/** The values of an item in words. Some are places in a list of names, as those of groups and materials. */
+export function textOf(values: readonly number[], names: readonly string[] | undefined): string {
   const name = values.length === 1 ? names?.[values[0]] : undefined;
   return name === undefined ? tuple(values) : `${values[0]} “${name}”`;
 }

@@ -1,16 +1,8 @@
-import { type Item, isLive, itemName, sameItem } from 'halfedge/teaching';
+import type { ItemKind } from 'halfedge';
+import { type Item, isLive, itemName, itemSlots, sameItem } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import {
-  type Cell,
-  cellKey,
-  cellOf,
-  columns,
-  type Reading,
-  type RecordKind,
-  readingOf,
-  rowCount,
-  rowsOf,
-} from '../app/records.js';
+import { type Cell, type Column, columnsOf } from '../app/record-columns.js';
+import { cellKey, type Reading, readingOf, rowsOf } from '../app/records.js';
 import type { Signal } from '../app/signal.js';
 import { fill, h, setAttribute } from './dom.js';
 import type { Tab } from './panel.js';
@@ -18,21 +10,25 @@ import { VirtualRows } from './virtual-rows.js';
 
 const ROW_PX = 26;
 
-const KINDS: readonly [RecordKind, string][] = [
+const KINDS: readonly [ItemKind, string][] = [
   ['vertex', 'Vertices'],
   ['halfedge', 'Halfedges'],
+  ['edge', 'Edges'],
   ['face', 'Faces'],
 ];
 
 /**
- * The arrays of the mesh as they are: a grid of links that lead from record to record. It follows the
- * selection and the player, and lights what is pointed at in the picture.
+ * The arrays of the mesh as they are: a grid of links that lead from record to record, and of attributes. It
+ * follows the selection and the player, and lights what is pointed at in the picture.
  */
 export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement {
-  let kind: RecordKind = 'vertex';
+  let kind: ItemKind = 'vertex';
+  let columns: readonly Column[] = [];
   /** The cell of the keyboard; column 0 is the record itself. */
   let active = { row: 0, column: 0 };
   let reading: Reading = { cells: new Set(), at: null };
+  /** Where the mouse was seen last, and whether keys were pressed since. */
+  let mouse = { x: Number.NaN, y: Number.NaN, isLeft: false };
 
   const kinds = kindSegments((chosen) => {
     show(chosen);
@@ -70,24 +66,27 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     const mesh = meshNow();
     if (!mesh || !isLive(mesh, { kind, index: row })) return null;
     if (column === 0) return { kind, index: row };
-    const cell = columns[kind][column - 1];
-    return cell ? cellOf(mesh, row, cell).target : null;
+    return columns[column - 1]?.cell(mesh, row).target ?? null;
   }
 
-  function show(next: RecordKind): void {
-    const mesh = meshNow();
-    if (!mesh) return;
+  function show(next: ItemKind): void {
+    const { value: opened } = explorer.document;
+    if (!opened) return;
+    const { mesh, names } = opened;
+    const isOther = next !== kind;
     kind = next;
+    columns = columnsOf(mesh, kind, names);
     kinds.choose(kind);
     grid.dataset.records = kind;
-    grid.style.setProperty('--columns', String(columns[kind].length));
-    setAttribute(grid, 'aria-rowcount', rowCount(mesh, kind) + 1);
-    setAttribute(grid, 'aria-colcount', columns[kind].length + 1);
-    const heads = [{ name: kind, meaning: 'its index' }, ...columns[kind]].map(
-      ({ name, meaning }) => h('span', { role: 'columnheader', title: meaning }, name),
+    setTracks(grid, columns);
+    if (isOther) grid.scrollLeft = 0;
+    setAttribute(grid, 'aria-rowcount', itemSlots(mesh, kind) + 1);
+    setAttribute(grid, 'aria-colcount', columns.length + 1);
+    const heads = columns.map(({ name, meaning, isAttribute }) =>
+      h('span', { role: 'columnheader', title: meaning, 'data-attribute': isAttribute }, name),
     );
-    fill(head, ...heads);
-    rows.setCount(rowCount(mesh, kind));
+    fill(head, h('span', { role: 'columnheader', title: 'its index' }, kind), ...heads);
+    rows.setCount(itemSlots(mesh, kind));
   }
 
   function showRow(row: number, element: HTMLElement): void {
@@ -95,7 +94,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     if (!mesh) return;
     const { selected, hovered } = explorer;
     const live = isLive(mesh, { kind, index: row });
-    const cells: Cell[] = live ? columns[kind].map((column) => cellOf(mesh, row, column)) : [];
+    const cells: Cell[] = live ? columns.map((column) => column.cell(mesh, row)) : [];
     const shown = [
       { text: itemName({ kind, index: row }), target: { kind, index: row } },
       ...cells,
@@ -111,16 +110,19 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     shown.forEach(({ text, target }, column) => {
       const cell = element.children[column] as HTMLElement;
       const isActive = row === active.row && column === active.column;
-      const name = columns[kind][column - 1]?.name ?? '';
+      const { name = '', isAttribute = false } = columns[column - 1] ?? {};
       cell.id = `record-${row}-${column}`;
       setAttribute(cell, 'role', column === 0 ? 'rowheader' : 'gridcell');
       cell.dataset.column = String(column);
       cell.dataset.name = name;
+      setAttribute(cell, 'data-attribute', isAttribute);
+      setAttribute(cell, 'title', isAttribute && text);
       if (cell.textContent !== text) cell.textContent = text;
       const points = column > 0 && target !== null;
       cell.classList.toggle('link', live && target !== null);
       cell.classList.toggle('active', isActive);
-      cell.classList.toggle('read', reading.cells.has(cellKey(kind, row, name)));
+      const isRead = !isAttribute && reading.cells.has(cellKey(kind, row, name));
+      cell.classList.toggle('read', isRead);
       cell.classList.toggle('to-selected', points && sameItem(target, selected.value));
       cell.classList.toggle('to-hovered', points && sameItem(target, hovered.value));
       if (isActive) grid.setAttribute('aria-activedescendant', cell.id);
@@ -131,6 +133,20 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   function reveal(): void {
     rows.reveal(active.row);
     rows.render();
+  }
+
+  /** Brings the cell of the keyboard into sight, from beyond the edge or from under the record's name. */
+  function nudgeSideways(): void {
+    const cell = grid.querySelector<HTMLElement>('.active');
+    const name = cell?.parentElement?.firstElementChild as HTMLElement | null | undefined;
+    if (!cell || !name) return;
+    if (cell === name) {
+      grid.scrollLeft = 0;
+      return;
+    }
+    const most = cell.offsetLeft - name.offsetWidth;
+    const least = cell.offsetLeft + cell.offsetWidth - grid.clientWidth;
+    grid.scrollLeft = Math.min(most, Math.max(least, grid.scrollLeft));
   }
 
   /** Goes where the selection is: to its record, or the first of its two. */
@@ -144,7 +160,8 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
       show('halfedge');
       active = { row: at, column: 0 };
     } else if (selected) {
-      const next = selected.kind === 'edge' ? 'halfedge' : selected.kind;
+      // An edge is two halfedges side by side, unless it is edges that are looked at.
+      const next = selected.kind === 'edge' && kind !== 'edge' ? 'halfedge' : selected.kind;
       show(next);
       active = { row: rowsOf(selected, next)[0] ?? 0, column: 0 };
     } else {
@@ -172,6 +189,10 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   }
 
   grid.addEventListener('mouseover', (event) => {
+    const { clientX: x, clientY: y } = event;
+    // Rows that come under a mouse at rest are not pointed at by it.
+    if (mouse.isLeft && mouse.x === x && mouse.y === y) return;
+    mouse = { x, y, isLeft: false };
     const at = cellOfEvent(event);
     if (at) point(...at);
   });
@@ -189,7 +210,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   grid.addEventListener('keydown', (event) => {
     const mesh = meshNow();
     if (!mesh) return;
-    const last = { row: rowCount(mesh, kind) - 1, column: columns[kind].length };
+    const last = { row: itemSlots(mesh, kind) - 1, column: columns.length };
     const { row, column } = active;
     const far = event.ctrlKey || event.metaKey;
     const moves: Record<string, () => typeof active> = {
@@ -208,6 +229,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     event.preventDefault();
     event.stopPropagation();
     if (!move) return;
+    mouse = { ...mouse, isLeft: true };
     const to = move();
     active = {
       row: Math.max(0, Math.min(last.row, to.row)),
@@ -215,6 +237,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     };
     rows.nudge(active.row);
     rows.render();
+    nudgeSideways();
     point(active.row, active.column);
   });
 
@@ -228,8 +251,17 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   return section;
 }
 
-function kindSegments(choose: (kind: RecordKind) => void) {
-  const inputs = new Map<RecordKind, HTMLInputElement>();
+/** The widths of the columns: attributes have what they need, the others share what there is. */
+function setTracks(grid: HTMLElement, columns: readonly Column[]): void {
+  const width = ({ room }: Column) =>
+    room > 0 ? `minmax(${room}ch, ${room}fr)` : 'minmax(var(--cell), 9fr)';
+  grid.style.setProperty('--tracks', columns.map(width).join(' '));
+  const inner = columns.map(({ room }) => (room > 0 ? `${room}ch` : 'var(--cell)'));
+  grid.style.setProperty('--least-width', `calc(${['var(--cell)', ...inner].join(' + ')})`);
+}
+
+function kindSegments(choose: (kind: ItemKind) => void) {
+  const inputs = new Map<ItemKind, HTMLInputElement>();
   const element = h('div', {
     class: 'segments',
     role: 'radiogroup',
@@ -245,7 +277,7 @@ function kindSegments(choose: (kind: RecordKind) => void) {
     inputs.set(kind, input);
     element.append(h('label', {}, input, text));
   }
-  const mark = (kind: RecordKind) => {
+  const mark = (kind: ItemKind) => {
     for (const [each, input] of inputs) input.checked = each === kind;
   };
   return { element, choose: mark };

@@ -52,6 +52,7 @@ export class VirtualRows {
       (event) => {
         if (this.#scale === 1 || event.ctrlKey) return;
         event.preventDefault();
+        this.element.scrollLeft += event.deltaX;
         this.#moveTo(this.#top + event.deltaY * (event.deltaMode === 1 ? this.#rowHeight : 1));
       },
       { passive: false },

@@ -1,0 +1,65 @@
+import { HalfedgeMesh, init } from 'halfedge';
+import { columnsOf } from '../../web/explorer/app/record-columns.js';
+import { rowsOf } from '../../web/explorer/app/records.js';
+
+beforeAll(() => init());
+
+describe('the columns of the records', () => {
+  test('are the links of the structure, then the attributes of that kind of items', () => {
+    const mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('edge', 'crease', { type: 'float32' });
+    mesh.attributes.add('halfedge', 'uv', { type: 'float64', components: 2 });
+    mesh.attributes.set('edge', 'crease', 5, 0.75);
+    mesh.attributes.set('halfedge', 'uv', 3, [0.5, 0.25]);
+    const names = (kind: 'vertex' | 'halfedge' | 'edge' | 'face') =>
+      columnsOf(mesh, kind, {}).map(({ name }) => name);
+    expect(names('vertex')).toEqual(['halfedge', 'x', 'y', 'z']);
+    expect(names('halfedge')).toEqual(['to', 'next', 'prev', 'face', 'opposite', 'uv']);
+    expect(names('edge')).toEqual(['first', 'second', 'crease']);
+    expect(names('face')).toEqual(['halfedge']);
+    const cells = columnsOf(mesh, 'edge', {}).map((column) => column.cell(mesh, 5).text);
+    expect(cells).toEqual(['h10', 'h11', '0.75']);
+    const uv = columnsOf(mesh, 'halfedge', {}).at(-1);
+    expect(uv?.cell(mesh, 3)).toEqual({ text: '(0.5, 0.25)', target: null });
+    expect([uv?.meaning, uv?.isAttribute]).toEqual(['attribute: 2 float64', true]);
+    mesh.dispose();
+  });
+
+  test('say the words of attributes that are places in a list', () => {
+    const mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('face', 'material', { type: 'int32' });
+    mesh.attributes.set('face', 'material', 2, 1);
+    const [, material] = columnsOf(mesh, 'face', { material: ['none', 'steel'] });
+    expect(material.cell(mesh, 2).text).toBe('1 “steel”');
+    expect(material.cell(mesh, 3).text).toBe('0 “none”');
+    mesh.dispose();
+  });
+
+  test('have no attribute twice, and none of another kind, whatever its name', () => {
+    const mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('vertex', 'halfedge', { type: 'int32' });
+    mesh.attributes.add('face', 'x', { type: 'int32' });
+    const columns = columnsOf(mesh, 'vertex', {});
+    expect(columns.map(({ name, isAttribute }) => [name, isAttribute])).toEqual([
+      ['halfedge', false],
+      ['x', false],
+      ['y', false],
+      ['z', false],
+      ['halfedge', true],
+    ]);
+    expect(columns[0].cell(mesh, 0).target).toEqual({
+      kind: 'halfedge',
+      index: mesh.vertexHalfedge(0),
+    });
+    expect(columns[4].cell(mesh, 0).target).toBeNull();
+    mesh.dispose();
+  });
+});
+
+test('the rows of an item are its own, those of its halfedges, or that of its edge', () => {
+  expect(rowsOf({ kind: 'edge', index: 4 }, 'halfedge')).toEqual([8, 9]);
+  expect(rowsOf({ kind: 'edge', index: 4 }, 'edge')).toEqual([4]);
+  expect(rowsOf({ kind: 'halfedge', index: 9 }, 'edge')).toEqual([4]);
+  expect(rowsOf({ kind: 'vertex', index: 9 }, 'edge')).toEqual([]);
+  expect(rowsOf(null, 'vertex')).toEqual([]);
+});
