@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base_mesh.h"
 #include "builders.h"
 #include "contender.h"
 #include "history.h"

@@ -1,16 +1,10 @@
 #pragma once
 
-#include <halfedge/io/parse.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 #include <random>
-#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -74,29 +68,6 @@ inline TriangleMesh bipyramid(std::uint32_t valence) {
     mesh.corners.insert(mesh.corners.end(), {0, a, b, valence + 1, b, a});
   }
   return mesh;
-}
-
-struct NamedMesh {
-  std::string name;
-  TriangleMesh mesh;
-};
-
-/// A scanned mesh of 70 k faces of all valences, from the folder of test meshes; where that is
-/// absent, a sphere of 82 k, all of valence 6, which is kinder to branch prediction.
-inline NamedMesh base_mesh() {
-  const char* folder = std::getenv("HALFEDGE_DATA");
-  const std::string path =
-      std::string(folder != nullptr ? folder : HALFEDGE_DATA_DIR) + "/good/bunny_pmp.off";
-  std::ifstream file(path, std::ios::binary);
-  const std::vector<char> text((std::istreambuf_iterator<char>(file)),
-                               std::istreambuf_iterator<char>());
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-  halfedge::Result<halfedge::ParsedFile> parsed = halfedge::parse({bytes, text.size()});
-  if (!parsed) return {"a subdivided sphere (no " + path + ")", sphere(6)};
-  const halfedge::PolygonSoup& soup = parsed.value().soup;
-  return {
-      "a scanned bunny, subdivided",
-      {{soup.positions.begin(), soup.positions.end()}, {soup.corners.begin(), soup.corners.end()}}};
 }
 
 /// The same mesh with vertices and faces in random order: what a file can hold at its worst.

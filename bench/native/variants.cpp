@@ -1,5 +1,5 @@
-#include <halfedge/build/build.h>
-#include <halfedge/directed_edges/build.h>
+#include <halfedge/directed_edges/directed_edges.h>
+#include <halfedge/mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -8,72 +8,21 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
+#include "base_mesh.h"
 #include "contender.h"
 #include "measure.h"
 #include "memory.h"
 #include "meshes.h"
 #include "table.h"
+#include "variant.h"
 
 // The variants of our own beside each other: what leaving links out costs and saves.
 
 namespace {
 
 using namespace halfedge;
-
-class Variant : public Circulated {
- public:
-  /// As `one_ring_sum`, counter-clockwise: along prev, where that is stored.
-  virtual std::uint64_t one_ring_sum_ccw() = 0;
-};
-
-template <class AnyMesh>
-class VariantOf final : public Variant {
- public:
-  void build(const TriangleMesh& input) override {
-    BuildReport report;
-    const Polygons polygons{input.positions, {}, input.corners};
-    bool built = false;
-    if constexpr (std::is_same_v<AnyMesh, DirectedEdgesMesh>) {
-      built = build_from_triangles(mesh_, polygons, report);
-    } else {
-      built = build_from_polygons(mesh_, polygons, report);
-    }
-    if (!built) std::exit(1);
-  }
-
-  std::int64_t circulate() override {
-    std::int64_t counter = 0;
-    for (const Vertex v : mesh_.vertices()) {
-      for ([[maybe_unused]] const Face f : mesh_.vertex_faces_cw(v)) ++counter;
-    }
-    for (const Face f : mesh_.faces()) {
-      for ([[maybe_unused]] const Vertex v : mesh_.face_vertices_ccw(f)) --counter;
-    }
-    return counter;
-  }
-
-  std::uint64_t one_ring_sum() override {
-    std::uint64_t sum = 0;
-    for (const Vertex v : mesh_.vertices()) {
-      for (const Vertex w : mesh_.vertex_vertices_cw(v)) sum += w.index();
-    }
-    return sum;
-  }
-
-  std::uint64_t one_ring_sum_ccw() override {
-    std::uint64_t sum = 0;
-    for (const Vertex v : mesh_.vertices()) {
-      for (const Vertex w : mesh_.vertex_vertices_ccw(v)) sum += w.index();
-    }
-    return sum;
-  }
-
- private:
-  AnyMesh mesh_;
-};
 
 struct Entry {
   const char* name;
