@@ -4,6 +4,7 @@
 import { argv } from 'node:process';
 import { buildPreset, buildWasm, buildWeb } from './build.mjs';
 import { check } from './check.mjs';
+import { guard } from './guard.mjs';
 import { asProgram, Failure } from './lib/run.mjs';
 import { runCtest, runJest } from './lib/runners.mjs';
 import { counts, Steps } from './lib/steps.mjs';
@@ -20,6 +21,7 @@ const parts = {
   async cpp(steps) {
     await steps.run('Build with g++, release', () => buildPreset('release'));
     await steps.run('C++ tests of memory, OpenMesh, CGAL, examples', () => runCtest('release'));
+    await steps.run('Instructions of the main loops (callgrind)', guard);
     await steps.run('Build with clang++, ASan + UBSan', () => buildPreset('asan'));
     await steps.run('C++ tests under ASan + UBSan', () => runCtest('asan'));
   },
