@@ -3,44 +3,12 @@
 
 import { load } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
+import { openPort } from './port.js';
 import type { ParseStage } from './progress.js';
 import type { RepairReport } from './repair.js';
 import { isBlob, type Job, type Reply, type Request, toSent } from './worker-messages.js';
 
-/** This end of the connection. */
-interface Port {
-  post(reply: Reply, transfer: object[]): void;
-  listen(listener: (request: Request) => void): void;
-}
-
-/** In a browser the global object, in Node one of its modules: not imported, as a bundler would follow. */
-function openPort(): Port {
-  const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
-  const threads = process?.getBuiltinModule?.('node:worker_threads');
-  const { parentPort } = (threads ?? {}) as { parentPort?: NodePort };
-  if (parentPort) {
-    return {
-      post: (reply, transfer) => parentPort.postMessage(reply, transfer),
-      listen: (listener) => parentPort.on('message', listener),
-    };
-  }
-  const scope = globalThis as unknown as WebScope;
-  return {
-    post: (reply, transfer) => scope.postMessage(reply, transfer),
-    listen: (listener) => scope.addEventListener('message', ({ data }) => listener(data)),
-  };
-}
-
-interface NodePort {
-  postMessage(reply: Reply, transfer: object[]): void;
-  on(type: 'message', listener: (request: Request) => void): void;
-}
-interface WebScope {
-  postMessage(reply: Reply, transfer: object[]): void;
-  addEventListener(type: 'message', listener: (event: { data: Request }) => void): void;
-}
-
-const port = openPort();
+const port = openPort<Request, Reply>();
 let started: Promise<void> = Promise.resolve();
 
 port.listen((request) => {
