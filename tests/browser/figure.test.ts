@@ -218,6 +218,34 @@ OFF
     expect(visited[0].item).toBe(`v${last}`);
   });
 
+  test('takes another mesh after the first, by its address or as bytes, with a trail in it', async () => {
+    const page = await figures(ONE_RING.replace('code', 'code" overlays="vertex-labels'));
+    await page.ready();
+    await page.figure(async (figure) => {
+      figure.query = null;
+      figure.src = 'shape:cube';
+      figure.select = 'v0';
+      await figure.updateComplete;
+      const cube = await figure.ready();
+      figure.bytes = cube.toBytes();
+      figure.trail = {
+        steps: [{ item: 'v1', sentence: 'First.' }, { item: 'v3' }],
+        missing: ['v7'],
+      };
+      figure.step = 2;
+      await figure.updateComplete;
+      await figure.ready();
+      figure.stepBack();
+    });
+    expect(await page.events('halfedge-error')).toEqual([]);
+    expect(await page.sentence()).toBe('First.');
+    await page.page.waitForSelector('halfedge-figure .tag.witness');
+    const lit = await page.page.$$eval('halfedge-figure .tag.witness', (tags) =>
+      tags.map(({ textContent }) => textContent),
+    );
+    expect(lit).toEqual(['✕ v7']);
+  });
+
   test('moves in the page, and goes on', async () => {
     const page = await figures(`<main></main>${ONE_RING}`);
     await page.ready();

@@ -13,6 +13,7 @@ import { started } from './start.js';
 import { WalkStory } from './story.js';
 import { figureStyles } from './styles.js';
 import { type Controls, codeListing, icon, playerBar } from './template.js';
+import type { Trail } from './trail-story.js';
 import { FigureView } from './view.js';
 
 /** How far outside of the window a figure begins to load. */
@@ -47,6 +48,8 @@ export class HalfedgeFigure extends LitElement implements Controls {
     autoplay: { type: Boolean, reflect: true },
     loading: { reflect: true },
     alt: { reflect: true },
+    bytes: { attribute: false },
+    trail: { attribute: false },
     state: { reflect: true },
     failure: { state: true },
     hasCaption: { state: true },
@@ -84,6 +87,10 @@ export class HalfedgeFigure extends LitElement implements Controls {
   declare loading: string | null;
   /** What the picture shows, for who can't see it. */
   declare alt: string | null;
+  /** A mesh as `toBytes` of a mesh writes it, with all its numbers, instead of `src`. */
+  declare bytes: Uint8Array | null;
+  /** A walk that is shown instead of a query: see {@link Trail}. */
+  declare trail: Trail | null;
   /** What it is doing; to be read only. */
   declare state: FigureStateName;
   /** @internal */
@@ -107,6 +114,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     super();
     this.src = this.select = this.query = this.operation = this.overlays = null;
     this.controls = this.camera = this.theme = this.alt = this.loading = null;
+    this.bytes = this.trail = null;
     this.direction = 'ccw';
     this.dialect = 'halfedge';
     this.step = 0;
@@ -205,7 +213,8 @@ export class HalfedgeFigure extends LitElement implements Controls {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('speed')) this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
-    if ((changed.has('src') || changed.has('build')) && this.state !== 'waiting') void this.#load();
+    const another = changed.has('src') || changed.has('build') || changed.has('bytes');
+    if (another && this.state !== 'waiting') void this.#load();
     if (this.state !== 'ready') return;
     const anew = this.#follow(changed.has('camera'));
     // A step that the player has made itself is no reason to rest.
@@ -282,7 +291,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.failure = null;
     try {
       await started();
-      const source = { src: this.src, text: this.#text() };
+      const source = { src: this.src, text: this.#text(), bytes: this.bytes };
       const { signal } = abort;
       if (this.build) {
         const list = await openFaces(source, signal);
@@ -305,8 +314,10 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.#makeView();
     this.state = 'ready';
     this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
-    this.#follow(false);
+    // The view still has the mesh that was shown before.
+    this.#follow(false, false);
     this.#view?.show(numbersOf(this.camera));
+    this.#view?.update();
     this.#model.player.seek(this.step);
     this.requestUpdate();
     await this.updateComplete;
@@ -331,7 +342,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
   }
 
   /** Follows the attributes. Whether there is a story that begins anew. */
-  #follow(camera: boolean): boolean {
+  #follow(camera: boolean, draws = true): boolean {
     const { story } = this.#model;
     const settings = this.#settings();
     if (!camera && this.#model.follows(settings)) return false;
@@ -339,7 +350,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     try {
       const edit = this.#model.tell(settings);
       if (camera) this.#view?.look(numbersOf(this.camera));
-      this.#view?.update(edit);
+      if (draws) this.#view?.update(edit);
     } catch (error) {
       this.#fail(error, 'ready');
     }
@@ -368,8 +379,8 @@ export class HalfedgeFigure extends LitElement implements Controls {
   }
 
   #settings(): Settings {
-    const { select, query, direction, operation, dialect, overlays } = this;
-    return { select, query, direction, operation, dialect, overlays };
+    const { select, query, direction, operation, dialect, overlays, trail } = this;
+    return { select, query, direction, operation, dialect, overlays, trail };
   }
 
   /** The text of a file in the element. */

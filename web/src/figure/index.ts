@@ -9,3 +9,4 @@ define(init);
 export type { FigureEventMap } from './define.js';
 export { type FigureStateName, HalfedgeFigure } from './element.js';
 export type { FigureEvents } from './events.js';
+export type { Trail } from './trail-story.js';

@@ -10,6 +10,7 @@ import { EditStory } from './edit-story.js';
 import { DEFAULT_OVERLAYS, type OverlayName, overlaysNamed } from './overlays.js';
 import { Player } from './player.js';
 import { type Story, WalkStory } from './story.js';
+import { type Trail, TrailStory } from './trail-story.js';
 import { dialectNamed, directionNamed, itemNamed, queryNamed } from './words.js';
 
 /** What a figure is told to show, as its attributes say it. */
@@ -20,6 +21,7 @@ export interface Settings {
   readonly operation: string | null;
   readonly dialect: string;
   readonly overlays: string | null;
+  readonly trail: Trail | null;
 }
 
 /** What a model tells its figure. */
@@ -107,7 +109,7 @@ export class FigureModel {
     if (!mesh || sameItem(item, this.selected) || (item && !isLive(mesh, item))) return false;
     this.#told = JSON.stringify(settings);
     this.selected = item;
-    if (this.story instanceof EditStory) return true;
+    if (this.story instanceof EditStory || this.story instanceof TrailStory) return true;
     this.player.story = null;
     try {
       if (item) this.#begin(mesh, settings);
@@ -124,9 +126,12 @@ export class FigureModel {
     return linksOf(mesh, selected).find((link) => link.key === key)?.target ?? null;
   }
 
-  #begin(mesh: HalfedgeMesh, { query, operation, direction, dialect }: Settings): void {
+  #begin(mesh: HalfedgeMesh, settings: Settings): void {
+    const { query, operation, direction, dialect, trail } = settings;
     if (this.#list) {
       this.player.story = new BuildStory(mesh, this.#list);
+    } else if (trail) {
+      this.player.story = new TrailStory(mesh, trail);
     } else if (operation) {
       this.player.story = new DeedStory(mesh, operation);
       this.selected ??= this.story?.current ?? null;

@@ -7,6 +7,8 @@ export interface Source {
   readonly src: string | null;
   /** The text of a file inside of the element. */
   readonly text: string | null;
+  /** What `HalfedgeMesh.toBytes` has written: goes before the others. */
+  readonly bytes: Uint8Array | null;
 }
 
 const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
@@ -15,9 +17,10 @@ const SHAPE = /^shape:\s*(\w+)\s*(?:\(([^()]*)\))?\s*$/;
 
 /** The mesh of a figure. Throws a sentence where there is none. */
 export async function openSource(
-  { src, text }: Source,
+  { src, text, bytes }: Source,
   signal: AbortSignal,
 ): Promise<HalfedgeMesh> {
+  if (bytes) return HalfedgeMesh.fromBytes(bytes);
   if (src?.startsWith('shape:')) return shapeOf(src);
   if (src) return fetchMesh(new URL(src, document.baseURI), signal);
   if (text?.trim()) return HalfedgeMesh.parse(text).mesh;
@@ -28,7 +31,7 @@ export async function openSource(
 
 /** The faces of the source as they are listed there, good or bad. */
 export async function openFaces(source: Source, signal: AbortSignal): Promise<FaceList> {
-  if (source.src === null && source.text?.trim()) {
+  if (!source.bytes && source.src === null && source.text?.trim()) {
     const { positions, faces } = HalfedgeMesh.parseSoup(source.text);
     let at = 0;
     return {

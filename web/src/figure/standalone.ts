@@ -10,3 +10,4 @@ export * from '../inline.js';
 export type { FigureEventMap } from './define.js';
 export { type FigureStateName, HalfedgeFigure } from './element.js';
 export type { FigureEvents } from './events.js';
+export type { Trail } from './trail-story.js';

@@ -14,6 +14,8 @@ export interface Story {
   /** Why the next operation can't be done, once it was tried. */
   readonly refusal: Refusal | null;
   readonly witness: readonly Item[] | null;
+  /** What a walk should have come to, where it is known: lit throughout. */
+  readonly missing?: readonly Item[];
   /** Goes to a step from 0 to `count`; returns the change of the mesh, where there was one. */
   seek(position: number): Edit | null;
   /** The item that the last step came to. */

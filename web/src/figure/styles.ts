@@ -1,52 +1,8 @@
 import { css, unsafeCSS } from 'lit';
-import { DARK, declarations, LIGHT } from '../scene/colors.js';
 import { LABEL_STYLES } from '../scene/label-styles.js';
+import { basicStyles } from './basic-styles.js';
 
-const light = unsafeCSS(declarations(LIGHT, 'halfedge'));
-const dark = unsafeCSS(declarations(DARK, 'halfedge'));
-
-/** The looks of a figure. A page can set each colour as `--halfedge-…`, and style the parts. */
-export const figureStyles = css`
-  :host {
-    ${light}
-    color-scheme: light;
-    --sans: var(--halfedge-sans, system-ui, sans-serif);
-    --mono: var(--halfedge-mono, ui-monospace, "SF Mono", "Cascadia Mono", Menlo, monospace);
-    --quick: 0.12s;
-    display: block;
-    color: var(--text);
-    font: 400 14px / 1.45 var(--sans);
-    text-align: start;
-  }
-
-  @media (prefers-color-scheme: dark) {
-    :host(:not([theme="light"])) {
-      ${dark}
-      color-scheme: dark;
-    }
-  }
-
-  :host([theme="dark"]) {
-    ${dark}
-    color-scheme: dark;
-  }
-
-  :host([hidden]) {
-    display: none;
-  }
-
-  @media (prefers-reduced-motion: reduce) {
-    :host {
-      --quick: 0s;
-    }
-  }
-
-  *,
-  ::before,
-  ::after {
-    box-sizing: border-box;
-  }
-
+const parts = css`
   figure {
     container-type: inline-size;
     margin: 0;
@@ -133,21 +89,6 @@ export const figureStyles = css`
     color: var(--danger);
   }
 
-  .icon {
-    flex: none;
-    width: 18px;
-    height: 18px;
-    fill: none;
-    stroke: currentcolor;
-    stroke-width: 2;
-    stroke-linecap: round;
-    stroke-linejoin: round;
-  }
-
-  .icon.filled {
-    fill: currentcolor;
-  }
-
   .bar {
     display: flex;
     align-items: center;
@@ -159,34 +100,6 @@ export const figureStyles = css`
   .buttons {
     display: flex;
     gap: 4px;
-  }
-
-  button,
-  select {
-    color: inherit;
-    font: inherit;
-  }
-
-  button {
-    display: grid;
-    place-items: center;
-    width: 34px;
-    height: 34px;
-    padding: 0;
-    border: 1px solid var(--line);
-    border-radius: 9px;
-    background: var(--raised);
-    cursor: pointer;
-    transition: border-color var(--quick), background var(--quick);
-  }
-
-  button:hover:not(:disabled) {
-    border-color: var(--line-strong);
-  }
-
-  button:disabled {
-    color: color-mix(in srgb, var(--muted) 55%, transparent);
-    cursor: default;
   }
 
   button.play {
@@ -227,11 +140,6 @@ export const figureStyles = css`
   .stage:hover .home,
   .home:focus-visible {
     opacity: 1;
-  }
-
-  :focus-visible {
-    outline: 2px solid var(--focus);
-    outline-offset: 1px;
   }
 
   input[type="range"] {
@@ -298,18 +206,6 @@ export const figureStyles = css`
   .sentence.code-words {
     font: 450 12.5px / 1.5 var(--mono);
     font-variant-ligatures: none;
-  }
-
-  .hidden {
-    position: absolute;
-    width: 1px;
-    height: 1px;
-    margin: -1px;
-    padding: 0;
-    overflow: hidden;
-    border: 0;
-    clip-path: inset(50%);
-    white-space: nowrap;
   }
 
   .code {
@@ -393,3 +289,6 @@ export const figureStyles = css`
 
   ${unsafeCSS(LABEL_STYLES)}
 `;
+
+/** The looks of a figure. A page can set each colour as `--halfedge-…`, and style the parts. */
+export const figureStyles = [basicStyles, parts];

@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
-import { type Anchors, type Overlay, overlayOf } from '../scene/marks.js';
+import { type Anchors, addWitness, type Overlay, overlayOf } from '../scene/marks.js';
 import { type Palette, readPalette } from '../scene/palette.js';
 import { type Captions, MeshPicture } from '../scene/picture.js';
 import { SharedScreen } from '../scene/shared-screen.js';
@@ -113,6 +113,8 @@ export class FigureView {
     if (story?.witness) this.#picture.travel.turnTo(story.witness);
     else if (story && story.visits.length > 0 && story.current) {
       this.#picture.travel.turnTo(selected ? [story.current, selected] : [story.current]);
+    } else if (story?.missing) {
+      this.#picture.travel.turnTo([...story.missing, ...(selected ? [selected] : [])]);
     }
   }
 
@@ -188,6 +190,7 @@ export class FigureView {
       this.#palette,
       anchors,
     );
+    addWitness(overlay, story?.missing ?? [], this.#palette, anchors);
     addItems(overlay, overlays, mesh, this.#palette, anchors);
     return overlay;
   }

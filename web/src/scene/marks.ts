@@ -47,12 +47,12 @@ export function overlayOf(shows: Shows, palette: Palette, anchors: Anchors): Ove
     // A witness, and the first of two, have labels of their own.
     const hasOther = [...(witness ?? []), first].some((item) => sameItem(item, selected));
     addSelected(overlay, palette, anchors, selected, !hasOther);
-    // A refusal has the picture to itself: what its sentence names, and nothing else.
-    if (visits.length > 0 && !witness) addTrail(overlay, visits, palette, anchors);
-    else if (links && !witness && !first) {
+    if (links && visits.length === 0 && !witness && !first) {
       addLinks(overlay, mesh, palette, anchors, selected, numbers);
     }
   }
+  // A refusal has the picture to itself: what its sentence names, and nothing else.
+  if (visits.length > 0 && !witness) addTrail(overlay, visits, palette, anchors);
   if (witness) addWitness(overlay, witness, palette, anchors);
   if (first) addFirst(overlay, first, palette, anchors);
   if (hovered && !sameItem(hovered, selected)) {
@@ -87,8 +87,8 @@ function addSelected(
   });
 }
 
-/** The items that make an operation impossible, each with its name. */
-function addWitness(
+/** The items that make an operation impossible, or that a walk has missed, each with its name. */
+export function addWitness(
   { marks, labels }: Overlay,
   witness: readonly Item[],
   palette: Palette,
@@ -135,7 +135,8 @@ function addTrail(
   for (const visit of visits.slice(-TRAIL_CAP)) {
     const weight = visit === current ? 'strong' : 'fine';
     const carrier: Item = { kind: 'halfedge', index: visit.halfedge };
-    if (!sameItem(carrier, visit.item)) marks.push({ item: carrier, color: palette.next, weight });
+    const led = visit.halfedge >= 0 && !sameItem(carrier, visit.item);
+    if (led) marks.push({ item: carrier, color: palette.next, weight });
     marks.push({ item: visit.item, color: palette.next, weight });
   }
   labels.unshift({
