@@ -9,7 +9,7 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs';
-import { join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { argv } from 'node:process';
 import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
@@ -81,10 +81,26 @@ export async function buildWeb() {
   await buildStandalone();
 }
 
-/** Makes `halfedge/figure/standalone` one file that needs no other, and puts the page for frames beside it. */
+/**
+ * Makes the standalone entries one file each that needs no other, and puts the page for frames beside
+ * that of figures. That of exercises has the script of its worker in it, as a text.
+ */
 async function buildStandalone() {
+  const thread = readFileSync(await bundled('exercise/thread.js'), 'utf8');
+  const source = join(dist, 'exercise/thread-source.js');
+  writeFileSync(source, `export const threadSource = ${JSON.stringify(thread)};\n`);
+  for (const entry of ['figure/standalone.js', 'exercise/standalone.js']) {
+    cpSync(await bundled(entry), join(dist, entry));
+  }
+  rmSync(source);
+  cpSync(join(sources, 'figure/frame.html'), join(dist, 'figure/frame.html'));
+}
+
+/** Bundles a module of dist/, and all that it needs, into one file; returns where that is. */
+async function bundled(entry) {
   const { build: bundle } = await import('vite');
-  const outDir = join(root, 'build/standalone');
+  const outDir = join(root, 'build/standalone', dirname(entry));
+  const name = basename(entry, '.js');
   await bundle({
     configFile: false,
     root,
@@ -92,15 +108,14 @@ async function buildStandalone() {
     publicDir: false,
     build: {
       outDir,
-      emptyOutDir: true,
+      emptyOutDir: false,
       target: 'es2022',
       chunkSizeWarningLimit: 4000,
-      lib: { entry: join(dist, 'figure/standalone.js'), formats: ['es'], fileName: 'standalone' },
+      lib: { entry: join(dist, entry), formats: ['es'], fileName: name },
       rolldownOptions: { output: { codeSplitting: false, minify: true } },
     },
   });
-  cpSync(join(outDir, 'standalone.js'), join(dist, 'figure/standalone.js'));
-  cpSync(join(sources, 'figure/frame.html'), join(dist, 'figure/frame.html'));
+  return join(outDir, `${name}.js`);
 }
 
 /** The whole package. */

@@ -21,6 +21,8 @@ export interface FigurePageSettings {
   readonly policy?: string;
   /** Whether the browser has WebGL. */
   readonly webgl?: boolean;
+  /** The script of the page: the standalone file of figures, or of exercises. */
+  readonly script?: 'figure' | 'exercise';
   /** A file of the repository to open; otherwise a page with the given body. */
   readonly path?: string;
 }
@@ -52,9 +54,9 @@ export class FigurePage {
   static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
     connection ??= chromium.connect(shared.browser);
     const { width = 900, height = 700, dark = false, motion = false } = settings;
-    const { policy, webgl = true, path = 'figures.html' } = settings;
+    const { policy, webgl = true, path = 'figures.html', script = 'figure' } = settings;
     const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark">
-      <title>Figures</title><script type="module" src="/dist/figure/standalone.js"></script>
+      <title>Figures</title><script type="module" src="/dist/${script}/standalone.js"></script>
       <link rel="icon" href="data:,"><body>${body}</body></html>`;
     const type = 'text/html; charset=utf-8';
     const server = await serve(root, {

@@ -1,0 +1,258 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { ExerciseEvents, HalfedgeExercise } from 'halfedge/exercise';
+import { STRICT_POLICY } from '../package/support/server.js';
+import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
+
+interface Axe {
+  run(): Promise<{ violations: { impact: string; id: string; nodes: { target: string[] }[] }[] }>;
+}
+
+const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+let open: FigurePage | undefined;
+
+afterEach(async () => {
+  await open?.close();
+  open = undefined;
+});
+afterAll(disconnect);
+
+async function exercise(attributes: string, settings: FigurePageSettings = {}) {
+  const body = `<main><h1>Exercises</h1><h2>One</h2><halfedge-exercise seed="5" ${attributes}></halfedge-exercise></main>`;
+  open = await FigurePage.open(body, { script: 'exercise', width: 1280, height: 900, ...settings });
+  await open.page.waitForSelector('halfedge-exercise .cm-content');
+  return open;
+}
+
+/** Replaces the code as somebody would who types. */
+async function type({ page }: FigurePage, code: string): Promise<void> {
+  await page.click('halfedge-exercise .cm-content');
+  await page.keyboard.press('Control+a');
+  await page.keyboard.insertText(code);
+}
+
+/** Runs by the keyboard; what the event tells. */
+async function run({ page }: FigurePage): Promise<ExerciseEvents['halfedge-result']> {
+  const told = page.evaluate(
+    () =>
+      new Promise((done) => {
+        const tell = ({ detail }: CustomEvent) => done(JSON.parse(JSON.stringify(detail)));
+        document.addEventListener('halfedge-result', tell as EventListener, { once: true });
+      }),
+  );
+  await page.focus('halfedge-exercise .cm-content');
+  await page.keyboard.press('Control+Enter');
+  return told as Promise<ExerciseEvents['halfedge-result']>;
+}
+
+const text = ({ page }: FigurePage, part: string) =>
+  page.textContent(`halfedge-exercise [part~="${part}"]`);
+
+/** The names in the picture. */
+async function tags({ page }: FigurePage, look: string): Promise<(string | null)[]> {
+  await page.waitForSelector(`halfedge-figure .tag.${look}`);
+  return page.$$eval(`halfedge-figure .tag.${look}`, (all) => all.map((it) => it.textContent));
+}
+
+const WALK = (step: string) => `function vertexVertices(mesh, v) {
+  const ring = [];
+  const first = mesh.vertexHalfedge(v);
+  if (first === NONE) return ring;
+  let h = first;
+  do {
+    ring.push(mesh.toVertex(h));
+    h = ${step};
+  } while (h !== first);
+  return ring;
+}`;
+
+describe('An exercise', () => {
+  test('takes a right answer that is typed, on all meshes', async () => {
+    const page = await exercise('task="vertex-vertices"');
+    await type(page, WALK('mesh.next(mesh.opposite(h))'));
+    const { passed, meshes, seed } = await run(page);
+    expect([passed, meshes.length, seed]).toEqual([true, 16, 5]);
+    await page.page.waitForSelector('halfedge-exercise[state=passed]');
+    expect(await text(page, 'headline')).toBe('Right.');
+    expect(await page.page.$$eval('halfedge-exercise .chip.passed', (it) => it.length)).toBe(8);
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('says what is wrong, and shows where the walk went and what it missed', async () => {
+    const page = await exercise('task="vertex-vertices"');
+    await type(page, WALK('mesh.next(h)'));
+    const { failure } = await run(page);
+    expect(failure?.code).toBe('walks-face');
+    expect(await text(page, 'headline')).toMatch(/^It walks around f\d, not around v0\.$/);
+    expect(await text(page, 'facts')).toMatch(/vertexVertices\(mesh, v0\)/);
+    const missed = failure?.marks.map(({ index }) => `✕ v${index}`);
+    expect(await tags(page, 'witness')).toEqual(missed);
+    expect(await tags(page, 'self')).toEqual(['v0']);
+    expect(await page.figure(({ step }) => step)).toBe(3);
+    await page.page.click('halfedge-figure [aria-label="Step back"]');
+    expect(await page.sentence()).toMatch(/^2 of 3: v\d$/);
+  });
+
+  test('shows also the other meshes that it failed on', async () => {
+    const page = await exercise('task="vertex-faces"');
+    const { failure, meshes } = await run(page);
+    expect(failure?.code).toBe('null-face');
+    expect(meshes.filter(({ passed }) => passed).map(({ mesh }) => mesh)).toContain('torus');
+    await page.page.click('halfedge-exercise button.chip:has-text("ring")');
+    await page.page.waitForSelector(
+      'halfedge-exercise button.chip[aria-pressed=true]:has-text("ring")',
+    );
+    expect(await page.figure(async (it) => (await it.ready()).faceCount)).toBe(9);
+  });
+
+  test('ends a loop that does not end, and marks its line', async () => {
+    const page = await exercise('task="vertex-vertices"');
+    await type(page, WALK('mesh.next(h)').replace('h !== first', 'h !== NONE'));
+    const { failure } = await run(page);
+    expect([failure?.code, failure?.line]).toEqual(['endless', 6]);
+    expect(await page.page.textContent('halfedge-exercise .cm-line.faulty')).toBe('  do {');
+    await page.page.click('halfedge-exercise [part~=line]');
+    await page.page.keyboard.type('/');
+    expect(await page.page.textContent('halfedge-exercise .cm-activeLine')).toBe('/  do {');
+  });
+
+  test('ends what hangs without a loop, and can run again', async () => {
+    const page = await exercise('task="valence" limit="700"');
+    await type(
+      page,
+      `function valence(mesh, v) { return /^(a+)+$/.test('a'.repeat(50) + 'b') ? 1 : 2; }`,
+    );
+    const { failure } = await run(page);
+    expect(failure?.title).toBe('Nothing came for 0.7 seconds, and the program was ended.');
+    await type(page, 'function valence(mesh, v) { return 3; }');
+    expect((await run(page)).failure?.mesh).toBe('cone');
+  });
+
+  test('tells a mistake of syntax with its place', async () => {
+    const page = await exercise('task="valence"');
+    await type(page, 'function valence(mesh, v) {\n  return 3 +;\n}');
+    expect((await run(page)).failure?.title).toBe('Line 2, column 13: Unexpected token.');
+    expect(await page.page.textContent('halfedge-exercise .cm-line.faulty')).toBe('  return 3 +;');
+  });
+
+  test('lets the keyboard in and out', async () => {
+    const page = await exercise('task="valence" solution');
+    await page.page.focus('halfedge-exercise .cm-content');
+    await page.page.keyboard.press('Tab');
+    const focused = () =>
+      page.page.evaluate(() => {
+        const inner = document.querySelector('halfedge-exercise')?.shadowRoot?.activeElement;
+        return inner?.textContent?.trim() ?? '';
+      });
+    expect(await focused()).toContain('function valence');
+    await page.page.keyboard.press('Escape');
+    await page.page.keyboard.press('Tab');
+    expect(await focused()).toBe('Run');
+    await page.page.keyboard.press('Tab');
+    expect(await focused()).toBe('Reset');
+    await page.page.keyboard.press('Tab');
+    expect(await focused()).toBe('Show a solution');
+    await page.page.keyboard.press('Enter');
+    expect((await run(page)).passed).toBe(true);
+  });
+
+  test('keeps the code where it is asked to, until it is reset', async () => {
+    const page = await exercise('task="valence" save');
+    const code = () => page.page.$eval('halfedge-exercise', (it) => (it as HalfedgeExercise).code);
+    const first = await code();
+    await type(page, '// mine');
+    await page.page.reload();
+    await page.page.waitForSelector('halfedge-exercise .cm-content');
+    expect(await code()).toBe('// mine');
+    await page.page.click('halfedge-exercise [part~=reset]');
+    expect(await code()).toBe(first);
+    await page.page.reload();
+    await page.page.waitForSelector('halfedge-exercise .cm-content');
+    expect(await code()).toBe(first);
+  });
+
+  test('takes the task of a teacher, and her code to begin with', async () => {
+    const body = '<halfedge-exercise></halfedge-exercise>';
+    open = await FigurePage.open(body, { script: 'exercise' });
+    const page = open;
+    await page.page.$eval('halfedge-exercise', (it) => {
+      (it as HalfedgeExercise).definition = {
+        name: 'three',
+        title: 'Three',
+        statement: 'Give back `3`.',
+        call: 'three',
+        starter: 'const three = () => 2;\n',
+        solution: 'const three = () => 3;\n',
+        gets: 'mesh',
+        uses: [],
+        meshes: ['tetrahedron'],
+        asks: () => [[]],
+        answer: { kind: 'number' },
+        reference: () => 3,
+      };
+    });
+    await page.page.waitForSelector('halfedge-exercise [part=title]:has-text("Three")');
+    expect((await run(page)).failure?.code).toBe('one-too-few');
+  });
+
+  test('says which tasks there are, where it is given another', async () => {
+    open = await FigurePage.open('<halfedge-exercise task="dance"></halfedge-exercise>', {
+      script: 'exercise',
+    });
+    await open.page.waitForSelector('halfedge-exercise [part=error]');
+    expect(await text(open, 'error')).toMatch(/^task is “dance”; expected one of face-vertices, /);
+  });
+
+  test.each([
+    ['forbids to run what was typed in', `${STRICT_POLICY}; worker-src blob:`, 'forbidden'],
+    ['allows it', `${STRICT_POLICY} 'unsafe-eval'; worker-src blob:`, 'one-too-few'],
+  ])('works as far as the policy of the page %s', async (_what, policy, code) => {
+    const page = await exercise('task="valence"', { policy });
+    await type(page, 'function valence(mesh, v) { return mesh.vertexHalfedge(v) < 0 ? 0 : 2; }');
+    expect((await run(page)).failure?.code).toBe(code);
+    expect(page.complaints).toEqual([]);
+  });
+});
+
+describe('The page of exercises', () => {
+  test.each([
+    ['a desktop, light', 'light', { width: 1280, height: 900 }],
+    ['a desktop, dark', 'dark', { width: 1280, height: 900, dark: true }],
+    ['a telephone, light', 'narrow', { width: 390, height: 844 }],
+    ['a telephone, dark', 'narrow-dark', { width: 390, height: 844, dark: true }],
+  ])('is without fault for axe, solved and not: %s', async (_name, look, settings) => {
+    open = await FigurePage.open('', {
+      ...settings,
+      path: 'docs/exercises.html',
+      script: 'exercise',
+    });
+    const page = open;
+    const states = await page.page.$$eval('halfedge-exercise', async (all) => {
+      const states: string[] = [];
+      for (const [i, one] of (all as HalfedgeExercise[]).entries()) {
+        await one.updateComplete;
+        if (i === 1) one.code = one.exercise?.solution ?? '';
+        if (i !== 3) await one.run();
+        states.push(one.state);
+      }
+      return states;
+    });
+    expect(states).toEqual(['failed', 'passed', 'failed', 'ready', 'failed']);
+    expect(
+      await page.page.evaluate(() => document.documentElement.scrollWidth - innerWidth),
+    ).toBeLessThanOrEqual(0);
+    await page.page.waitForTimeout(800);
+    await page.page.evaluate(AXE);
+    const violations = await page.page.evaluate(async () => {
+      const { axe } = window as unknown as { axe: Axe };
+      return (await axe.run()).violations;
+    });
+    const serious = violations
+      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+      .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(' ')}`);
+    expect(serious).toEqual([]);
+    expect(page.complaints).toEqual([]);
+    await page.screenshot(`exercises-${look}`);
+  });
+});

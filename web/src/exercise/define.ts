@@ -1,0 +1,28 @@
+import type { WorkerLike } from '../connection.js';
+import { define as defineFigure } from '../figure/define.js';
+import { HalfedgeExercise, runWith } from './element.js';
+import type { ExerciseEvents } from './events.js';
+
+/** The events of exercises, as listeners get them. */
+export type ExerciseEventMap = {
+  [Name in keyof ExerciseEvents]: CustomEvent<ExerciseEvents[Name]>;
+};
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'halfedge-exercise': HalfedgeExercise;
+  }
+  interface HTMLElementEventMap extends ExerciseEventMap {}
+}
+
+/**
+ * Makes exercises and figures of the elements, with a way to load the WebAssembly module and one to start
+ * workers. The first call counts.
+ */
+export function define(init: () => Promise<void>, worker: () => WorkerLike): void {
+  defineFigure(init);
+  runWith(worker);
+  // There are no elements where there is no page.
+  if (typeof customElements === 'undefined' || customElements.get('halfedge-exercise')) return;
+  customElements.define('halfedge-exercise', HalfedgeExercise);
+}

@@ -1,0 +1,38 @@
+import type { HalfedgeMesh } from '../../api.js';
+import type { Asked } from './finding.js';
+import { type Sample, samplesNamed } from './meshes.js';
+import { randomOf } from './random.js';
+import { shuffle } from './shuffle.js';
+import type { Argument, ExerciseTask } from './task.js';
+
+/** Whether the items are numbered as they were made, or every which way. */
+export type Numbering = 'tidy' | 'shuffled';
+
+/** A mesh on which a program is tried, and with what it is called there. */
+export interface Trial {
+  readonly sample: Sample;
+  readonly numbering: Numbering;
+  /** The caller disposes of it. */
+  readonly mesh: HalfedgeMesh;
+  readonly calls: readonly (readonly Argument[])[];
+}
+
+/**
+ * The meshes of a task: each first as it was made, then all again with other indices and other anchors.
+ * The same seed gives the same ones.
+ */
+export function deal(task: ExerciseTask, seed: number): Trial[] {
+  const random = randomOf(seed);
+  return (['tidy', 'shuffled'] as const).flatMap((numbering) =>
+    samplesNamed(task.meshes).map((sample) => {
+      const mesh = sample.make();
+      if (numbering === 'shuffled') shuffle(mesh, random);
+      return { sample, numbering, mesh, calls: [...task.asks(mesh)] };
+    }),
+  );
+}
+
+/** One call of a trial, as a judge wants it. */
+export function askedIn(task: ExerciseTask, { mesh, calls }: Trial, call: number): Asked {
+  return { task, mesh, parameters: calls[call] };
+}

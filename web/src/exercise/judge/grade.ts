@@ -1,0 +1,69 @@
+import { attempt } from './attempt.js';
+import { askedIn, deal, type Trial } from './deal.js';
+import { judge } from './judge.js';
+import { judgeFault } from './judge-trouble.js';
+import type { Outcome } from './outcome.js';
+import { compile } from './program.js';
+import { type ExerciseTask, plain } from './task.js';
+import {
+  type Failure,
+  failureBefore,
+  failureOf,
+  type MeshResult,
+  type Verdict,
+  verdictOf,
+} from './verdict.js';
+
+/**
+ * Runs a program in this very thread and judges it: for scripts that grade, and for tests. Loops that do not
+ * end are ended, but what else is slow is not; a page runs programs in a worker.
+ *
+ * Needs `init()`.
+ */
+export function grade(task: ExerciseTask, code: string, seed: number): Verdict {
+  const program = compile(code, task.call);
+  if (typeof program !== 'function') {
+    return verdictOf(task, seed, [], failureBefore(judgeFault(program, task.call)));
+  }
+  const trials = deal(task, seed);
+  try {
+    const meshes = trials.map((trial, index) =>
+      resultOf(task, trial, index, (parameters) => attempt(program, task, trial.mesh, parameters)),
+    );
+    return verdictOf(task, seed, meshes, null);
+  } finally {
+    for (const { mesh } of trials) mesh.dispose();
+  }
+}
+
+/** Makes the calls of a trial up to the first that is wrong. */
+function resultOf(
+  task: ExerciseTask,
+  trial: Trial,
+  index: number,
+  run: (parameters: (number | string)[]) => Outcome,
+): MeshResult {
+  for (let call = 0; call < trial.calls.length; call++) {
+    const outcome = run(trial.calls[call].map(plain));
+    const failure = failureIn(task, trial, index, call, outcome);
+    if (failure) return meshResult(trial, failure);
+  }
+  return meshResult(trial, null);
+}
+
+/** What is wrong in a call; null where it is right. */
+export function failureIn(
+  task: ExerciseTask,
+  trial: Trial,
+  index: number,
+  call: number,
+  outcome: Outcome,
+): Failure | null {
+  const found = judge(askedIn(task, trial, call), outcome);
+  return found && failureOf(task, trial, index, call, found);
+}
+
+export function meshResult({ sample, numbering }: Trial, failure: Failure | null): MeshResult {
+  const { name: mesh, words } = sample;
+  return { mesh, words, numbering, passed: failure === null, failure };
+}

@@ -1,0 +1,151 @@
+// Answers that are one value: a number, yes or no, an item.
+
+import type { HalfedgeMesh } from '../../api.js';
+import { type Item, isLive, itemName } from '../../teaching/items.js';
+import { type Asked, type Finding, finding, isIndex, subjectOf } from './finding.js';
+import type { Read } from './outcome.js';
+import { stepsOf } from './trail.js';
+
+/** Compares a number with the one that was expected. */
+export function judgeNumber(
+  asked: Asked,
+  got: unknown,
+  expected: number,
+  reads: readonly Read[],
+): Finding | null {
+  if (got === expected) return null;
+  const parts = { got: String(got), expected: String(expected), steps: stepsOf(asked.mesh, reads) };
+  if (typeof got !== 'number') return wrongType(got, 'a number', parts);
+  if (Number.isNaN(got)) {
+    return finding({
+      ...parts,
+      code: 'not-a-number',
+      title: 'It gives back NaN, which is no number.',
+      hint: 'Something was added to undefined: was the variable given a value at first?',
+    });
+  }
+  const off = got - expected;
+  if (off === 1 || off === -1) {
+    return finding({
+      ...parts,
+      code: off > 0 ? 'one-too-many' : 'one-too-few',
+      title: `It counts one too ${off > 0 ? 'many' : 'few'}.`,
+      hint:
+        off > 0
+          ? 'Is the start counted twice: when the walk begins, and when it is back?'
+          : 'Is the start, or the last one, left out? do … while counts before it looks.',
+    });
+  }
+  return finding({
+    ...parts,
+    code: 'wrong-number',
+    title: `It gives back ${got}; expected ${expected}.`,
+  });
+}
+
+/** Compares yes or no with what was expected. */
+export function judgeBoolean(
+  asked: Asked,
+  got: unknown,
+  expected: boolean,
+  reads: readonly Read[],
+): Finding | null {
+  if (got === expected) return null;
+  const steps = stepsOf(asked.mesh, reads);
+  const parts = { got: String(got), expected: String(expected), steps };
+  if (typeof got !== 'boolean') return wrongType(got, 'true or false', parts);
+  return finding({
+    ...parts,
+    code: got ? 'wrong-true' : 'wrong-false',
+    title: `It says ${got} of ${itemName(subjectOf(asked))}; expected ${expected}.`,
+    hint: boundaryHint(asked, expected),
+    marks: expected ? gapsAt(asked) : [],
+  });
+}
+
+function boundaryHint(asked: Asked, expected: boolean): string {
+  const subject = subjectOf(asked);
+  if (subject?.kind !== 'vertex') return '';
+  const gaps = gapsAt(asked).map(itemName);
+  if (asked.mesh.isIsolatedVertex(subject.index))
+    return 'Nothing meets it: mesh.vertexHalfedge is NONE.';
+  if (expected && gaps.length > 0) return `${gaps.join(' and ')} leaves it and has no face.`;
+  return 'Every halfedge that leaves it has a face.';
+}
+
+function gapsAt({ mesh, parameters: [subject] }: Asked): Item[] {
+  if (typeof subject !== 'object' || subject.kind !== 'vertex') return [];
+  return [...mesh.vertexOutgoingHalfedges(subject.index)]
+    .filter((h) => mesh.isBoundaryHalfedge(h))
+    .map((index) => ({ kind: 'halfedge', index }));
+}
+
+/** Compares an item with the one that was expected. */
+export function judgeItem(
+  asked: Asked,
+  got: unknown,
+  expected: Item,
+  reads: readonly Read[],
+): Finding | null {
+  if (got === expected.index) return null;
+  const { mesh } = asked;
+  const steps = stepsOf(mesh, reads);
+  const parts = { got: String(got), expected: itemName(expected), steps, marks: [expected] };
+  if (typeof got !== 'number') return wrongType(got, `a ${expected.kind}, by its index`, parts);
+  const item = { kind: expected.kind, index: got };
+  if (!isIndex(got) || !isLive(mesh, item)) {
+    return finding({
+      ...parts,
+      code: 'not-an-item',
+      title: `It gives back ${got}; the mesh has no such ${expected.kind}.`,
+    });
+  }
+  const relation = relationOf(mesh, asked, item);
+  return finding({
+    ...parts,
+    got: itemName(item),
+    code: 'wrong-item',
+    title: `It gives back ${itemName(item)}${relation ? `, which is ${relation}` : ''}; expected ${itemName(expected)}.`,
+    hint: 'The next of the one that is asked for is the given one: that is how to know it.',
+  });
+}
+
+/** What an item is to the one that was asked about: `its next`. */
+function relationOf(mesh: HalfedgeMesh, asked: Asked, { kind, index }: Item): string | null {
+  const subject = subjectOf(asked);
+  if (kind !== 'halfedge' || subject?.kind !== 'halfedge') return null;
+  const h = subject.index;
+  const name = itemName(subject);
+  const relations: [number, string][] = [
+    [h, `${name} itself`],
+    [mesh.next(h), `next(${name})`],
+    [mesh.opposite(h), `opposite(${name})`],
+    [mesh.next(mesh.opposite(h)), `next(opposite(${name}))`],
+    [mesh.opposite(mesh.next(h)), `opposite(next(${name}))`],
+    [mesh.opposite(mesh.prev(h)), `opposite(prev(${name})), on the other side of the edge`],
+    [mesh.next(mesh.next(h)), `next(next(${name})): right in triangles only`],
+  ];
+  return relations.find(([other]) => other === index)?.[1] ?? null;
+}
+
+/** For an answer of another type than the one that was asked for. */
+export function wrongType(got: unknown, expected: string, parts: Partial<Finding>): Finding {
+  const list = Array.isArray(got);
+  const shown = list ? `a list of ${got.length}` : describe(got);
+  return finding({
+    ...parts,
+    got: shown,
+    expected,
+    code: 'wrong-type',
+    title: `It gives back ${shown}; expected ${expected}.`,
+    hint: list ? 'Is it the length of the list that was asked for?' : '',
+  });
+}
+
+function describe(value: unknown): string {
+  if (typeof value === 'object' && value !== null && 'strange' in value)
+    return String(value.strange);
+  if (typeof value === 'string') return `the text “${value}”`;
+  if (typeof value === 'number') return `the number ${value}`;
+  return String(value);
+}

@@ -1,0 +1,80 @@
+// What a student's program did, in a form that can be sent from a worker.
+
+/** A question that the program asked of the mesh: `next(3)` gave 7. */
+export interface Read {
+  readonly name: string;
+  /** What was asked for, as it came. */
+  readonly of: Plain;
+  /** Null where it was refused. */
+  readonly gave: number | boolean | null;
+}
+
+/** Copies of the arrays of links, by the names in the API. */
+export type LinkArrays = Readonly<
+  Record<'next' | 'prev' | 'toVertex' | 'face' | 'vertexHalfedge' | 'faceHalfedge', Int32Array>
+>;
+
+/** Something that is no plain value, in words: `an object`, `a function`. */
+export interface Strange {
+  readonly strange: string;
+}
+
+export type Plain = number | boolean | string | null | undefined | Strange;
+
+/** What came of one call. */
+export type Outcome = (
+  | { readonly kind: 'returned'; readonly value: Plain | readonly Plain[] | LinkArrays }
+  | { readonly kind: 'threw'; readonly message: string; readonly line: number | null }
+  /** A loop was ended that went on and on. */
+  | {
+      readonly kind: 'endless';
+      readonly line: number | null;
+      readonly recursive: boolean;
+      /** How many questions had been asked when each of the first turns of the loop began. */
+      readonly turns: readonly number[];
+    }
+) & { readonly reads: readonly Read[] };
+
+/** Why a program could not even be called. */
+export type Fault =
+  | {
+      readonly kind: 'syntax';
+      readonly message: string;
+      readonly line: number;
+      /** From 1 on. */
+      readonly column: number;
+    }
+  | { readonly kind: 'no-function'; readonly found: readonly string[] }
+  /** What stands outside of functions threw. */
+  | { readonly kind: 'threw'; readonly message: string; readonly line: number | null }
+  /** The policy of the page forbids to make code of a text. */
+  | { readonly kind: 'forbidden' };
+
+/** The value in a form that can be sent, and in which it can be judged. */
+export function sendable(value: unknown): Plain | readonly Plain[] {
+  if (isList(value)) {
+    const list: Plain[] = [];
+    for (const element of value) {
+      if (list.push(plainOf(element)) >= MOST) break;
+    }
+    return list;
+  }
+  return plainOf(value);
+}
+
+/** A list that is longer is wrong anyway. */
+const MOST = 2000;
+
+function isList(value: unknown): value is Iterable<unknown> {
+  return typeof value === 'object' && value !== null && Symbol.iterator in value;
+}
+
+/** The value, if it is plain; otherwise what it is. */
+export function plainOf(value: unknown): Plain {
+  if (value === null || value === undefined) return value;
+  if (typeof value === 'number' || typeof value === 'boolean' || typeof value === 'string') {
+    return value;
+  }
+  if (Array.isArray(value)) return { strange: 'a list' };
+  return { strange: typeof value === 'object' ? 'an object' : `a ${typeof value}` };
+}

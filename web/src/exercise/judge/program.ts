@@ -1,0 +1,165 @@
+import { type Node, parse } from 'acorn';
+import { NONE } from '../../api.js';
+import type { Fault } from './outcome.js';
+
+/** A student's function, ready to be called. */
+export type Program = (...parameters: unknown[]) => unknown;
+
+/** Thrown in the student's code when its loops have turned too often. */
+export class Endless extends Error {
+  constructor(readonly line: number) {
+    super(`The loop in line ${line} does not end.`);
+  }
+}
+
+/** The name of the student's code in stack traces. */
+const FILE = 'your-code.js';
+/** No honest walk on meshes of this size turns so often. */
+const MOST_TURNS = 20_000;
+
+/** How often loops may still turn, and who is told; one of each for a thread that runs programs. */
+let turnsLeft = MOST_TURNS;
+let told: (line: number) => void = () => {};
+
+/** To be called before each call of a program; `tell` hears of each turn of its loops. */
+export function allowTurns(tell: (line: number) => void = () => {}): void {
+  turnsLeft = MOST_TURNS;
+  told = tell;
+}
+
+function turn(line: number): void {
+  turnsLeft -= 1;
+  if (turnsLeft < 0) throw new Endless(line);
+  told(line);
+}
+
+/**
+ * Compiles the code of a student and finds the function of that name in it. Each turn of each loop is
+ * counted, so that one that doesn't end is ended, and its line known.
+ */
+export function compile(code: string, call: string): Program | Fault {
+  let tree: Tree;
+  try {
+    tree = parse(code, { ecmaVersion: 2022, sourceType: 'module', locations: true }) as Tree;
+  } catch (error) {
+    return syntaxFault(error);
+  }
+  const module = tree.body.find(({ type }) => /^(Import|Export)/.test(type));
+  if (module) {
+    const { line, column } = module.loc.start;
+    const message = 'Import and export have no place here';
+    return { kind: 'syntax', message, line, column: column + 1 };
+  }
+  let make: (none: number, turn: (line: number) => void) => unknown;
+  try {
+    make = new Function(
+      'NONE',
+      '__turn',
+      `'use strict'; ${countTurns(code, tree)}
+      ;return typeof ${call} === 'function' ? ${call} : undefined;
+      //# sourceURL=${FILE}`,
+    ) as typeof make;
+  } catch (error) {
+    if (error instanceof SyntaxError) return syntaxFault(error);
+    return { kind: 'forbidden' };
+  }
+  try {
+    allowTurns();
+    const found = make(NONE, turn);
+    if (typeof found === 'function') return found as Program;
+    return { kind: 'no-function', found: functionsOf(tree) };
+  } catch (error) {
+    const line = error instanceof Endless ? error.line : lineOf(error);
+    return { kind: 'threw', message: messageOf(error), line };
+  }
+}
+
+/** The line of the student's code from which an error comes, where the browser tells it. */
+export function lineOf(error: unknown): number | null {
+  const found = new RegExp(`${FILE}:(\\d+)`).exec(stackOf(error))?.[1];
+  if (found === undefined) return null;
+  linesBefore ??= measureLinesBefore();
+  return Number(found) - linesBefore;
+}
+
+/** Browsers put lines before the text of which they make a function. */
+let linesBefore: number | undefined;
+
+function measureLinesBefore(): number {
+  try {
+    new Function(`throw new Error()\n//# sourceURL=probe-${FILE}`)();
+  } catch (error) {
+    return Number(new RegExp(`probe-${FILE}:(\\d+)`).exec(stackOf(error))?.[1] ?? 1) - 1;
+  }
+  return 0;
+}
+
+function stackOf(error: unknown): string {
+  return String((Object(error) as { stack?: unknown }).stack ?? '');
+}
+
+/** The message of whatever was thrown. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+/** What is used of acorn's nodes. */
+interface Tree extends Node {
+  readonly body: readonly Statement[];
+}
+interface Statement extends Node {
+  readonly loc: NonNullable<Node['loc']>;
+  readonly id?: { readonly name: string } | null;
+  readonly declarations?: readonly {
+    readonly id: { readonly name?: string };
+    readonly init?: Node | null;
+  }[];
+}
+interface Loop extends Statement {
+  readonly body: Node;
+}
+
+function isNode(value: unknown): value is Node {
+  return typeof (Object(value) as Node).type === 'string';
+}
+
+function* nodesOf(node: Node): Generator<Node> {
+  yield node;
+  for (const child of Object.values(node).flat()) if (isNode(child)) yield* nodesOf(child);
+}
+
+/** The code with a count at the beginning of the body of each loop. No line is added. */
+function countTurns(code: string, tree: Tree): string {
+  const inserted: { at: number; text: string }[] = [];
+  for (const node of nodesOf(tree)) {
+    if (!/^(For(In|Of)?|While|DoWhile)Statement$/.test(node.type)) continue;
+    const { body, loc } = node as Loop;
+    const count = `__turn(${loc.start.line});`;
+    if (body.type === 'BlockStatement') {
+      inserted.push({ at: body.start + 1, text: count });
+    } else {
+      inserted.push({ at: body.start, text: `{${count}` }, { at: body.end, text: '}' });
+    }
+  }
+  let counted = code;
+  for (const { at, text } of inserted.sort((a, b) => b.at - a.at)) {
+    counted = counted.slice(0, at) + text + counted.slice(at);
+  }
+  return counted;
+}
+
+/** The names of the functions that the code has on its outermost level. */
+function functionsOf({ body }: Tree): string[] {
+  return body.flatMap(({ type, id, declarations = [] }) => {
+    if (type === 'FunctionDeclaration' && id) return [id.name];
+    return declarations
+      .filter(({ init }) => /Function/.test(init?.type ?? ''))
+      .flatMap(({ id: { name } }) => (name === undefined ? [] : [name]));
+  });
+}
+
+function syntaxFault(error: unknown): Fault {
+  const { loc } = Object(error) as { loc?: { line: number; column: number } };
+  const message = messageOf(error).replace(/\s*\(\d+:\d+\)$/, '');
+  return { kind: 'syntax', message, line: loc?.line ?? 1, column: (loc?.column ?? 0) + 1 };
+}
