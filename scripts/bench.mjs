@@ -1,7 +1,8 @@
 // `npm run bench`: the JavaScript benchmark. `npm run bench:native`: the C++ one. `npm run bench:wasm`:
 // WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
-// start. `npm run bench:files`: readers of files. `npm run bench:explorer`: the explorer in Chromium. Arguments
-// after `--` are handed on to the benchmark.
+// start. `npm run bench:files`: readers of files. `npm run bench:explorer`: the explorer in Chromium.
+// `npm run bench:scale`: ten million triangles. `npm run bench:growth`: from ten thousand faces to ten million.
+// Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -45,6 +46,20 @@ const benchmarks = {
     await setup(['build', 'bench']);
     await buildPreset('bench');
     await run(join(native, 'halfedge_variants'), args);
+  },
+
+  async scale(args) {
+    await setup(['build', 'tests']);
+    await build();
+    await run(process.execPath, [join(root, 'bench/web/scale.mjs'), ...args]);
+  },
+
+  async growth(args) {
+    await setup(['build', 'bench']);
+    await build();
+    await buildPreset('bench');
+    const program = join(native, 'halfedge_growth');
+    await run(process.execPath, [join(root, 'bench/web/growth.mjs'), program, ...args]);
   },
 
   async wasm() {

@@ -58,6 +58,28 @@ inline TriangleMesh sphere(int levels) {
   return mesh;
 }
 
+/// A torus of side * side vertices, all of valence 6: 2 * side * side faces, row by row.
+inline TriangleMesh torus(std::uint32_t side) {
+  TriangleMesh mesh;
+  mesh.positions.reserve(3 * std::size_t{side} * side);
+  mesh.corners.reserve(6 * std::size_t{side} * side);
+  const float turn = 6.2831853F / float(side);
+  for (std::uint32_t y = 0; y < side; ++y) {
+    const float radius = 3 + std::cos(turn * float(y));
+    const std::uint32_t here = side * y;
+    const std::uint32_t below = side * ((y + 1) % side);
+    for (std::uint32_t x = 0; x < side; ++x) {
+      const std::uint32_t right = (x + 1) % side;
+      mesh.positions.insert(mesh.positions.end(), {radius * std::cos(turn * float(x)),
+                                                   radius * std::sin(turn * float(x)),
+                                                   std::sin(turn * float(y))});
+      mesh.corners.insert(mesh.corners.end(), {here + x, here + right, below + right,  //
+                                               here + x, below + right, below + x});
+    }
+  }
+  return mesh;
+}
+
 /// Two vertices of that valence, the first and the last one.
 inline TriangleMesh bipyramid(std::uint32_t valence) {
   TriangleMesh mesh;

@@ -122,7 +122,7 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold }, in
 
 // ---- halfedge ----------------------------------------------------------------------------------
 
-function oneRingsForOf(mesh) {
+export function oneRingsForOf(mesh) {
   let sum = 0;
   for (let v = 0; v < mesh.vertexSlots; v++) {
     for (const w of mesh.vertexVertices(v)) sum = (sum + (w ^ v)) | 0;
@@ -130,7 +130,7 @@ function oneRingsForOf(mesh) {
   return sum;
 }
 
-function oneRingsByAccessors(mesh) {
+export function oneRingsByAccessors(mesh) {
   let sum = 0;
   const { vertexSlots } = mesh;
   for (let v = 0; v < vertexSlots; v++) {

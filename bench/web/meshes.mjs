@@ -20,6 +20,33 @@ export function grid(side) {
   return { positions, triangles, closed: false };
 }
 
+/** A torus of side × side vertices, two triangles to a cell: no boundary, and any number of faces. */
+export function torus(side) {
+  const positions = new Float32Array(3 * side * side);
+  const triangles = new Uint32Array(6 * side * side);
+  const turn = (2 * Math.PI) / side;
+  let p = 0;
+  let t = 0;
+  for (let y = 0; y < side; y++) {
+    const radius = 3 + Math.cos(turn * y);
+    const below = side * ((y + 1) % side);
+    for (let x = 0; x < side; x++) {
+      positions[p++] = radius * Math.cos(turn * x);
+      positions[p++] = radius * Math.sin(turn * x);
+      positions[p++] = Math.sin(turn * y);
+      const right = (x + 1) % side;
+      const [a, b, c, d] = [side * y + x, side * y + right, below + right, below + x];
+      triangles[t++] = a;
+      triangles[t++] = b;
+      triangles[t++] = c;
+      triangles[t++] = a;
+      triangles[t++] = c;
+      triangles[t++] = d;
+    }
+  }
+  return { positions, triangles, closed: true };
+}
+
 /** A sphere: an icosahedron, each face split in four so many times, 20 * 4^times faces. */
 export function icosphere(times) {
   let { points, triangles } = icosahedron();

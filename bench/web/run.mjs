@@ -3,17 +3,13 @@
 //   --quick              small meshes, to see whether it works
 //   --write              keeps the tables in bench/README.md
 
-import { readFileSync, writeFileSync } from 'node:fs';
 import { cpus } from 'node:os';
 import { argv } from 'node:process';
 import { inChromium } from './chromium.mjs';
 import { inNode } from './node.mjs';
 import { operationTable } from './operations.mjs';
+import { keepReport } from './readme.mjs';
 import { tables } from './table.mjs';
-
-const README = new URL('../README.md', import.meta.url);
-const BEGIN = '<!-- npm run bench -- --write -->';
-const END = '<!-- end of npm run bench -->';
 
 const asked = new Set(argv.slice(2));
 const options = {
@@ -37,9 +33,4 @@ for (const run of engines) {
 }
 const report = sections.join('\n\n');
 
-if (asked.has('--write')) {
-  const readme = readFileSync(README, 'utf8');
-  const [before, rest] = readme.split(BEGIN);
-  const after = rest.split(END)[1];
-  writeFileSync(README, `${before}${BEGIN}\n\n${report}\n\n${END}${after}`);
-}
+if (asked.has('--write')) keepReport('npm run bench', report);
