@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <span>
 
 namespace halfedge {
 
@@ -11,7 +12,18 @@ namespace {
 constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge,
                                ItemKind::kFace};
 
-Index look_up(const Array<Index>& map, Index old) { return old < map.size() ? map[old] : kNone; }
+// Where links lead to afterwards; out of the arrays to nothing.
+struct Target {
+  const Array<Index>& map;
+  // The lowest bits of a link stay: that of a halfedge is its side.
+  Index kept_bits = 0;
+
+  [[nodiscard]] Index operator()(Index old) const {
+    const Index item = old >> kept_bits;
+    const Index now = item < map.size() ? map[item] : kNone;
+    return now == kNone ? kNone : (now << kept_bits) + (old - (item << kept_bits));
+  }
+};
 
 // Whether new slots are old ones, and there are as many.
 bool changes_nothing(const Array<Index>& order, const Array<Index>& map) {
@@ -22,20 +34,19 @@ bool changes_nothing(const Array<Index>& order, const Array<Index>& map) {
 }
 
 // Writes in order and reads from all over a copy: of reads, more can be underway at a time.
-template <std::size_t kWidth, class T, class Convert>
-void move_rows(const Array<Index>& order, Array<T>& array, Array<std::byte>& copy,
-               const Convert& convert) {
-  if (array.empty()) return;
-  std::memcpy(copy.data(), array.data(), array.size() * sizeof(T));
-  const T* const old = reinterpret_cast<const T*>(copy.data());
-  T* to = array.data();
+void move_rows(const Array<Index>& order, std::size_t width, Target target, Array<Index>& links,
+               Array<std::byte>& copy) {
+  if (links.empty()) return;
+  std::memcpy(copy.data(), links.data(), links.size() * sizeof(Index));
+  const auto* const old = reinterpret_cast<const Index*>(copy.data());
+  Index* to = links.data();
   for (const Index row : order) {
-    for (std::size_t i = 0; i < kWidth; ++i) *to++ = convert(old[kWidth * std::size_t{row} + i]);
+    for (std::size_t i = 0; i < width; ++i) *to++ = target(old[width * row + i]);
   }
-  array.grow_to(kWidth * order.size());  // no larger than it is
+  links.grow_to(width * order.size());  // no larger than it is
 }
 
-// As many bytes to a row as the numbers of an attribute take.
+// The same with rows of bytes.
 void move_bytes(const Array<Index>& order, std::size_t width, std::span<std::byte> bytes,
                 Array<std::byte>& copy) {
   if (bytes.empty()) return;
@@ -88,10 +99,11 @@ bool Reordering::number_edges(const Links& links) {
   Array<Index> begin;                             // of the groups of vertices, one on
   if (!begin.resize(vertices_.size() + 2, 0)) return false;
   Index live = 0;
+  const Target vertex{maps_.vertices};
   for (Index e = 0; e < maps_.edges.size(); ++e) {
     if (is_deleted_link(links.next[2 * e])) continue;
-    const Index low = std::min({look_up(maps_.vertices, links.to_vertex[2 * e]),
-                                look_up(maps_.vertices, links.to_vertex[2 * e + 1]), nowhere});
+    const Index low =
+        std::min({vertex(links.to_vertex[2 * e]), vertex(links.to_vertex[2 * e + 1]), nowhere});
     maps_.edges[e] = low;
     ++begin[low + 1];
     ++live;
@@ -127,18 +139,13 @@ void Reordering::number_faces(const Links& links) {
 }
 
 void Reordering::move_links(Links& links) {
-  const auto halfedge = [this](Index h) {
-    const Index e = look_up(maps_.edges, h >> 1U);
-    return e == kNone ? kNone : 2 * e + (h & 1U);
-  };
-  const auto vertex = [this](Index v) { return look_up(maps_.vertices, v); };
-  const auto face = [this](Index f) { return look_up(maps_.faces, f); };
-  move_rows<1>(vertices_, links.vertex_halfedge, old_, halfedge);
-  move_rows<1>(faces_, links.face_halfedge, old_, halfedge);
-  move_rows<2>(edges_, links.to_vertex, old_, vertex);
-  move_rows<2>(edges_, links.face, old_, face);
-  move_rows<2>(edges_, links.prev, old_, halfedge);
-  move_rows<2>(edges_, links.next, old_, halfedge);
+  const Target halfedge{maps_.edges, 1};
+  move_rows(vertices_, 1, halfedge, links.vertex_halfedge, old_);
+  move_rows(faces_, 1, halfedge, links.face_halfedge, old_);
+  move_rows(edges_, 2, Target{maps_.vertices}, links.to_vertex, old_);
+  move_rows(edges_, 2, Target{maps_.faces}, links.face, old_);
+  move_rows(edges_, 2, halfedge, links.prev, old_);
+  move_rows(edges_, 2, halfedge, links.next, old_);
 }
 
 void Reordering::move_attributes(const Attributes& attributes) {
@@ -156,7 +163,8 @@ void Reordering::move_attributes(const Attributes& attributes) {
 }
 
 void Reordering::move_positions(Array<float>& positions) {
-  move_rows<3>(vertices_, positions, old_, [](float coordinate) { return coordinate; });
+  move_bytes(vertices_, 3 * sizeof(float), std::as_writable_bytes(positions.span()), old_);
+  positions.grow_to(3 * vertices_.size());
 }
 
 }  // namespace halfedge
