@@ -31,10 +31,10 @@ set(halfedge_fast_files
   connectivity/array attributes/attribute attributes/attributes
   # every edit
   operation_bindings construction_bindings history/journal
-  # whole meshes: rows of all rings, topology, validation, copies
+  # whole meshes: rows of all rings, topology, validation, copies, orders
   algorithms/adjacency algorithms/topology
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references
-  making_bindings operations/append operations/dual
+  making_bindings operations/append operations/dual operations/reorder
 )
 
 # Compiles all files but those for size: by -Oz, which inlines what gets smaller by it, such as

@@ -4,6 +4,7 @@
 #include <halfedge/connectivity/compact.h>
 #include <halfedge/decorator/complexes.h>
 #include <halfedge/operations/operations.h>
+#include <halfedge/operations/reorder.h>
 
 #include "operation_bindings.h"
 
@@ -12,11 +13,8 @@ using namespace halfedge::bindings;
 
 namespace {
 
-/// The maps are JavaScript's to free.
-val compact_mesh(Address address, Index mode) {
-  const bool has_reserve = Reserve::take_back();
-  AnyMesh& mesh = mesh_at(address);
-  Result<CompactMaps> maps = has_reserve ? compact(mesh) : no_room_for("maps");
+/// What is left to do when items were moved. The maps are JavaScript's to free.
+val moved(AnyMesh& mesh, Index mode, Result<CompactMaps> maps) {
   if ((mode & kKeepStepOpen) == 0) mesh.end_step();
   write_layout(mesh);
   if (!maps) return failure(maps.error());
@@ -25,6 +23,20 @@ val compact_mesh(Address address, Index mode) {
   result.set("edges", hand_over(maps.value().edges));
   result.set("faces", hand_over(maps.value().faces));
   return result;
+}
+
+val compact_mesh(Address address, Index mode) {
+  const bool has_reserve = Reserve::take_back();
+  AnyMesh& mesh = mesh_at(address);
+  return moved(mesh, mode, has_reserve ? compact(mesh) : no_room_for("maps"));
+}
+
+/// `order` is an index into the VERTEX_ORDERS of web/src/construction.ts.
+val reorder_mesh(Address address, Index mode, int order) {
+  const bool has_reserve = Reserve::take_back();
+  AnyMesh& mesh = mesh_at(address);
+  if (!has_reserve) return moved(mesh, mode, no_room_for("maps"));
+  return moved(mesh, mode, order == 0 ? reorder(mesh) : reorder_breadth_first(mesh));
 }
 
 }  // namespace
@@ -78,4 +90,7 @@ HALFEDGE_EXPORT void clear(Address mesh) {
   write_layout(m);
 }
 
-EMSCRIPTEN_BINDINGS(halfedge_whole_mesh) { emscripten::function("compact", &compact_mesh); }
+EMSCRIPTEN_BINDINGS(halfedge_whole_mesh) {
+  emscripten::function("compact", &compact_mesh);
+  emscripten::function("reorder", &reorder_mesh);
+}

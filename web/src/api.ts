@@ -11,7 +11,7 @@ export type {
 export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
 export type { CirculateOptions, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
-export type { CompactMaps, DeleteOptions } from './construction.js';
+export type { CompactMaps, DeleteOptions, VertexOrder } from './construction.js';
 export { DirectedEdgesMesh } from './directed-edges.js';
 export type { DirectedEdgesViews } from './directed-edges-navigation.js';
 export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges-orbit.js';

@@ -1,5 +1,5 @@
 import { checkOptions } from './arguments.js';
-import { checkCount, checkFlag } from './checks.js';
+import { checkCount, checkFlag, indexOfChoice } from './checks.js';
 import { Circulation } from './circulation.js';
 import {
   answer,
@@ -25,7 +25,11 @@ export interface DeleteOptions {
   keepIsolatedVertices?: boolean;
 }
 
-/** Where `compact()` moved items to: by old index the new one, -1 for what was deleted. */
+/** In the order of the core: see `reorder`. */
+const VERTEX_ORDERS = ['morton', 'breadth-first'] as const;
+export type VertexOrder = (typeof VERTEX_ORDERS)[number];
+
+/** Where `compact()` and `reorder()` moved items to: by old index the new one, -1 for what was deleted. */
 export interface CompactMaps {
   readonly vertices: Int32Array;
   readonly halfedges: Int32Array;
@@ -200,6 +204,30 @@ export abstract class Construction extends Circulation {
     const links = linksOf(this);
     const { core, address } = links;
     const raw = core.compact(address, modeOf(links));
+    links.update();
+    return takeMaps(core, unwrap(raw));
+  }
+
+  /**
+   * Renumbers all items, so that those which lie close together lie close together in memory, too: a mesh
+   * whose vertices or faces come in random order is read several times as fast afterwards. Edges are
+   * grouped by their smaller vertex, faces come in the order of their halfedges, and vertices
+   *
+   * - `'morton'`: along a Morton curve (Z-order) through their positions;
+   * - `'breadth-first'`: by a breadth-first search over the edges, for meshes without meaningful positions.
+   *
+   * It stays the same mesh: edges keep their sides, vertices and faces the halfedge they store, all items
+   * their attributes. As by {@link compact}, the gaps of deleted items are closed, history notes everything,
+   * and a mesh that is in this order already isn't changed. O(slots).
+   *
+   * @returns where each item went
+   */
+  reorder(order: VertexOrder = 'morton'): CompactMaps {
+    const links = linksOf(this);
+    links.checkAlive();
+    const choice = indexOfChoice('order', order, VERTEX_ORDERS);
+    const { core, address } = links;
+    const raw = core.reorder(address, modeOf(links), choice);
     links.update();
     return takeMaps(core, unwrap(raw));
   }

@@ -250,6 +250,12 @@ export interface RawCore {
     mesh: number,
     mode: number,
   ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
+  /** `order`: an index into VERTEX_ORDERS. */
+  reorder(
+    mesh: number,
+    mode: number,
+    order: number,
+  ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
   /** Where a list of up to 64 items can be written. */
   _short_list(): number;
 

@@ -24,7 +24,7 @@ export interface Reference {
  * if (mesh.generations.isCurrent(reference)) use(reference.index);
  * ```
  *
- * `compact()` ends all generations where it moves items. Undo brings the stamps back.
+ * `compact()` and `reorder()` end all generations where they move items. Undo brings the stamps back.
  */
 export class Generations {
   readonly #links: Links;
@@ -76,7 +76,7 @@ export class Generations {
     const { kind, index, generation } = reference;
     const i = this.#checkKind(kind);
     const links = this.#links;
-    if (index >= slotCount(links, kind)) return false; // there were more of them: undo, or compact()
+    if (index >= slotCount(links, kind)) return false; // there were more of them: undo, compact() ...
     checkIndex(kind, slotCount(links, kind), index, 'reference.index');
     const { core, address } = links;
     return core._generation(address, i, index) >>> 0 === generation && isLive(links, kind, index);
