@@ -1,5 +1,6 @@
 import type { HalfedgeMesh } from '../mesh.js';
-import { ARROW_FLOATS, type ArrowSizes, ArrowTracer } from './arrows.js';
+import { ARROW_FLOATS } from './arrow-rows.js';
+import { type ArrowSizes, ArrowTracer } from './arrows.js';
 import { newellNormal } from './polygon.js';
 
 /** A mesh, and where its vertices are drawn: its positions, or others. */
@@ -37,10 +38,13 @@ export class HalfedgeGlyphs {
   boundary(h: number, sizes: ArrowSizes): void {
     const { mesh, points } = this.#drawn;
     const { toVertex, next, face } = mesh.connectivity;
-    const path = [toVertex[mesh.prev(h) ^ 1], toVertex[h ^ 1], toVertex[h], toVertex[next[h]]];
-    path.forEach((v, i) => {
+    const read = (i: number, v: number) => {
       for (let k = 0; k < 3; k++) this.#path[3 * i + k] = points[3 * v + k];
-    });
+    };
+    read(0, toVertex[mesh.prev(h) ^ 1]);
+    read(1, toVertex[h ^ 1]);
+    read(2, toVertex[h]);
+    read(3, toVertex[next[h]]);
     const degree = this.#readCorners(face[h ^ 1]);
     const normal = newellNormal(this.#corners, degree, this.#normal);
     this.#tracer.traceBoundary(this.#path, normal, sizes, this.arrows, 0);

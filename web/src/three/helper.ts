@@ -1,7 +1,8 @@
 import { Color, type ColorRepresentation, Group } from 'three';
 import { checkOptions, describe } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { ARROW_FLOATS, arrowSizes } from './arrows.js';
+import { ARROW_FLOATS } from './arrow-rows.js';
+import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { LineBatch, lineMaterial, lines } from './lines.js';

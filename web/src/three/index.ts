@@ -1,13 +1,7 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
-export {
-  ARROW_FLOATS,
-  ARROWS_FROM,
-  type ArrowSizes,
-  ArrowTracer,
-  arrowSizes,
-  CAP_SHARE,
-} from './arrows.js';
+export { ARROW_FLOATS, ArrowRows, CAP_SHARE, rowLength } from './arrow-rows.js';
+export { ARROWS_FROM, type ArrowSizes, ArrowTracer, arrowSizes } from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
 export { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 export { type HelperOptions, MeshHelper } from './helper.js';

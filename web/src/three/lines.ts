@@ -9,16 +9,29 @@ import {
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { ARROW_FLOATS } from './arrow-rows.js';
 
-/** Coloured line segments that are written anew again and again; memory grows and is kept. */
+/** Segments are uploaded in blocks of so many, those of which one has changed. */
+const BLOCK = 64;
+/** With more ranges than this, of an object that isn't drawn, the whole buffer waits to be uploaded. */
+const MOST_RANGES = 1000;
+
+/**
+ * Coloured line segments that are written anew again and again; memory grows and is kept. What is written as it was
+ * before is not uploaded again.
+ */
 export class LineBatch {
   readonly geometry = new LineSegmentsGeometry();
-  #positions = new InstancedInterleavedBuffer(new Float32Array(0), 6, 1);
-  #colors = new InstancedInterleavedBuffer(new Float32Array(0), 6, 1);
+  /** xyz of both ends by segment, and one colour for both. */
+  #positions = new Float32Array(0);
+  #colors = new Float32Array(0);
+  readonly #buffers: InstancedInterleavedBuffer[] = [];
+  /** By block: whether a segment of it is other than what was uploaded. */
+  #isStale = new Uint8Array(0);
   #capacity = 0;
   #count = 0;
 
-  constructor(capacity = 64) {
+  constructor(capacity = BLOCK) {
     this.#grow(capacity);
   }
 
@@ -32,19 +45,44 @@ export class LineBatch {
 
   /** Adds the segment from xyz at `a` to xyz at `b` of `points`. */
   add(points: ArrayLike<number>, a: number, b: number, color: Color): void {
-    if (this.#count === this.#capacity) this.#grow(2 * this.#capacity);
-    const at = 6 * this.#count++;
-    const p = this.#positions.array as Float32Array;
-    const c = this.#colors.array as Float32Array;
-    p[at] = points[a];
-    p[at + 1] = points[a + 1];
-    p[at + 2] = points[a + 2];
-    p[at + 3] = points[b];
-    p[at + 4] = points[b + 1];
-    p[at + 5] = points[b + 2];
-    c[at] = c[at + 3] = color.r;
-    c[at + 1] = c[at + 4] = color.g;
-    c[at + 2] = c[at + 5] = color.b;
+    segment[0] = points[a];
+    segment[1] = points[a + 1];
+    segment[2] = points[a + 2];
+    segment[3] = points[b];
+    segment[4] = points[b + 1];
+    segment[5] = points[b + 2];
+    this.#reserve(this.#count + 1);
+    this.#write(segment, 0, 3, color);
+  }
+
+  /** Adds shaft and barb of so many arrows, as `ArrowTracer` writes them. */
+  addArrows(arrows: Float32Array, count: number, color: Color): void {
+    const { r, g, b } = color;
+    this.#reserve(this.#count + 2 * count);
+    const positions = this.#positions;
+    const colors = this.#colors;
+    for (let at = 0; at < count * ARROW_FLOATS; at += ARROW_FLOATS) {
+      const shaft = this.#count;
+      if (
+        this.#isStale[(shaft / BLOCK) | 0] === 0 ||
+        this.#isStale[((shaft + 1) / BLOCK) | 0] === 0
+      ) {
+        this.#write(arrows, at, at + 3, color);
+        this.#write(arrows, at + 3, at + 6, color);
+        continue;
+      }
+      // Most arrows, while the camera moves: nothing is left to be compared.
+      const p = 6 * shaft;
+      for (let k = 0; k < 6; k++) {
+        positions[p + k] = arrows[at + k];
+        positions[p + 6 + k] = arrows[at + 3 + k];
+      }
+      const c = 3 * shaft;
+      colors[c] = colors[c + 3] = r;
+      colors[c + 1] = colors[c + 4] = g;
+      colors[c + 2] = colors[c + 5] = b;
+      this.#count = shaft + 2;
+    }
   }
 
   /** Adds the segment as dashes: `period` long each, the first `duty` of it drawn. */
@@ -76,34 +114,85 @@ export class LineBatch {
     }
   }
 
-  /** Hands what was added to the graphics card. */
+  /** Hands what was added to the graphics card, as far as it has something else there. */
   upload(): void {
     this.geometry.instanceCount = this.#count;
-    for (const buffer of [this.#positions, this.#colors]) {
-      buffer.clearUpdateRanges();
-      buffer.addUpdateRange(0, 6 * this.#count);
-      buffer.needsUpdate = true;
+    const blocks = Math.ceil(this.#count / BLOCK);
+    for (let from = 0; from < blocks; from++) {
+      if (this.#isStale[from] === 0) continue;
+      let to = from;
+      while (to < blocks && this.#isStale[to] === 1) this.#isStale[to++] = 0;
+      const end = Math.min(to * BLOCK, this.#capacity);
+      for (const buffer of this.#buffers) {
+        if (buffer.updateRanges.length > MOST_RANGES) buffer.clearUpdateRanges();
+        else
+          buffer.addUpdateRange(from * BLOCK * buffer.stride, (end - from * BLOCK) * buffer.stride);
+        buffer.needsUpdate = true;
+      }
+      from = to;
     }
   }
 
+  /** pre: there is room for one more */
+  #write(from: Float32Array, a: number, b: number, color: Color): void {
+    const block = (this.#count / BLOCK) | 0;
+    const p = 6 * this.#count;
+    const c = 3 * this.#count;
+    this.#count += 1;
+    const positions = this.#positions;
+    const colors = this.#colors;
+    if (this.#isStale[block] === 0) {
+      let isSame =
+        colors[c] === Math.fround(color.r) &&
+        colors[c + 1] === Math.fround(color.g) &&
+        colors[c + 2] === Math.fround(color.b);
+      for (let k = 0; isSame && k < 3; k++) {
+        isSame = positions[p + k] === from[a + k] && positions[p + 3 + k] === from[b + k];
+      }
+      if (isSame) return;
+      this.#isStale[block] = 1;
+    }
+    for (let k = 0; k < 3; k++) {
+      positions[p + k] = from[a + k];
+      positions[p + 3 + k] = from[b + k];
+    }
+    colors[c] = color.r;
+    colors[c + 1] = color.g;
+    colors[c + 2] = color.b;
+  }
+
+  #reserve(count: number): void {
+    if (count > this.#capacity) this.#grow(2 * count);
+  }
+
   #grow(capacity: number): void {
-    const grown = (from: InstancedInterleavedBuffer) => {
-      const array = new Float32Array(6 * capacity);
-      array.set(from.array.subarray(0, 6 * this.#count) as Float32Array);
-      return new InstancedInterleavedBuffer(array, 6, 1).setUsage(DynamicDrawUsage);
+    const grown = (from: Float32Array, components: number) => {
+      const array = new Float32Array(components * capacity);
+      array.set(from.subarray(0, components * this.#count));
+      return array;
     };
-    this.geometry.dispose();
-    this.#positions = grown(this.#positions) as InstancedInterleavedBuffer;
-    this.#colors = grown(this.#colors) as InstancedInterleavedBuffer;
+    this.#positions = grown(this.#positions, 6);
+    this.#colors = grown(this.#colors, 3);
     this.#capacity = capacity;
+    // Other buffers are uploaded whole.
+    this.#isStale = new Uint8Array(Math.ceil(capacity / BLOCK));
+    const positions = new InstancedInterleavedBuffer(this.#positions, 6, 1);
+    const colors = new InstancedInterleavedBuffer(this.#colors, 3, 1);
+    this.#buffers.splice(0, 2, positions, colors);
+    for (const buffer of this.#buffers) buffer.setUsage(DynamicDrawUsage);
     const { geometry } = this;
-    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(this.#positions, 3, 0));
-    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(this.#positions, 3, 3));
-    geometry.setAttribute('instanceColorStart', new InterleavedBufferAttribute(this.#colors, 3, 0));
-    geometry.setAttribute('instanceColorEnd', new InterleavedBufferAttribute(this.#colors, 3, 3));
+    geometry.dispose();
+    const both = new InterleavedBufferAttribute(colors, 3, 0);
+    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(positions, 3, 0));
+    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(positions, 3, 3));
+    geometry.setAttribute('instanceColorStart', both);
+    geometry.setAttribute('instanceColorEnd', both);
     geometry.instanceCount = this.#count;
   }
 }
+
+/** One segment on its way into a batch. */
+const segment = new Float32Array(6);
 
 /** A fat line material in CSS pixels, coloured by its segments, that wins against the surface. */
 export function lineMaterial(linewidth: number, bias: number): LineMaterial {

@@ -8,19 +8,21 @@ import { ItemSet } from './item-set.js';
 type Range = (from: number, to: number) => void;
 
 /**
- * Finds the faces and vertices of a mesh at which something may have changed, among its links, positions and
+ * Finds the faces, edges and vertices of a mesh at which something may have changed, among its links, positions and
  * some of its attributes. It keeps no copy of them, only digests: of a million triangles, to look takes
  * some 5 ms after an edit, and 1 ms while the links are as they were.
  */
 export class MeshChanges {
   /** What `find` has found; more than has changed, because it tells blocks apart and not numbers. */
   readonly faces = new ItemSet();
+  readonly edges = new ItemSet();
   readonly vertices = new ItemSet();
   /** `mesh.version` as the digests of links know it. */
   #version = -1;
   readonly #next = new Digest();
   readonly #toVertex = new Digest();
   readonly #faceHalfedge = new Digest();
+  readonly #vertexHalfedge = new Digest();
   readonly #positions = new Digest();
   readonly #attributes: readonly { readonly info: AttributeInfo; readonly digest: Digest }[];
 
@@ -32,17 +34,22 @@ export class MeshChanges {
   skip(mesh: HalfedgeMesh): void {
     this.#begin(mesh);
     const ignore = () => {};
-    this.#look(mesh, { ofHalfedges: ignore, faces: ignore, vertices: ignore });
+    this.#look(mesh, { ofHalfedges: ignore, ends: ignore, faces: ignore, vertices: ignore });
   }
 
-  /** Fills `faces` and `vertices`; the first time with all that there are. */
+  /** Fills `faces`, `edges` and `vertices`; the first time with all that there are. */
   find(mesh: HalfedgeMesh): void {
     this.#begin(mesh);
     const { next, face } = mesh.connectivity;
-    const { faces, vertices } = this;
+    const { faces, edges, vertices } = this;
+    const ofHalfedges = (from: number, to: number) => {
+      for (let h = from; h < to; h++) if (next[h] >= 0) faces.add(face[h]);
+    };
     this.#look(mesh, {
-      ofHalfedges: (from, to) => {
-        for (let h = from; h < to; h++) if (next[h] >= 0) faces.add(face[h]);
+      ofHalfedges,
+      ends: (from, to) => {
+        ofHalfedges(from, to);
+        for (let h = from; h < to; h += 2) edges.add(h >> 1);
       },
       faces: (from, to) => {
         for (let f = from; f < to; f++) faces.add(f);
@@ -55,19 +62,21 @@ export class MeshChanges {
 
   #begin(mesh: HalfedgeMesh): void {
     this.faces.begin(mesh.faceSlots);
+    this.edges.begin(mesh.edgeSlots);
     this.vertices.begin(mesh.vertexSlots);
   }
 
   #look(
     mesh: HalfedgeMesh,
-    found: { readonly ofHalfedges: Range; readonly faces: Range; readonly vertices: Range },
+    found: Readonly<Record<'ofHalfedges' | 'ends' | 'faces' | 'vertices', Range>>,
   ): void {
     const { core } = linksOf(mesh);
     if (mesh.version !== this.#version) {
-      const { next, toVertex, faceHalfedge } = mesh.connectivity;
+      const { next, toVertex, faceHalfedge, vertexHalfedge } = mesh.connectivity;
       this.#next.update(core, next, found.ofHalfedges);
-      this.#toVertex.update(core, toVertex, found.ofHalfedges);
+      this.#toVertex.update(core, toVertex, found.ends);
       this.#faceHalfedge.update(core, faceHalfedge, found.faces);
+      this.#vertexHalfedge.update(core, vertexHalfedge, found.vertices);
       this.#version = mesh.version;
     }
     this.#positions.update(core, mesh.positions, rows(found.vertices, 3));

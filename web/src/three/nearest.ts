@@ -1,4 +1,5 @@
-import { ARROW_FLOATS, arrowSizes } from './arrows.js';
+import { ARROW_FLOATS } from './arrow-rows.js';
+import { arrowSizes } from './arrows.js';
 import type { DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { distanceToLine, type Projection, type ScreenPoint } from './projection.js';
 

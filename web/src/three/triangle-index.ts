@@ -20,7 +20,7 @@ export class TriangleIndex {
   #slots = new TriangleSlots(0);
 
   /** Where the triangles of each face are. */
-  get slots(): Pick<TriangleSlots, 'first' | 'count' | 'faceOf' | 'end' | 'isWasteful'> {
+  get slots(): Pick<TriangleSlots, 'first' | 'count' | 'faceOf' | 'end' | 'faces' | 'isWasteful'> {
     return this.#slots;
   }
 
