@@ -1,5 +1,5 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { changedEdges, changedTriangles, Surface } from 'halfedge/scene';
+import { Surface } from 'halfedge/scene';
 import type { Item } from 'halfedge/teaching';
 import {
   checkOperation,
@@ -70,44 +70,79 @@ describe('signals set together', () => {
 describe('the surface after an edit', () => {
   test('names the faces and edges that changed, and no others', () => {
     const mesh = HalfedgeMesh.icoSphere(2);
-    const before = new Surface(mesh);
-    const faces = [...mesh.edgeFaces(12)];
+    const surface = new Surface(mesh);
+    const faces = [...mesh.edgeFaces(12)].sort((p, q) => p - q);
+    const [a, b] = [mesh.toVertex(24), mesh.toVertex(25)];
+    const triangles = faces.flatMap((f) => [...surface.triangleVertices(f)]);
     mesh.flipEdge(12);
-    const after = new Surface(mesh, before);
-    expect([...(after.change?.faces ?? [])].sort((p, q) => p - q)).toEqual(
-      faces.sort((p, q) => p - q),
-    );
-    expect(changedEdges(before, after).map(({ edge }) => edge)).toEqual([12]);
-    expect(changedTriangles(before, before, 10)?.faces.size).toBe(0);
-    expect(changedTriangles(before, after, 3)).toBeNull();
+    const change = surface.update();
+    expect([...(change?.faces ?? [])].sort((p, q) => p - q)).toEqual(faces);
+    expect([...(change?.before ?? [])].sort()).toEqual(triangles.sort());
+    expect(change?.after).toHaveLength(6);
+    const ends = [mesh.toVertex(24), mesh.toVertex(25)];
+    expect(change?.edges).toEqual([{ edge: 12, before: [a, b], after: ends }]);
+    expect(change?.vertices.size).toBe(0);
+    const nothing = surface.update();
+    expect([nothing?.faces.size, nothing?.edges, nothing?.vertices.size]).toEqual([0, [], 0]);
+  });
+
+  test('tells vertices that come and go, and where they were', () => {
+    const mesh = HalfedgeMesh.icoSphere(1);
+    mesh.history.enabled = true;
+    const surface = new Surface(mesh);
+    const v = mesh.splitEdge(7);
+    const split = surface.update();
+    expect([...(split?.vertices ?? [])]).toEqual([[v, { place: [0, 0, 0], isLive: false }]]);
+    expect([split?.faces.size, split?.before.length, split?.after.length]).toEqual([4, 6, 12]);
+    expect(surface.isLive(v)).toBe(true);
+    const place = [...surface.points.slice(3 * v, 3 * v + 3)];
+    mesh.history.undo();
+    const undone = surface.update();
+    expect([...(undone?.vertices ?? [])]).toEqual([[v, { place, isLive: true }]]);
+    expect([undone?.faces.size, undone?.before.length, undone?.after.length]).toEqual([4, 12, 6]);
+    expect(surface.isLive(v)).toBe(false);
+    mesh.dispose();
+  });
+
+  test('does not tell one by one what is another mesh altogether', () => {
+    const mesh = HalfedgeMesh.grid(60, 60, { triangles: true });
+    const surface = new Surface(mesh);
+    for (let v = 0; v < mesh.vertexSlots; v++) mesh.positions[3 * v + 2] = 0.01 * (v % 7);
+    expect(surface.update()).toBeNull();
+    const fresh = new Surface(mesh);
+    expect(surface.triangles.inOrder(mesh)).toEqual(fresh.triangles.inOrder(mesh));
+    mesh.dispose();
   });
 
   test('tells a face whose corner moved', () => {
     const mesh = HalfedgeMesh.cube();
-    const before = new Surface(mesh);
+    const surface = new Surface(mesh);
     mesh.positions[0] *= 1.25;
-    const after = new Surface(mesh, before);
-    expect([...(after.change?.faces ?? [])].sort()).toEqual([...mesh.vertexFaces(0)].sort());
+    const change = surface.update();
+    expect([...(change?.faces ?? [])].sort()).toEqual([...mesh.vertexFaces(0)].sort());
+    expect([...(change?.vertices.keys() ?? [])]).toEqual([0]);
+    expect(change?.edges).toEqual([]);
   });
 
   test('stays in its place in the scene', () => {
     const mesh = HalfedgeMesh.cube();
-    const before = new Surface(mesh);
+    const surface = new Surface(mesh);
+    const placement = [...surface.placement.elements];
+    const points = surface.points.slice(3);
     mesh.positions[0] *= 5;
-    const after = new Surface(mesh, before);
-    expect(after.placement.elements).toEqual(before.placement.elements);
-    expect(after.points.slice(3)).toEqual(before.points.slice(3));
+    surface.update();
+    expect(surface.placement.elements).toEqual(placement);
+    expect(surface.points.slice(3)).toEqual(points);
   });
 
   test('is hit by rays where a tree built afresh is hit, edit after edit', () => {
     const mesh = HalfedgeMesh.icoSphere(2);
-    let surface = new Surface(mesh);
-    const first = surface.tree;
+    const surface = new Surface(mesh);
     let edits = 0;
     const edit = (refusal: object | null, operation: () => void) => {
       if (refusal) return;
       operation();
-      surface = new Surface(mesh, surface);
+      surface.update();
       edits += 1;
     };
     for (let e = 0; e < mesh.edgeSlots; e += 7) {
@@ -117,7 +152,6 @@ describe('the surface after an edit', () => {
       edit(mesh.checkMakeHole(f), () => mesh.makeHole(f));
     }
     expect(edits).toBeGreaterThan(60);
-    expect(surface.tree).toBe(first);
     const fresh = new FaceTree(surface);
     let hits = 0;
     for (const ray of rays(2000)) {

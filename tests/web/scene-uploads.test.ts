@@ -1,6 +1,7 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { ShownTriangles, Surface } from 'halfedge/scene';
-import type { BufferAttribute } from 'three';
+import { ARROW_FLOATS, LineBatch } from 'halfedge/three';
+import { type BufferAttribute, Color, type InterleavedBufferAttribute, Vector3 } from 'three';
 import { random } from './support/random.js';
 import { randomEdit, refusalOf } from './support/random-edits.js';
 
@@ -34,7 +35,7 @@ class Card {
 }
 
 /** The triangles that the card draws, as coordinates, in some order; those without a place are left out. */
-function drawnBy(card: Card, shown: ShownTriangles, { position }: Surface): string[] {
+function drawnBy(card: Card, { triangles: shown, position }: Surface): string[] {
   const [index, points] = [card.read(shown.index), card.read(position)];
   const triangles: string[] = [];
   for (let t = 0; t < 3 * shown.count; t += 3) {
@@ -48,13 +49,19 @@ function xyz(points: ArrayLike<number>, v: number): string {
   return [points[3 * v], points[3 * v + 1], points[3 * v + 2]].join(' ');
 }
 
-/** The triangles that the card should draw. */
+/** The triangles that the card should draw: those of all faces but some, where the vertices are now. */
 function trianglesOf(surface: Surface, hidden: ReadonlySet<number>): string[] {
-  const { triangles, faceOf, points } = surface;
+  const { mesh, points, placement } = surface;
+  const far = [...mesh.vertices()].filter((v) => {
+    const wanted = new Vector3(...mesh.position(v)).applyMatrix4(placement);
+    return !(new Vector3().fromArray(points, 3 * v).distanceTo(wanted) < 1e-5);
+  });
+  expect(far).toEqual([]);
+  const { vertices, faces } = new ShownTriangles(mesh).inOrder(mesh);
   const drawn: string[] = [];
-  faceOf.forEach((face, t) => {
+  faces.forEach((face, t) => {
     if (hidden.has(face)) return;
-    drawn.push([0, 1, 2].map((k) => xyz(points, triangles[3 * t + k])).join(' | '));
+    drawn.push([0, 1, 2].map((k) => xyz(points, vertices[3 * t + k])).join(' | '));
   });
   return drawn.sort();
 }
@@ -64,13 +71,13 @@ describe('The triangles of a scene', () => {
     const next = random(seed);
     const mesh = seed === 3 ? HalfedgeMesh.dodecahedron() : HalfedgeMesh.icoSphere(2);
     mesh.history.enabled = true;
-    const [shown, card] = [new ShownTriangles(), new Card()];
-    let surface = new Surface(mesh);
+    const card = new Card();
+    const surface = new Surface(mesh);
     const show = (hidden: ReadonlySet<number>, what: string) => {
-      shown.show(surface, hidden);
-      card.upload(shown.index);
+      surface.triangles.hide(hidden);
+      card.upload(surface.triangles.index);
       card.upload(surface.position);
-      expect([what, drawnBy(card, shown, surface)]).toEqual([what, trianglesOf(surface, hidden)]);
+      expect([what, drawnBy(card, surface)]).toEqual([what, trianglesOf(surface, hidden)]);
     };
     show(new Set(), 'at first');
     for (let i = 0; i < 50; i++) {
@@ -86,9 +93,9 @@ describe('The triangles of a scene', () => {
         refusalOf(edit);
         done = edit.name;
       }
-      surface = new Surface(mesh, surface);
+      const change = surface.update();
       // As while an edit is in motion: first without what has changed, then with it.
-      show(surface.change?.faces ?? new Set(), `seed ${seed}, step ${i}: ${done}, in motion`);
+      show(change?.faces ?? new Set(), `seed ${seed}, step ${i}: ${done}, in motion`);
       show(new Set(), `seed ${seed}, step ${i}: ${done}`);
     }
     mesh.dispose();
@@ -96,12 +103,11 @@ describe('The triangles of a scene', () => {
 
   test('upload kilobytes after an edit of many faces', () => {
     const mesh = HalfedgeMesh.grid(300, 300, { triangles: true });
-    const [shown, card] = [new ShownTriangles(), new Card()];
-    let surface = new Surface(mesh);
+    const card = new Card();
+    const surface = new Surface(mesh);
     const show = () => {
       card.bytes = 0;
-      shown.show(surface, new Set());
-      card.upload(shown.index);
+      card.upload(surface.triangles.index);
       card.upload(surface.position);
       return card.bytes;
     };
@@ -113,10 +119,51 @@ describe('The triangles of a scene', () => {
       () => mesh.setPosition(1000, [0, 0, 0.1]),
     ]) {
       edit();
-      surface = new Surface(mesh, surface);
+      surface.update();
       const bytes = show();
       expect([bytes > 0, bytes < 4096]).toEqual([true, true]);
     }
     mesh.dispose();
+  });
+});
+
+describe('A batch of lines', () => {
+  const color = new Color(0.25, 0.5, 0.75);
+  const drawn = (batch: LineBatch, changed: number, arrows = 1000) => {
+    batch.clear();
+    for (let i = 0; i < arrows; i++) {
+      const arrow = Float32Array.from({ length: ARROW_FLOATS }, (_, k) => 10 * i + k);
+      if (i === changed) arrow[3] += 0.5;
+      batch.addArrows(arrow, 1, color);
+    }
+    batch.upload();
+  };
+  const buffers = ({ geometry: { attributes } }: LineBatch) =>
+    ['instanceStart', 'instanceColorStart'].map((name) => {
+      const { data } = attributes[name] as InterleavedBufferAttribute;
+      return { stride: data.stride, data: data as unknown as BufferAttribute };
+    });
+
+  test('uploads nothing that the card has already, and some lines around one that is new', () => {
+    const [batch, card] = [new LineBatch(), new Card()];
+    const bytes = (changed: number, arrows?: number) => {
+      drawn(batch, changed, arrows);
+      card.bytes = 0;
+      for (const { data, stride } of buffers(batch)) {
+        card.upload(data);
+        const known = Array.from(card.read(data)).slice(0, stride * batch.count);
+        expect(known).toEqual(Array.from(data.array).slice(0, stride * batch.count));
+      }
+      return card.bytes;
+    };
+    expect(bytes(-1)).toBeGreaterThan(2000 * 9 * 4 - 1);
+    expect(bytes(-1)).toBe(0);
+    expect(bytes(500)).toBe(64 * 9 * 4);
+    expect(bytes(501)).toBe(64 * 9 * 4);
+    expect(bytes(-1, 0)).toBe(0);
+    // After fewer lines, those beyond are known still.
+    expect(bytes(-1, 20)).toBe(0);
+    expect(bytes(-1)).toBe(64 * 9 * 4);
+    batch.geometry.dispose();
   });
 });

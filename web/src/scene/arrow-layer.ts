@@ -1,6 +1,8 @@
 import { Color, Matrix4 } from 'three';
-import { NONE } from '../api.js';
-import { ARROW_FLOATS, ARROWS_FROM, LineBatch, lineMaterial, lines } from '../three/index.js';
+import type { HalfedgeMesh } from '../api.js';
+import { ARROWS_FROM, arrowSizes, LineBatch, lineMaterial, lines } from '../three/index.js';
+import { roomFor } from '../three/rows.js';
+import { FaceRows } from './face-rows.js';
 import type { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
@@ -22,13 +24,17 @@ export class ArrowLayer {
   readonly #material = lineMaterial(1.5, 2);
   readonly #view = new Matrix4();
   readonly #tint = new Color();
+  readonly #sizes = { inset: 0, trim: 0, barb: 0 };
+  /** The length of a CSS pixel at depth 1. */
+  #pixel = 0;
   #surface: Surface | null = null;
   #frames: FaceFrames | null = null;
+  #rows: FaceRows | null = null;
   #glyphs: Glyphs | null = null;
   #closed = true;
   #stamp = 0;
   #seen = new Uint32Array(0);
-  #queue: number[] = [];
+  readonly #queue: number[] = [];
   #colors = { faded: new Color(), arrow: new Color(), boundary: new Color() };
   /** Whether any arrows are drawn. */
   visible = true;
@@ -47,13 +53,18 @@ export class ArrowLayer {
   show(surface: Surface, frames: FaceFrames): void {
     this.#surface = surface;
     this.#frames = frames;
+    this.#rows = new FaceRows(surface);
     this.#glyphs = new Glyphs(surface, frames, this.#stage);
-    this.#seen = new Uint32Array(surface.mesh.faceSlots);
     this.#stamp = 0;
-    const { face, next } = surface.mesh.connectivity;
-    let h = 0;
-    while (h < face.length && (face[h] !== NONE || next[h] < 0)) h += 1;
-    this.#closed = h === face.length;
+    this.change(null);
+  }
+
+  /** Takes over faces of the surface that have changed; null: all of them may have. */
+  change(faces: Iterable<number> | null): void {
+    const { mesh, boundary } = this.#surface as Surface;
+    this.#rows?.forget(faces);
+    if (mesh.faceSlots > this.#seen.length) this.#seen = new Uint32Array(roomFor(mesh.faceSlots));
+    this.#closed = boundary.length === 0;
   }
 
   setColors(faded: Color, arrow: Color, boundary: Color): void {
@@ -71,50 +82,52 @@ export class ArrowLayer {
     this.#batch.clear();
     this.boundary.length = 0;
     this.large.length = 0;
-    if (!this.visible) {
-      this.#batch.upload();
-      return;
-    }
+    if (this.visible) this.#drawAll(surface, near, middle);
+    this.#batch.upload();
+  }
+
+  #drawAll({ mesh }: Surface, near: readonly number[], middle: number | null): void {
     const { camera } = this.#stage;
     this.#view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    const stamp = ++this.#stamp;
+    this.#pixel = this.#stage.pixelAt(1);
+    this.#stamp += 1;
     const queue = this.#queue;
     queue.length = 0;
-    const push = (f: number) => {
-      if (f < 0 || this.#seen[f] === stamp) return;
-      this.#seen[f] = stamp;
-      queue.push(f);
-    };
-    for (const f of near) push(f);
+    const { faceHalfedge } = mesh.connectivity;
+    for (const f of near) this.#push(f);
     let at = 0;
     for (let ring = 0; ring < NEAR_RINGS; ring++) {
       for (const end = queue.length; at < end && at < FACE_CAP; at++) {
         this.#draw(queue[at], 1);
-        this.#pushNeighbours(surface, queue[at], push);
+        this.#pushNeighbours(mesh, queue[at]);
       }
     }
-    if (surface.mesh.faceSlots <= FACE_CAP) {
-      for (const f of surface.mesh.faces()) {
-        if (this.#seen[f] !== stamp) this.#draw(f, 0);
+    if (faceHalfedge.length > FACE_CAP) {
+      if (middle !== null) this.#push(middle);
+      for (; at < queue.length && at < FACE_CAP; at++) {
+        if (this.#draw(queue[at], 0)) this.#pushNeighbours(mesh, queue[at]);
       }
-      for (; at < queue.length; at++) this.#draw(queue[at], 0);
-      this.#batch.upload();
       return;
     }
-    if (middle !== null) push(middle);
-    for (; at < queue.length && at < FACE_CAP; at++) {
-      if (this.#draw(queue[at], 0)) this.#pushNeighbours(surface, queue[at], push);
+    for (; at < queue.length; at++) this.#draw(queue[at], 0);
+    for (let f = 0; f < faceHalfedge.length; f++) {
+      if (faceHalfedge[f] >= 0 && this.#seen[f] !== this.#stamp) this.#draw(f, 0);
     }
-    this.#batch.upload();
   }
 
-  #pushNeighbours({ mesh }: Surface, f: number, push: (f: number) => void): void {
-    const { next, face, faceHalfedge } = mesh.connectivity;
-    let h = faceHalfedge[f];
+  #push(f: number): void {
+    if (f < 0 || this.#seen[f] === this.#stamp) return;
+    this.#seen[f] = this.#stamp;
+    this.#queue.push(f);
+  }
+
+  #pushNeighbours({ connectivity: { next, face, faceHalfedge } }: HalfedgeMesh, f: number): void {
+    const first = faceHalfedge[f];
+    let h = first;
     do {
-      push(face[h ^ 1]);
+      this.#push(face[h ^ 1]);
       h = next[h];
-    } while (h !== faceHalfedge[f]);
+    } while (h !== first);
   }
 
   /**
@@ -122,11 +135,13 @@ export class ArrowLayer {
    * of sight; says whether it did.
    */
   #draw(f: number, strength: number): boolean {
-    if (this.hidden.has(f)) return true;
+    if (this.hidden.size > 0 && this.hidden.has(f)) return true;
     const frames = this.#frames as FaceFrames;
     const at = frames.at(f);
     const { data } = frames;
-    const [x, y, z] = [data[at], data[at + 1], data[at + 2]];
+    const x = data[at];
+    const y = data[at + 1];
+    const z = data[at + 2];
     const m = this.#view.elements;
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
     if (w <= 0) return false;
@@ -134,38 +149,38 @@ export class ArrowLayer {
     if (Math.abs(m[0] * x + m[4] * y + m[8] * z + m[12]) > reach) return false;
     if (Math.abs(m[1] * x + m[5] * y + m[9] * z + m[13]) > reach) return false;
     const { position } = this.#stage.camera;
-    const [dx, dy, dz] = [position.x - x, position.y - y, position.z - z];
-    const facing =
-      (data[at + 3] * dx + data[at + 4] * dy + data[at + 5] * dz) / Math.hypot(dx, dy, dz);
+    const dx = position.x - x;
+    const dy = position.y - y;
+    const dz = position.z - z;
+    const across = data[at + 3] * dx + data[at + 4] * dy + data[at + 5] * dz;
+    const facing = across / Math.sqrt(dx * dx + dy * dy + dz * dz);
     if (this.#closed && facing < 0) return false;
     // Edges of a face seen from the side are foreshortened, on average about this much.
-    const pixels = (data[at + 6] / this.#stage.pixelAt(w)) * (0.35 + 0.65 * Math.abs(facing));
+    const pixel = this.#pixel * w;
+    const pixels = (data[at + 6] / pixel) * (0.35 + 0.65 * Math.abs(facing));
     if (pixels < ARROWS_FROM) return false;
     if (pixels >= LABELS_FROM_PX) this.large.push(f);
     const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
-    if (strength > 0 || faded > 0) this.#write(f, Math.min(1, Math.max(faded, strength)));
-    this.#writeBoundaries(f);
-    return true;
-  }
-
-  #write(f: number, strength: number): void {
-    const glyphs = this.#glyphs as Glyphs;
-    this.#tint.lerpColors(this.#colors.faded, this.#colors.arrow, strength);
-    const degree = glyphs.face(f);
-    for (let i = 0; i < degree; i++) {
-      this.#batch.add(glyphs.arrows, i * ARROW_FLOATS, i * ARROW_FLOATS + 3, this.#tint);
-      this.#batch.add(glyphs.arrows, i * ARROW_FLOATS + 3, i * ARROW_FLOATS + 6, this.#tint);
+    if (strength > 0 || faded > 0) {
+      const { faded: far, arrow } = this.#colors;
+      this.#tint.lerpColors(far, arrow, Math.min(1, Math.max(faded, strength)));
+      const rows = this.#rows as FaceRows;
+      const count = rows.place(f, arrowSizes(pixel, this.#sizes));
+      this.#batch.addArrows(rows.arrows, count, this.#tint);
     }
+    if (!this.#closed) this.#writeBoundaries(f);
+    return true;
   }
 
   /** The boundary halfedges across the edges of a face: never faded, never hidden. */
   #writeBoundaries(f: number): void {
     const { next, face, faceHalfedge } = (this.#surface as Surface).mesh.connectivity;
-    let h = faceHalfedge[f];
+    const first = faceHalfedge[f];
+    let h = first;
     do {
       if (face[h ^ 1] < 0) this.#writeBoundary(h ^ 1);
       h = next[h];
-    } while (h !== faceHalfedge[f]);
+    } while (h !== first);
   }
 
   #writeBoundary(h: number): void {

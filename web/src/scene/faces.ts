@@ -1,4 +1,5 @@
 import { newellNormal } from '../three/index.js';
+import { roomFor } from '../three/rows.js';
 import type { Surface } from './surface.js';
 
 const FIELDS = 7;
@@ -6,7 +7,7 @@ const FIELDS = 7;
 /** Centre, unit normal and mean edge length of faces, computed when first asked for. */
 export class FaceFrames {
   readonly #surface: Surface;
-  readonly #data: Float32Array;
+  #data: Float32Array;
   readonly #corners: number[] = [];
   readonly #normal = new Float64Array(3);
 
@@ -26,9 +27,15 @@ export class FaceFrames {
     return at;
   }
 
-  /** Forgets all that was computed, after vertices have moved. */
-  clear(): void {
-    this.#data.fill(0);
+  /** Computes some faces anew when they are next asked for, because they have changed; all of them for null. */
+  forget(faces: Iterable<number> | null): void {
+    const { faceSlots } = this.#surface.mesh;
+    const known = this.#data;
+    if (faces === null || FIELDS * faceSlots > known.length) {
+      this.#data = new Float32Array(FIELDS * roomFor(faceSlots));
+      if (faces !== null) this.#data.set(known);
+    }
+    for (const face of faces ?? []) this.#data[FIELDS * face + 6] = 0;
   }
 
   get data(): Float32Array {
@@ -45,11 +52,10 @@ export class FaceFrames {
     for (let i = 0; i < degree; i++) {
       const a = 3 * i;
       const b = 3 * ((i + 1) % degree);
-      perimeter += Math.hypot(
-        corners[b] - corners[a],
-        corners[b + 1] - corners[a + 1],
-        corners[b + 2] - corners[a + 2],
-      );
+      const x = corners[b] - corners[a];
+      const y = corners[b + 1] - corners[a + 1];
+      const z = corners[b + 2] - corners[a + 2];
+      perimeter += Math.sqrt(x * x + y * y + z * z);
       for (let k = 0; k < 3; k++) data[at + k] += corners[a + k] / degree;
     }
     for (let k = 0; k < 3; k++) data[at + 3 + k] = normal[k];

@@ -157,7 +157,7 @@ export class Highlights {
     for (const { item, color, weight } of surface ? this.#marks : []) {
       if (item.kind !== 'face' || !surface) continue;
       const share = { strong: 1, fine: 0.62, faint: 0.36 }[weight];
-      for (const v of surface.facePieces(item.index)) {
+      for (const v of surface.triangleVertices(item.index)) {
         for (let k = 0; k < 3; k++) positions.push(surface.points[3 * v + k]);
         colors.push(color.r, color.g, color.b, share);
       }

@@ -1,13 +1,7 @@
 // The picture that the explorer and `halfedge/figure` show of a mesh. three.js and three-mesh-bvh are
 // peer dependencies of this entry.
 
-export {
-  type ChangedEdge,
-  type ChangedTriangles,
-  changedEdges,
-  changedTriangles,
-  type Drawn,
-} from './change.js';
+export type { ChangedEdge, FormerVertex, SurfaceChange } from './change.js';
 export { DARK, declarations, LIGHT } from './colors.js';
 export type { Mark } from './highlights.js';
 export { FILLED_ICONS, ICONS, type IconName } from './icons.js';
@@ -22,6 +16,7 @@ export { OwnScreen, type Screen } from './screen.js';
 export { SharedScreen } from './shared-screen.js';
 export { ShownTriangles } from './shown-triangles.js';
 export { FILE_LAYER, type Insets, MESH_LAYER, Stage } from './stage.js';
-export { Surface, triangulateRing } from './surface.js';
+export { Surface } from './surface.js';
 export { SurfaceLook } from './surface-view.js';
 export { type Shown, type Sight, Travel } from './travel.js';
+export { triangulateRing } from './triangulate-ring.js';

@@ -1,4 +1,5 @@
 import type { Color } from 'three';
+import { NONE } from '../api.js';
 import { Discs } from './points.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
@@ -22,9 +23,10 @@ export class IsolatedVertices {
   show(surface: Surface): void {
     this.#surface = surface;
     this.#vertices = [];
-    surface.mesh.connectivity.vertexHalfedge.forEach((h, v) => {
-      if (h === -1) this.#vertices.push(v);
-    });
+    const { vertexHalfedge } = surface.mesh.connectivity;
+    for (let v = 0; v < vertexHalfedge.length; v++) {
+      if (vertexHalfedge[v] === NONE) this.#vertices.push(v);
+    }
     this.#draw();
   }
 

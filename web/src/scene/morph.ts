@@ -1,7 +1,7 @@
 import { Color } from 'three';
 import type { Edit } from '../teaching/motion.js';
 import { ghostOf, LineBatch, lineMaterial, lines } from '../three/index.js';
-import { changedEdges } from './change.js';
+import type { SurfaceChange } from './change.js';
 import { Paths } from './paths.js';
 import { Pieces } from './pieces.js';
 import { prefersReducedMotion } from './reduced-motion.js';
@@ -43,29 +43,22 @@ export class Morph {
   }
 
   /**
-   * Begins to move from one surface to the other, and returns what is in motion. `moved` is called
+   * Begins to move a surface from how it was to how it is, and returns what is in motion. `moved` is called
    * before each frame, `ended` once when all is at rest; where nothing is to be animated, neither.
    */
   start(
-    before: Surface,
-    after: Surface,
+    surface: Surface,
+    change: SurfaceChange | null,
     edit: Edit,
     moved: () => void,
     ended: () => void,
   ): InMotion {
     this.stop();
-    if (prefersReducedMotion() || edit.renumbers) return AT_REST;
-    const triangles = after.change;
-    if (!triangles) return AT_REST;
-    const edges = changedEdges(before, after);
-    const paths = new Paths(before, after, edit, edges);
+    if (prefersReducedMotion() || edit.renumbers || !change) return AT_REST;
+    const paths = new Paths(surface, change, edit);
     this.#paths = paths;
-    if (paths.manner !== 'grow') {
-      this.#old.set(before.triangles, triangles.before, (v) => paths.oldPath(v));
-    }
-    if (paths.manner !== 'slide') {
-      this.#new.set(after.triangles, triangles.after, (v) => paths.newPath(v));
-    }
+    if (paths.manner !== 'grow') this.#old.set(change.before, (v) => paths.oldPath(v));
+    if (paths.manner !== 'slide') this.#new.set(change.after, (v) => paths.newPath(v));
     const began = performance.now();
     this.#show(paths, 0);
     this.#stage.animate((now) => {
@@ -81,8 +74,8 @@ export class Morph {
       return true;
     });
     return {
-      faces: triangles.faces,
-      edges: new Set(edges.map(({ edge }) => edge)),
+      faces: change.faces,
+      edges: new Set(change.edges.map(({ edge }) => edge)),
     };
   }
 

@@ -6,6 +6,7 @@ import type { FaceTreeOptions } from '../three/face-tree.js';
 import { ItemPicker, type PickMode } from '../three/item-picker.js';
 import { anchorOf, facesAt, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
+import type { ChangedEdge } from './change.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
@@ -125,25 +126,30 @@ export class MeshPicture {
     this.#shown?.surface.tree.dispose();
     this.#shown = this.travel.shown = null;
     if (!mesh) return;
-    this.#present(new Surface(mesh, undefined, this.#options));
-    this.#rest();
+    this.#present(new Surface(mesh, this.#options));
+    this.#rest(AT_REST, null);
   }
 
   /** Moves on to the mesh as it is after an edit; the camera stays. */
   change(edit: Edit): void {
-    const before = this.#shown;
-    if (!before) return;
+    if (!this.#shown) return;
     this.#morph.stop();
-    const { surface, frames } = this.#present(new Surface(before.surface.mesh, before.surface));
+    const { surface, frames } = this.#shown;
+    const change = surface.update();
     const moved = () => {
-      frames.clear();
+      frames.forget(change?.faces ?? null);
+      this.#arrows.change(change?.faces ?? null);
       this.mark();
     };
-    const inMotion = this.#morph.start(before.surface, surface, edit, moved, () => {
-      frames.clear();
-      this.#rest();
-    });
-    this.#rest(inMotion);
+    moved();
+    this.#isolated.show(surface);
+    this.#awaitTree(surface);
+    const ended = () => {
+      moved();
+      this.#rest(AT_REST, []);
+    };
+    const inMotion = this.#morph.start(surface, change, edit, moved, ended);
+    this.#rest(inMotion, change?.edges ?? null);
   }
 
   /** Draws marks and labels anew, as the source has them now. */
@@ -215,7 +221,7 @@ export class MeshPicture {
     return this.#shown.picker.pick(x, y, this.stage.view, { mode: 'vertex' });
   }
 
-  #present(surface: Surface): Shown {
+  #present(surface: Surface): void {
     const frames = new FaceFrames(surface);
     const glyphs = new Glyphs(surface, frames, this.stage);
     const picker = new ItemPicker(surface);
@@ -223,19 +229,22 @@ export class MeshPicture {
     this.#highlights.show(surface, glyphs);
     this.#isolated.show(surface);
     this.#shown = { surface, frames, glyphs, picker };
-    // Until then, labels may stand before what the surface hides.
-    if (!surface.tree.isGrown) void surface.tree.ready.then(() => this.stage.invalidate());
+    this.#awaitTree(surface);
     this.travel.shown = this.#shown;
-    return this.#shown;
   }
 
-  /** Draws the mesh as it lies, but for what is in motion. */
-  #rest(inMotion: InMotion = AT_REST): void {
+  /** Until the tree has grown, labels may stand before what the surface hides. */
+  #awaitTree({ tree }: Surface): void {
+    if (!tree.isGrown) void tree.ready.then(() => this.stage.invalidate());
+  }
+
+  /** Draws the mesh as it lies, but for what is in motion. `edges` are those that have changed, or null. */
+  #rest(inMotion: InMotion, edges: readonly ChangedEdge[] | null): void {
     this.#inMotion = inMotion;
     if (!this.#shown) return;
     const { surface } = this.#shown;
     this.#surfaceView.show(surface, inMotion.faces);
-    this.#wire.show(surface, inMotion.edges);
+    this.#wire.show(surface, inMotion.edges, edges);
     this.#arrows.hidden = inMotion.faces;
     this.mark();
     this.stage.invalidate();

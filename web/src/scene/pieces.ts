@@ -16,9 +16,9 @@ export class Pieces {
     stage.scene.add(this.#mesh);
   }
 
-  /** Takes over the triangles at `which`, and the paths of their corners. */
-  set(triangles: Uint32Array, which: readonly number[], path: (vertex: number) => Path): void {
-    this.#corners = which.flatMap((i) => [0, 1, 2].map((k) => path(triangles[3 * i + k])));
+  /** Takes over triangles, three vertices each, and the paths of these. */
+  set(triangles: readonly number[], path: (vertex: number) => Path): void {
+    this.#corners = triangles.map(path);
     const position = new BufferAttribute(new Float32Array(3 * this.#corners.length), 3);
     this.#mesh.geometry.dispose();
     this.#mesh.geometry = new BufferGeometry();

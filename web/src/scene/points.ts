@@ -49,6 +49,8 @@ export class Discs {
   readonly objects: readonly Points[];
   #capacity = 0;
   #count = 0;
+  /** Whether a disc was written that isn't as it was before. */
+  #isStale = false;
 
   constructor(scene: Scene, order: number) {
     this.#grow(64);
@@ -88,15 +90,28 @@ export class Discs {
   add(points: ArrayLike<number>, at: number, size: number, color: Color): void {
     if (this.#count === this.#capacity) this.#grow(2 * this.#capacity);
     const { position, tint, size: sizes } = this.#geometry.attributes;
-    position.setXYZ(this.#count, points[at], points[at + 1], points[at + 2]);
-    tint.setXYZ(this.#count, color.r, color.g, color.b);
-    sizes.setX(this.#count, size);
-    this.#count += 1;
+    const i = this.#count++;
+    const place = [points[at], points[at + 1], points[at + 2]];
+    for (const [{ array }, values] of [
+      [position, place],
+      [tint, [color.r, color.g, color.b]],
+      [sizes, [size]],
+    ] as const) {
+      values.forEach((value, k) => {
+        const to = values.length * i + k;
+        if (array[to] === Math.fround(value)) return;
+        array[to] = value;
+        this.#isStale = true;
+      });
+    }
   }
 
   upload(): void {
     this.#geometry.setDrawRange(0, this.#count);
-    for (const attribute of Object.values(this.#geometry.attributes)) attribute.needsUpdate = true;
+    for (const attribute of Object.values(this.#geometry.attributes)) {
+      if (this.#isStale) attribute.needsUpdate = true;
+    }
+    this.#isStale = false;
     const pixelRatio = Math.min(2, window.devicePixelRatio);
     for (const { uniforms } of this.#materials) uniforms.pixelRatio.value = pixelRatio;
   }

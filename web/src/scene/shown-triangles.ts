@@ -1,74 +1,89 @@
 import type { BufferAttribute } from 'three';
-import { RowBuffer, roomFor } from '../three/rows.js';
-import { TriangleSlots } from '../three/slots.js';
-import type { Surface } from './surface.js';
+import type { HalfedgeMesh } from '../mesh.js';
+import { TriangleIndex } from '../three/triangle-index.js';
+import { liveFaces, triangulateFaces } from '../three/triangulate.js';
 
-/** The triangles of a surface as an index in which each face keeps its place: edits upload what they change. */
+/** The triangles that faces are drawn as, in an index where each face keeps its place: edits upload what they change. */
 export class ShownTriangles {
-  #slots = new TriangleSlots(0);
-  readonly #rows = new RowBuffer(new Uint32Array(0), 3, false, 1);
-  #surface: Surface | null = null;
-  #hidden: ReadonlySet<number> = new Set();
+  readonly #index = new TriangleIndex();
+  /** The vertices of faces that are not to be seen. */
+  readonly #hidden = new Map<number, Uint32Array>();
+  #isInOrder = true;
+
+  constructor(mesh: HalfedgeMesh) {
+    this.fill(mesh);
+  }
 
   /** Another one, when there was not room enough. */
   get index(): BufferAttribute {
-    return this.#rows.attribute;
+    return this.#index.buffer.attribute;
   }
 
   /** How many triangles are to be drawn; some of them show nothing. */
   get count(): number {
-    return this.#slots.end;
+    return this.#index.slots.end;
   }
 
-  /** Shows a surface, but for some of its faces. */
-  show(surface: Surface, hidden: ReadonlySet<number>): void {
-    const stale = new Set([...this.#hidden, ...hidden]);
-    if (surface !== this.#surface) {
-      // Surfaces that come one from the other have one tree.
-      const isNext = surface.tree === this.#surface?.tree;
-      if (isNext && surface.change) for (const face of surface.change.faces) stale.add(face);
-      else this.#fill(surface);
-    }
-    this.#surface = surface;
-    this.#hidden = hidden;
-    this.#place(surface, stale);
-    this.#rows.mark();
+  /** Whether more of them show nothing than is worth while. */
+  get isWasteful(): boolean {
+    return this.#index.slots.isWasteful;
   }
 
-  #fill({ triangles, faceOf, mesh }: Surface): void {
-    this.#slots = new TriangleSlots(roomFor(faceOf.length));
-    this.#slots.assign(faceOf, mesh.faceSlots);
-    this.#rows.reserve(this.#slots.capacity);
-    this.#rows.array.set(triangles);
-    this.#rows.forget();
+  /** The faces from here on have none. */
+  get faces(): number {
+    return this.#index.slots.faces;
+  }
+
+  /** Three vertices for each triangle of a face, hidden or not. */
+  verticesOf(face: number): Uint32Array {
+    return this.#hidden.get(face) ?? this.#index.verticesOf(face);
+  }
+
+  /** All faces anew, in their order. */
+  fill(mesh: HalfedgeMesh): void {
+    this.#hidden.clear();
+    this.#index.fill(mesh, triangulateFaces(mesh, liveFaces(mesh)));
+    this.#index.buffer.forget();
     this.index.needsUpdate = true;
+    this.#isInOrder = true;
   }
 
-  /** Gives faces the triangles that they have now; none if they are hidden. */
-  #place(surface: Surface, faces: ReadonlySet<number>): void {
-    const slots = this.#slots;
-    const shown: { face: number; vertices: Uint32Array }[] = [];
+  /** Takes up faces that are others now, came or went. None is hidden then. */
+  place(mesh: HalfedgeMesh, faces: readonly number[]): void {
+    this.hide(NONE);
+    this.#index.place(mesh, faces, triangulateFaces(mesh, faces));
+    this.#index.buffer.mark();
+    this.#isInOrder = false;
+  }
+
+  /** Shows all faces but these. */
+  hide(faces: ReadonlySet<number>): void {
+    const { buffer } = this.#index;
+    for (const [face, vertices] of this.#hidden) {
+      if (faces.has(face)) continue;
+      const first = this.#index.slots.first(face);
+      for (let i = 0; i < vertices.length; i += 3) buffer.write(first + i / 3, vertices, i);
+      this.#hidden.delete(face);
+    }
     for (const face of faces) {
-      const vertices = this.#hidden.has(face) ? NONE : surface.triangleVertices(face);
-      if (vertices.length > 0) shown.push({ face, vertices });
-      const count = slots.count(face);
-      if (3 * count === vertices.length) continue;
-      // All that is freed comes first, so that what is new can take it.
-      const first = slots.first(face);
-      for (let t = first; t < first + count; t++) this.#rows.write(t, NOTHING, 0);
-      slots.release(face);
+      if (this.#hidden.has(face)) continue;
+      const vertices = this.#index.verticesOf(face).slice();
+      const first = this.#index.slots.first(face);
+      for (let t = 0; t < vertices.length / 3; t++) buffer.write(first + t, NOTHING, 0);
+      this.#hidden.set(face, vertices);
     }
-    slots.resize(Math.max(slots.faces, surface.mesh.faceSlots));
-    for (const { face, vertices } of shown) {
-      if (slots.count(face) === 0) slots.take(face, vertices.length / 3);
-    }
-    this.#rows.reserve(slots.capacity);
-    for (const { face, vertices } of shown) {
-      const first = slots.first(face);
-      for (let i = 0; i < vertices.length; i += 3) this.#rows.write(first + i / 3, vertices, i);
-    }
+    buffer.mark();
+  }
+
+  /** All triangles in the order of their faces, as copies: their vertices, and the face of each. */
+  inOrder(mesh: HalfedgeMesh): { vertices: Uint32Array; faces: Uint32Array } {
+    if (!this.#isInOrder || this.#hidden.size > 0) return new ShownTriangles(mesh).inOrder(mesh);
+    return {
+      vertices: (this.#index.buffer.array as Uint32Array).slice(0, 3 * this.count),
+      faces: Uint32Array.from(this.#index.slots.faceOf.subarray(0, this.count)),
+    };
   }
 }
 
-const NONE = new Uint32Array(0);
+const NONE: ReadonlySet<number> = new Set();
 const NOTHING = [0, 0, 0];

@@ -28,6 +28,8 @@ export const MESH_LAYER = 0;
 export const FILE_LAYER = 1;
 
 const FIELD_OF_VIEW = 32;
+/** How far from the axis is in sight at depth 1. */
+const SLOPE = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
 const FLIGHT_MS = 420;
 /** Pixels of an exported picture to the CSS pixel. */
 const CAPTURE_RATIO = 2;
@@ -190,13 +192,16 @@ export class Stage {
   }
 
   setInsets(insets: Insets): void {
+    const sides = ['top', 'right', 'bottom', 'left'] as const;
+    // A panel that only got other contents costs no frame.
+    if (sides.every((side) => insets[side] === this.#insets[side])) return;
     this.#insets = insets;
     this.#resize();
   }
 
   /** The length in the scene of one CSS pixel at this depth in front of the camera. */
   pixelAt(depth: number): number {
-    return (2 * depth * Math.tan((FIELD_OF_VIEW * Math.PI) / 360)) / this.size.y;
+    return (2 * depth * SLOPE) / this.size.y;
   }
 
   /** How far in front of the camera a point lies. */
@@ -279,7 +284,7 @@ export class Stage {
   /** How far from the axis a point may be at depth 1 to be in the free part of the canvas. */
   #freeSlopes(share: number): { x: number; y: number } {
     const { top, right, bottom, left } = this.#insets;
-    const slope = Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / (this.size.y / 2);
+    const slope = SLOPE / (this.size.y / 2);
     const x = Math.max(60, this.size.x - left - right) / 2;
     const y = Math.max(60, this.size.y - top - bottom) / 2;
     return { x: share * slope * x, y: share * slope * y };
@@ -296,16 +301,12 @@ export class Stage {
     right.normalize();
     const up = new Vector3().crossVectors(back, right);
     const slopes = this.#freeSlopes(share);
-    const point = new Vector3();
-    const limits = [-Infinity, -Infinity, -Infinity, -Infinity];
-    for (let i = 0; i < points.length; i += 3) {
-      point.fromArray(points, i);
-      const [x, y, z] = [right.dot(point), up.dot(point), back.dot(point)];
-      limits[0] = Math.max(limits[0], x + slopes.x * z);
-      limits[1] = Math.max(limits[1], -x + slopes.x * z);
-      limits[2] = Math.max(limits[2], y + slopes.y * z);
-      limits[3] = Math.max(limits[3], -y + slopes.y * z);
-    }
+    const limits = [
+      farthest(points, slopes.x, right, back),
+      farthest(points, slopes.x, right.clone().negate(), back),
+      farthest(points, slopes.y, up, back),
+      farthest(points, slopes.y, up.clone().negate(), back),
+    ];
     if (!limits.every(Number.isFinite)) limits.fill(1);
     const distance = Math.max(
       (limits[0] + limits[1]) / (2 * slopes.x),
@@ -352,4 +353,15 @@ export class Stage {
     if (flying || animated || moving) this.invalidate();
     else for (const listener of this.#rested) listener();
   }
+}
+
+/** The largest of x + slope z among points, where x and z are measured along two directions. */
+function farthest(points: Float32Array, slope: number, along: Vector3, back: Vector3): number {
+  const { x, y, z } = along.clone().addScaledVector(back, slope);
+  let most = Number.NEGATIVE_INFINITY;
+  for (let i = 0; i < points.length; i += 3) {
+    const reach = x * points[i] + y * points[i + 1] + z * points[i + 2];
+    if (reach > most) most = reach;
+  }
+  return most;
 }

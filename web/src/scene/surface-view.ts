@@ -1,5 +1,4 @@
 import { BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial } from 'three';
-import { ShownTriangles } from './shown-triangles.js';
 import type { Surface } from './surface.js';
 
 /** The looks of the surface: flat facets, back sides in a tint of their own. */
@@ -36,7 +35,6 @@ export class SurfaceLook {
 /** The surface as an object of the scene. */
 export class SurfaceView {
   readonly object: Mesh;
-  readonly #triangles = new ShownTriangles();
 
   constructor(look: SurfaceLook) {
     this.object = new Mesh(new BufferGeometry(), look.material(1));
@@ -45,9 +43,9 @@ export class SurfaceView {
 
   /** Shows a surface, but for some of its faces. */
   show(surface: Surface, hidden: ReadonlySet<number> = new Set()): void {
-    this.#triangles.show(surface, hidden);
+    surface.triangles.hide(hidden);
     const { geometry } = this.object;
-    const { index, count } = this.#triangles;
+    const { index, count } = surface.triangles;
     if (geometry.index !== index || geometry.attributes.position !== surface.position) {
       // What it had on the graphics card is freed; but points that stay are those of the wire, too.
       if (geometry.attributes.position === surface.position) geometry.deleteAttribute('position');

@@ -1,67 +1,74 @@
-import { BufferAttribute, DynamicDrawUsage, Matrix4, ShapeUtils, Vector2 } from 'three';
+import { type BufferAttribute, Matrix4 } from 'three';
 import { type HalfedgeMesh, NONE } from '../api.js';
 import { FaceTree, type FaceTreeOptions, type ShownFaces } from '../three/face-tree.js';
-import { newellNormal } from '../three/index.js';
 import type { PickTarget } from '../three/item-picker.js';
-import { roomFor } from '../three/rows.js';
-import { firstOf, type Triangles } from '../three/triangle-tree.js';
-import { type ChangedTriangles, changedTriangles, type Drawn } from './change.js';
+import { MeshChanges } from '../three/mesh-changes.js';
+import { RowBuffer, roomFor } from '../three/rows.js';
+import type { Triangles } from '../three/triangle-tree.js';
+import { triangulateFaces } from '../three/triangulate.js';
+import { type ChangedEdge, changedEdge, type FormerVertex, type SurfaceChange } from './change.js';
+import { ShownTriangles } from './shown-triangles.js';
+import { type Bounds, boundsOf, medianEdge } from './surface-measures.js';
 
-/** Changes of more triangles than this are not told one by one. */
+/** Changes of more triangles, edges or vertices than this are not told one by one. */
 const MOST_CHANGES = 4000;
 
 /**
- * A mesh made ready for the scene: its positions moved into the unit sphere, its faces
- * triangulated for drawing, and a tree over the triangles that picks the faces they are part of.
+ * A mesh made ready for the scene: its positions moved into the unit sphere, its faces triangulated for drawing, and a
+ * tree over the triangles that picks the faces they are part of. `update` takes up what an edit has changed.
  */
-export class Surface implements Drawn, PickTarget, ShownFaces {
+export class Surface implements PickTarget, ShownFaces {
   readonly mesh: HalfedgeMesh;
   /** xyz by vertex, centred, within distance 1 of the origin; the origin for deleted vertices. */
-  readonly points: Float32Array;
-  readonly vertexHalfedge: Int32Array;
-  readonly toVertex: Int32Array;
-  readonly triangles: Uint32Array;
-  /** Takes a position of the mesh to its place in the scene. */
+  points = new Float32Array(0);
+  readonly triangles: ShownTriangles;
+  /** Takes a position of the mesh to its place in the scene, also after edits. */
   readonly placement: Matrix4;
-  /** The points, as layers share them: those of surfaces that come one from the other, while there is room. */
-  readonly position: BufferAttribute;
   readonly tree: FaceTree;
   /** Its points are in the world as they are. */
   readonly matrixWorld = new Matrix4();
-  /** What changed since the earlier surface; null where there is none, or all may have changed. */
-  readonly change: ChangedTriangles | null;
-  /** By triangle: the face it is part of. */
-  readonly faceOf: Uint32Array;
+  /** The boundary halfedges. */
+  boundary: readonly number[] = [];
   /** A typical length of an edge. */
   readonly medianEdge: number;
   readonly #bounds: Bounds;
-  /** The points, and room for some more. */
-  readonly #room: Float32Array;
+  readonly #position = new RowBuffer(new Float32Array(0), 3);
+  readonly #changes = new MeshChanges([]);
+  /** The mesh as it was at the last update: by vertex, whether it is there; by halfedge, the vertex it points to. */
+  #isLive = new Uint8Array(0);
+  #toVertex = new Int32Array(0);
+  #vertices = 0;
+  #halfedges = 0;
 
-  /** With a surface that was made from the mesh earlier, before an edit: in the same place. */
-  constructor(mesh: HalfedgeMesh, earlier?: Surface, options: FaceTreeOptions = {}) {
+  constructor(mesh: HalfedgeMesh, options: FaceTreeOptions = {}) {
     this.mesh = mesh;
-    // What this was made from, as it was then: the mesh itself goes on to change.
-    this.vertexHalfedge = mesh.connectivity.vertexHalfedge.slice();
-    this.toVertex = mesh.connectivity.toVertex.slice();
-    this.#bounds = earlier ? earlier.#bounds : bounds(mesh.positions);
+    this.#bounds = boundsOf(mesh.positions);
     const { centre, scale } = this.#bounds;
-    const { length } = mesh.positions;
-    const known = earlier ? earlier.#room.length : 0;
-    this.#room = new Float32Array(length <= known ? known : 3 * roomFor(length / 3));
-    this.points = this.#room.subarray(0, length);
-    this.#placePoints();
     this.placement = new Matrix4()
       .makeScale(scale, scale, scale)
       .multiply(new Matrix4().makeTranslation(-centre[0], -centre[1], -centre[2]));
-    const { triangles, faceOf } = triangulate(mesh, this.points);
-    this.faceOf = faceOf;
-    this.triangles = triangles;
-    this.change = earlier ? changedTriangles(earlier, this, MOST_CHANGES) : null;
-    this.position = this.#sharedPosition(earlier);
-    this.tree = earlier?.tree ?? new FaceTree(this, options);
-    if (earlier) this.tree.update(this.change?.faces ?? null, this);
-    this.medianEdge = earlier ? earlier.medianEdge : medianEdge(mesh, this.points);
+    this.#changes.skip(mesh);
+    this.#reserve();
+    this.#fill();
+    this.triangles = new ShownTriangles(mesh);
+    this.boundary = boundaryOf(mesh);
+    this.tree = new FaceTree(this, options);
+    this.medianEdge = medianEdge(mesh, this.points);
+  }
+
+  /** The points, as layers share them: another attribute when there was not room enough. */
+  get position(): BufferAttribute {
+    return this.#position.attribute;
+  }
+
+  /** Whether there is such a vertex. */
+  isLive(vertex: number): boolean {
+    return this.#isLive[vertex] === 1;
+  }
+
+  /** The triangles that a face is drawn as, as vertices. */
+  triangleVertices(face: number): Uint32Array {
+    return this.triangles.verticesOf(face);
   }
 
   /** Writes xyz of the corners of a face to `out`, and returns its degree. */
@@ -81,167 +88,172 @@ export class Surface implements Drawn, PickTarget, ShownFaces {
     return degree;
   }
 
-  /** The triangles that a face is drawn as, as vertices. */
-  facePieces(face: number): number[] {
-    return triangulateFace(this.mesh, this.points, face);
-  }
-
   /** Vertices whose points are others now: they are uploaded, and nothing else. */
   movePoints(vertices: Iterable<number>): void {
     for (const v of vertices) this.position.addUpdateRange(3 * v, 3);
     this.position.needsUpdate = true;
   }
 
-  triangleVertices(face: number): Uint32Array {
-    const from = firstOf(this.faceOf, face);
-    return this.triangles.subarray(3 * from, 3 * firstOf(this.faceOf, face + 1));
-  }
-
   allTriangles(): Triangles {
-    const { points, triangles, faceOf } = this;
-    return { points: points.slice(), vertices: triangles.slice(), faces: faceOf };
+    return { points: this.points.slice(), ...this.triangles.inOrder(this.mesh) };
   }
 
-  #placePoints(): void {
-    const { centre, scale } = this.#bounds;
-    const { positions } = this.mesh;
-    for (let v = 0; v < this.vertexHalfedge.length; v++) {
-      if (this.vertexHalfedge[v] < NONE) continue;
-      for (let k = 0; k < 3; k++) {
-        const x = (positions[3 * v + k] - centre[k]) * scale;
-        if (Number.isFinite(x)) this.points[3 * v + k] = x;
+  /**
+   * Takes up what has changed in the mesh since the last time, and returns it; null where that is too much to be told
+   * one by one. Costs what has changed, and some milliseconds for a million faces to find it.
+   */
+  update(): SurfaceChange | null {
+    const { mesh } = this;
+    const changes = this.#changes;
+    changes.find(mesh);
+    this.#reserve();
+    const vertices = this.#takeVertices(changes.vertices.items);
+    const edges = this.#takeEdges(changes.edges.items);
+    this.#position.mark();
+    for (const v of vertices.keys()) {
+      if (this.isLive(v)) for (const face of mesh.vertexFaces(v)) changes.faces.add(face);
+    }
+    this.boundary = boundaryOf(mesh);
+    const isTooMuch = Math.max(vertices.size, edges.length) > MOST_CHANGES;
+    const faces = isTooMuch ? null : this.#changedFaces(changes.faces.items, vertices);
+    if (faces === null || this.triangles.isWasteful) this.triangles.fill(mesh);
+    else this.triangles.place(mesh, [...faces.faces]);
+    this.tree.update(faces?.faces ?? null, this);
+    return faces && { ...faces, edges, vertices };
+  }
+
+  /** Which of some faces are drawn otherwise than before, and how; null for too many. */
+  #changedFaces(
+    candidates: readonly number[],
+    moved: ReadonlyMap<number, unknown>,
+  ): Pick<SurfaceChange, 'faces' | 'before' | 'after'> | null {
+    const { mesh, triangles } = this;
+    const faces = new Set<number>();
+    const before: number[] = [];
+    const after: number[] = [];
+    const found = triangulateFaces(mesh, candidates); // which can detach views
+    const { toVertex } = mesh.connectivity;
+    let at = 0;
+    for (const face of candidates) {
+      const was = triangles.verticesOf(face);
+      const first = at;
+      while (found.faces[at] === face) at += 1;
+      let isSame = was.length === 3 * (at - first);
+      for (let i = 0; isSame && i < was.length; i++) {
+        const v = toVertex[found.halfedges[3 * first + i]];
+        isSame = v === was[i] && !moved.has(v);
       }
+      if (isSame) continue;
+      faces.add(face);
+      before.push(...was);
+      for (let i = 3 * first; i < 3 * at; i++) after.push(toVertex[found.halfedges[i]]);
+      if (before.length + after.length > 3 * MOST_CHANGES) return null;
     }
+    // Those whose slots are no more, after undo.
+    for (let face = mesh.faceSlots; face < triangles.faces; face++) {
+      const was = triangles.verticesOf(face);
+      if (was.length === 0) continue;
+      faces.add(face);
+      before.push(...was);
+    }
+    return before.length + after.length > 3 * MOST_CHANGES ? null : { faces, before, after };
   }
 
-  /** That of the surface before with these points, if they fit: what has not changed is not uploaded again. */
-  #sharedPosition(earlier?: Surface): BufferAttribute {
-    if (!earlier || earlier.#room.length !== this.#room.length) {
-      return new BufferAttribute(this.#room, 3).setUsage(DynamicDrawUsage);
-    }
-    const { position } = earlier;
-    position.array = this.#room;
-    position.needsUpdate = true;
-    if (this.change === null) {
-      position.clearUpdateRanges(); // all of it, then
-      return position;
-    }
-    const changed = new Set(this.change.after.flatMap((t) => [...this.#cornersOf(t)]));
-    for (const v of changed) position.addUpdateRange(3 * v, 3);
-    return position;
+  /** Takes over where vertices are now. Returns how those were that are otherwise. */
+  #takeVertices(candidates: readonly number[]): Map<number, FormerVertex> {
+    const { vertexHalfedge } = this.mesh.connectivity;
+    const { positions } = this.mesh;
+    const changed = new Map<number, FormerVertex>();
+    const points = this.#position.array;
+    const take = (v: number) => {
+      const isLive = v < vertexHalfedge.length && vertexHalfedge[v] >= NONE;
+      const place = [points[3 * v], points[3 * v + 1], points[3 * v + 2]] as const;
+      const wasLive = this.#isLive[v] === 1;
+      this.#readPlace(positions, isLive ? v : -1);
+      const hasMoved = this.#position.write(v, read, 0);
+      if (hasMoved || wasLive !== isLive) changed.set(v, { place, isLive: wasLive });
+      this.#isLive[v] = Number(isLive);
+    };
+    for (const v of candidates) take(v);
+    for (let v = vertexHalfedge.length; v < this.#vertices; v++) take(v);
+    this.#vertices = vertexHalfedge.length;
+    this.points = this.#pointsOf(vertexHalfedge.length);
+    return changed;
   }
 
-  #cornersOf(triangle: number): Uint32Array {
-    return this.triangles.subarray(3 * triangle, 3 * triangle + 3);
+  /** Takes over the ends of edges. Returns those that are others. */
+  #takeEdges(candidates: readonly number[]): ChangedEdge[] {
+    const { toVertex } = this.mesh.connectivity;
+    const known = this.#toVertex;
+    const changed: ChangedEdge[] = [];
+    const take = (e: number) => {
+      const ends = [toVertex[2 * e] ?? NONE, toVertex[2 * e + 1] ?? NONE] as const;
+      const found = changedEdge(e, [known[2 * e], known[2 * e + 1]], ends);
+      if (found) changed.push(found);
+      known[2 * e] = ends[0];
+      known[2 * e + 1] = ends[1];
+    };
+    for (const e of candidates) take(e);
+    for (let h = toVertex.length; h < this.#halfedges; h += 2) take(h >> 1);
+    this.#halfedges = toVertex.length;
+    return changed;
   }
-}
 
-interface Bounds {
-  readonly centre: readonly number[];
-  readonly scale: number;
-}
+  /** Takes over all vertices and ends of edges, after `#reserve`. */
+  #fill(): void {
+    const { toVertex, vertexHalfedge } = this.mesh.connectivity;
+    const { positions } = this.mesh;
+    this.#toVertex.set(toVertex);
+    const points = this.#position.array;
+    for (let v = 0; v < vertexHalfedge.length; v++) {
+      if (vertexHalfedge[v] < NONE) continue;
+      this.#isLive[v] = 1;
+      this.#readPlace(positions, v);
+      points[3 * v] = read[0];
+      points[3 * v + 1] = read[1];
+      points[3 * v + 2] = read[2];
+    }
+    this.#vertices = vertexHalfedge.length;
+    this.#halfedges = toVertex.length;
+    this.points = this.#pointsOf(this.#vertices);
+  }
 
-/** The middle of the bounding box, and the scale that makes everything fit into the unit sphere. */
-function bounds(positions: Float32Array): Bounds {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i += 3) {
+  /** Reads where a vertex is in the scene; a negative one, and one that is nowhere, is in the middle. */
+  #readPlace(positions: Float32Array, v: number): void {
+    const { centre, scale } = this.#bounds;
     for (let k = 0; k < 3; k++) {
-      const x = positions[i + k];
-      if (!Number.isFinite(x)) continue;
-      if (x < low[k]) low[k] = x;
-      if (x > high[k]) high[k] = x;
+      const x = v < 0 ? 0 : (positions[3 * v + k] - centre[k]) * scale;
+      read[k] = Number.isFinite(x) ? x : 0;
     }
   }
-  const centre = low.map((x, k) => (Number.isFinite(x) ? (x + high[k]) / 2 : 0));
-  const [cx, cy, cz] = centre;
-  let squared = 0;
-  for (let i = 0; i < positions.length; i += 3) {
-    const [x, y, z] = [positions[i] - cx, positions[i + 1] - cy, positions[i + 2] - cz];
-    const r = x * x + y * y + z * z;
-    if (r > squared && Number.isFinite(r)) squared = r;
-  }
-  return { centre, scale: squared > 0 ? 1 / Math.sqrt(squared) : 1 };
-}
 
-function triangulate(
-  mesh: HalfedgeMesh,
-  points: Float32Array,
-): { triangles: Uint32Array; faceOf: Uint32Array } {
-  const { next, toVertex, faceHalfedge } = mesh.connectivity;
-  // A face of degree n is n - 2 triangles, and the degrees add up to at most the halfedges.
-  const most = Math.max(0, mesh.halfedgeCount - 2 * mesh.faceCount);
-  const triangles = new Uint32Array(3 * most);
-  const faceOf = new Uint32Array(most);
-  let count = 0;
-  for (const f of mesh.faces()) {
-    const a = faceHalfedge[f];
-    const b = next[a];
-    const c = next[b];
-    if (next[c] === a) {
-      triangles[3 * count] = toVertex[a];
-      triangles[3 * count + 1] = toVertex[b];
-      triangles[3 * count + 2] = toVertex[c];
-      faceOf[count++] = f;
-      continue;
+  #pointsOf(vertices: number): Float32Array<ArrayBuffer> {
+    return (this.#position.array as Float32Array<ArrayBuffer>).subarray(0, 3 * vertices);
+  }
+
+  /** Makes room for what the mesh has now, and some more. */
+  #reserve(): void {
+    const { vertexSlots, halfedgeSlots } = this.mesh;
+    if (vertexSlots > this.#isLive.length) {
+      const room = roomFor(vertexSlots);
+      const isLive = new Uint8Array(room);
+      isLive.set(this.#isLive);
+      this.#isLive = isLive;
+      this.#position.reserve(room);
     }
-    const pieces = triangulateFace(mesh, points, f);
-    triangles.set(pieces, 3 * count);
-    faceOf.fill(f, count, count + pieces.length / 3);
-    count += pieces.length / 3;
+    if (halfedgeSlots > this.#toVertex.length) {
+      const toVertex = new Int32Array(roomFor(halfedgeSlots)).fill(NONE);
+      toVertex.set(this.#toVertex);
+      this.#toVertex = toVertex;
+    }
   }
-  return { triangles: triangles.slice(0, 3 * count), faceOf: faceOf.slice(0, count) };
 }
 
-function triangulateFace(mesh: HalfedgeMesh, points: Float32Array, face: number): number[] {
-  return triangulateRing([...mesh.faceVertices(face)], points);
-}
+/** xyz of a vertex. */
+const read = new Float32Array(3);
 
-/** The triangles of a polygon: ear clipping in its plane; a fan where it has no area. */
-export function triangulateRing(ring: number[], points: Float32Array): number[] {
-  if (ring.length === 3) return ring;
-  const corners = ring.flatMap((v) => [points[3 * v], points[3 * v + 1], points[3 * v + 2]]);
-  const normal = newellNormal(corners, ring.length, new Float64Array(3));
-  const flat = flatten(corners, normal);
-  const pieces = ShapeUtils.triangulateShape(flat, []);
-  if (pieces.length === ring.length - 2) return pieces.flat().map((i) => ring[i]);
-  return ring.slice(2).flatMap((v, i) => [ring[0], ring[i + 1], v]);
-}
-
-/** The points seen along the normal, counter-clockwise where the face is. */
-function flatten(corners: readonly number[], normal: Float64Array): Vector2[] {
-  const [x, y, z] = normal;
-  // A unit vector across the normal (Duff et al., "Building an Orthonormal Basis, Revisited").
-  const sign = z >= 0 ? 1 : -1;
-  const a = -1 / (sign + z);
-  const b = x * y * a;
-  const u = [1 + sign * x * x * a, sign * b, -sign * x];
-  const v = [b, sign + y * y * a, -y];
-  const flat: Vector2[] = [];
-  for (let i = 0; i < corners.length; i += 3) {
-    const dot = (w: readonly number[]) =>
-      w[0] * corners[i] + w[1] * corners[i + 1] + w[2] * corners[i + 2];
-    flat.push(new Vector2(dot(u), dot(v)));
-  }
-  return flat;
-}
-
-/** The median over a sample of the edges: enough to tell what is worth drawing. */
-function medianEdge(mesh: HalfedgeMesh, points: Float32Array): number {
-  const { toVertex } = mesh.connectivity;
-  const lengths: number[] = [];
-  const stride = 2 * Math.max(1, Math.floor(toVertex.length / 2 / 1000));
-  for (let h = 0; h + 1 < toVertex.length; h += stride) {
-    const [a, b] = [3 * toVertex[h], 3 * toVertex[h + 1]];
-    if (a < 0 || b < 0) continue;
-    lengths.push(
-      Math.hypot(
-        points[a] - points[b],
-        points[a + 1] - points[b + 1],
-        points[a + 2] - points[b + 2],
-      ),
-    );
-  }
-  lengths.sort((p, q) => p - q);
-  return lengths[lengths.length >> 1] ?? 0;
+function boundaryOf({ connectivity: { face, next } }: HalfedgeMesh): number[] {
+  const found: number[] = [];
+  for (let h = 0; h < face.length; h++) if (face[h] === NONE && next[h] >= 0) found.push(h);
+  return found;
 }

@@ -1,6 +1,7 @@
 import { BufferGeometry, type Color, LineBasicMaterial, LineSegments } from 'three';
 import { LineBatch, lineMaterial, lines } from '../three/index.js';
 import { RowBuffer, roomFor } from '../three/rows.js';
+import type { ChangedEdge } from './change.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
@@ -17,8 +18,8 @@ export class Wire {
   readonly #boundaryMaterial = lineMaterial(2.25, 1);
   readonly #boundaryLines = lines(this.#boundary, this.#boundaryMaterial, 2);
   readonly #edges = new RowBuffer(new Uint32Array(0), 2, false, 1);
-  /** Whether the edges are to be written, as soon as they are to be seen. */
-  #isStale = false;
+  /** The edges that are to be written, as soon as they are to be seen; null for all of them. */
+  #stale: Set<number> | null = new Set();
   #surface: Surface | null = null;
   #colored: Color | null = null;
   #hidden: ReadonlySet<number> = new Set();
@@ -35,11 +36,18 @@ export class Wire {
     this.#boundaryLines.visible = shows;
   }
 
-  /** Shows the edges of a surface, but for some. */
-  show(surface: Surface, hidden: ReadonlySet<number> = new Set()): void {
+  /** Shows the edges of a surface, but for some. `changed` are those that are others now; null: all may be. */
+  show(
+    surface: Surface,
+    hidden: ReadonlySet<number>,
+    changed: readonly ChangedEdge[] | null,
+  ): void {
+    if (surface !== this.#surface || changed === null) this.#stale = null;
+    for (const { edge } of changed ?? []) this.#stale?.add(edge);
+    for (const edge of this.#hidden) this.#stale?.add(edge);
+    for (const edge of hidden) this.#stale?.add(edge);
     this.#surface = surface;
     this.#hidden = hidden;
-    this.#isStale = true;
     this.#writeBoundary();
   }
 
@@ -59,7 +67,7 @@ export class Wire {
     this.#hairlines.visible = strength > 0;
     this.#material.opacity = 0.15 + 0.85 * strength;
     // The index of all edges is only made for meshes that are seen close enough to need it.
-    if (strength > 0 && this.#isStale) this.#writeEdges(surface);
+    if (strength > 0 && this.#stale?.size !== 0) this.#writeEdges(surface);
   }
 
   /** Each edge has a place of its own, so that after an edit only those are uploaded that changed. */
@@ -68,12 +76,15 @@ export class Wire {
     const edges = toVertex.length / 2;
     const known = this.#edges.attribute;
     if (2 * edges > known.array.length) this.#edges.reserve(roomFor(edges));
-    for (let e = 0; e < edges; e++) {
+    const write = (e: number) => {
       const isShown = next[2 * e] >= 0 && !this.#hidden.has(e);
       ends[0] = isShown ? toVertex[2 * e + 1] : 0;
       ends[1] = isShown ? toVertex[2 * e] : 0;
       this.#edges.write(e, ends, 0);
-    }
+    };
+    if (this.#stale === null) for (let e = 0; e < edges; e++) write(e);
+    else for (const e of this.#stale) if (e < edges) write(e);
+    this.#stale = new Set();
     const { geometry } = this.#hairlines;
     const { attribute } = this.#edges;
     if (attribute === known) this.#edges.mark();
@@ -85,16 +96,15 @@ export class Wire {
       geometry.setIndex(attribute);
     }
     geometry.setDrawRange(0, 2 * edges);
-    this.#isStale = false;
   }
 
   #writeBoundary(): void {
     this.#boundary.clear();
     if (this.#surface && this.#colored) {
-      const { toVertex, face, next } = this.#surface.mesh.connectivity;
-      const { points } = this.#surface;
-      for (let h = 0; h < face.length; h++) {
-        if (face[h] !== -1 || next[h] < 0 || this.#hidden.has(h >> 1)) continue;
+      const { toVertex } = this.#surface.mesh.connectivity;
+      const { points, boundary } = this.#surface;
+      for (const h of boundary) {
+        if (this.#hidden.has(h >> 1)) continue;
         this.#boundary.add(points, 3 * toVertex[h ^ 1], 3 * toVertex[h], this.#colored);
       }
     }
