@@ -6,20 +6,22 @@ import type { HalfedgeMesh } from 'halfedge';
  */
 export function digestOf(mesh: HalfedgeMesh): string {
   const { sizes, corners } = mesh.toPolygons();
-  // FNV-1a, over words instead of bytes.
-  let hash = 0x811c9dc5;
-  const add = (words: Uint32Array) => {
-    for (const word of words) hash = Math.imul(hash ^ word, 0x01000193);
-  };
-  add(sizes);
-  add(corners);
+  let hash = added(added(0x811c9dc5, sizes, 0, sizes.length), corners, 0, corners.length);
   const { buffer, byteOffset, length } = mesh.positions;
   const bits = new Uint32Array(buffer, byteOffset, length);
   const isAdded = new Uint8Array(mesh.vertexSlots);
-  for (const v of corners) {
+  for (let i = 0; i < corners.length; i++) {
+    const v = corners[i];
     if (isAdded[v] === 1) continue;
     isAdded[v] = 1;
-    add(bits.subarray(3 * v, 3 * v + 3));
+    hash = added(hash, bits, 3 * v, 3 * v + 3);
   }
   return (hash >>> 0).toString(16).padStart(8, '0');
+}
+
+/** FNV-1a, over words instead of bytes. */
+function added(hash: number, words: Uint32Array, from: number, to: number): number {
+  let sum = hash;
+  for (let i = from; i < to; i++) sum = Math.imul(sum ^ words[i], 0x01000193);
+  return sum;
 }
