@@ -2,11 +2,12 @@
 // WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
 // start. `npm run bench:files`: readers of files. `npm run bench:explorer`: the explorer in Chromium.
 // `npm run bench:scale`: ten million triangles. `npm run bench:growth`: from ten thousand faces to ten million.
-// Arguments after `--` are handed on to the benchmark.
+// `npm run bench:locality`: what `reorder` costs and gains. Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { build, buildPreset } from './build.mjs';
+import { emscriptenToolchain } from './lib/emscripten.mjs';
 import { asProgram, root, run } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
@@ -60,6 +61,18 @@ const benchmarks = {
     await buildPreset('bench');
     const program = join(native, 'halfedge_growth');
     await run(process.execPath, [join(root, 'bench/web/growth.mjs'), program, ...args]);
+  },
+
+  async locality() {
+    await setup(['build', 'bench']);
+    await build();
+    await buildPreset('bench');
+    await buildPreset('wasm-bench', [`-DCMAKE_TOOLCHAIN_FILE=${emscriptenToolchain()}`]);
+    await run(process.execPath, [
+      join(root, 'bench/web/locality.mjs'),
+      join(native, 'halfedge_locality'),
+      join(root, 'build/wasm-bench/bench/native/halfedge_locality.cjs'),
+    ]);
   },
 
   async wasm() {

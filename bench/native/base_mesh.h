@@ -16,12 +16,14 @@ struct NamedMesh {
   TriangleMesh mesh;
 };
 
-/// A scanned mesh of 70 k faces of all valences, from the folder of test meshes; where that is
-/// absent, a sphere of 82 k, all of valence 6, which is kinder to branch prediction.
-inline NamedMesh base_mesh() {
-  const char* folder = std::getenv("HALFEDGE_DATA");
-  const std::string path =
-      std::string(folder != nullptr ? folder : HALFEDGE_DATA_DIR) + "/good/bunny_pmp.off";
+/// A scanned mesh of 70 k faces of all valences, from the folder of test meshes, or the mesh of
+/// another file; where that is absent, a sphere of 82 k, all of valence 6, which is kinder to
+/// branch prediction.
+inline NamedMesh base_mesh(std::string path = {}) {
+  if (path.empty()) {
+    const char* folder = std::getenv("HALFEDGE_DATA");
+    path = std::string(folder != nullptr ? folder : HALFEDGE_DATA_DIR) + "/good/bunny_pmp.off";
+  }
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> text((std::istreambuf_iterator<char>(file)),
                                std::istreambuf_iterator<char>());

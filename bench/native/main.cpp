@@ -14,6 +14,7 @@
 #include "builders.h"
 #include "contender.h"
 #include "history.h"
+#include "locality_ordered.h"
 #include "measure.h"
 #include "memory.h"
 #include "meshes.h"
@@ -200,10 +201,13 @@ int main(int argc, char** argv) {
   print_header(columns);
   for (const TriangleMesh& mesh : meshes) {
     const std::string faces = thousands(mesh.face_count());
-    compare_libraries(faces + ", natural", mesh);
-    compare_libraries(faces + ", shuffled", shuffled(mesh, 1));
-    compare_operations(faces + ", natural", mesh);
-    compare_operations(faces + ", shuffled", shuffled(mesh, 1));
+    const TriangleMesh mixed = shuffled(mesh, 1);
+    for (const auto& [order, ordered] : {std::pair{", natural", mesh},
+                                         {", shuffled", mixed},
+                                         {", locality-ordered", locality_ordered(mixed)}}) {
+      compare_libraries(faces + order, ordered);
+      compare_operations(faces + order, ordered);
+    }
   }
 
   std::printf("\n");

@@ -70,9 +70,9 @@ inline TriangleMesh torus(std::uint32_t side) {
     const std::uint32_t below = side * ((y + 1) % side);
     for (std::uint32_t x = 0; x < side; ++x) {
       const std::uint32_t right = (x + 1) % side;
-      mesh.positions.insert(mesh.positions.end(), {radius * std::cos(turn * float(x)),
-                                                   radius * std::sin(turn * float(x)),
-                                                   std::sin(turn * float(y))});
+      mesh.positions.insert(mesh.positions.end(),
+                            {radius * std::cos(turn * float(x)), radius * std::sin(turn * float(x)),
+                             std::sin(turn * float(y))});
       mesh.corners.insert(mesh.corners.end(), {here + x, here + right, below + right,  //
                                                here + x, below + right, below + x});
     }

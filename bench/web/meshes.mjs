@@ -58,6 +58,16 @@ export function icosphere(times) {
   };
 }
 
+/** Each face split in four at the middles of its edges. */
+export function subdivided({ positions, triangles, closed }) {
+  const finer = splitInFour(positions, triangles);
+  return {
+    positions: Float32Array.from(finer.points),
+    triangles: Uint32Array.from(finer.triangles),
+    closed,
+  };
+}
+
 function icosahedron() {
   const golden = (1 + Math.sqrt(5)) / 2;
   const corners = [-1, 1].flatMap((a) =>
@@ -87,7 +97,7 @@ function facesOutward([ax, ay, az], [bx, by, bz], [cx, cy, cz]) {
 }
 
 function splitInFour(corners, triangles) {
-  const points = corners.slice();
+  const points = Array.from(corners);
   const middles = new Map();
   const middle = (a, b) => {
     const key = Math.min(a, b) * 2 ** 26 + Math.max(a, b);
@@ -95,7 +105,7 @@ function splitInFour(corners, triangles) {
     if (m === undefined) {
       m = points.length / 3;
       middles.set(key, m);
-      for (let k = 0; k < 3; k++) points.push(corners[3 * a + k] + corners[3 * b + k]);
+      for (let k = 0; k < 3; k++) points.push((corners[3 * a + k] + corners[3 * b + k]) / 2);
     }
     return m;
   };
