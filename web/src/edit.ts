@@ -71,7 +71,7 @@ function lastRefusal(core: Core): Refusal {
   return Object.freeze({ code, message, witness: witness as Witness });
 }
 
-const noRoom = () => outOfMemory('The change');
+const noRoom = () => outOfMemory('the change');
 
 /** A copy of the position, or the origin if none is given. Throws a sentence for what is none. */
 export function checkPosition(

@@ -47,7 +47,7 @@ export class History {
     this.#checkNoGroup('enabled', 'changed');
     if (!enabled) core._disable_history(address);
     else if (core._enable_history(address, this.#limits.steps, this.#limits.bytes) === 0) {
-      throw outOfMemory('History');
+      throw outOfMemory('history');
     }
     this.#enabled = enabled;
   }

@@ -90,16 +90,16 @@ export class Inputs {
 
   #allocate(what: string, bytes: number): number {
     const address = bytes <= MAX_BYTES ? this.#core.allocate(bytes) : 0;
-    if (address === 0) throw outOfMemory(`${what} needs ${bytes} bytes`);
+    if (address === 0) throw outOfMemory(`the ${bytes} bytes of ${what}`);
     this.#addresses.push(address);
     return address;
   }
 }
 
-/** The error of an exhausted memory; the module goes on working. */
-export function outOfMemory(why: string): HalfedgeError {
+/** The error of an exhausted memory, where there is no room for `what`; the module goes on working. */
+export function outOfMemory(what: string): HalfedgeError {
   return new HalfedgeError(
     'out-of-memory',
-    `${why}, more than WebAssembly has left of its 4 GiB: dispose of meshes that are no longer needed.`,
+    `There is no room for ${what} in what WebAssembly has left of its 4 GiB: dispose of meshes that are no longer needed.`,
   );
 }

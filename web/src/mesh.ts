@@ -263,7 +263,7 @@ export class HalfedgeMesh extends Shapes {
   clone(): HalfedgeMesh {
     const links = linksOf(this);
     const address = links.core.cloneMesh(links.address);
-    if (address === 0) throw outOfMemory(`A copy of ${this.halfedgeCount} halfedges`);
+    if (address === 0) throw outOfMemory(`a copy of ${this.halfedgeCount} halfedges`);
     return new HalfedgeMesh(new Links(links.core, address));
   }
 
@@ -341,6 +341,6 @@ function emptyLinks(options: unknown): Links {
   const withPrev = storesPrev(options);
   const wasm = core();
   const address = wasm.createMesh(withPrev);
-  if (address === 0) throw outOfMemory('A mesh');
+  if (address === 0) throw outOfMemory('a mesh');
   return new Links(wasm, address);
 }

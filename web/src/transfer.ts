@@ -54,7 +54,7 @@ export function bytesOfLinks({ core, address: mesh }: Links): Uint8Array {
   try {
     return new Uint8Array(core.memory.buffer, address, count).slice();
   } catch {
-    throw outOfMemory(`The ${count} bytes of the mesh`);
+    throw outOfMemory(`a copy of the ${count} bytes of the mesh`);
   } finally {
     core.free(address);
   }

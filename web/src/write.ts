@@ -58,7 +58,7 @@ function takeContent(
     const bytes = new Uint8Array(core.memory.buffer, address, count);
     return encoding === 'text' ? new TextDecoder().decode(bytes) : bytes.slice();
   } catch {
-    throw outOfMemory(`The ${count} bytes of the file`);
+    throw outOfMemory(`a copy of the ${count} bytes of the file`);
   } finally {
     core.free(address);
   }
