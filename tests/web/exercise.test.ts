@@ -42,6 +42,27 @@ describe('The meshes of exercises', () => {
   });
 });
 
+test('Shuffling moves the anchors of vertices and faces, but keeps those of the boundary there', () => {
+  const task: ExerciseTask = { ...taskNamed('valence'), meshes: ['sheet'] };
+  const anchors = (seed: number) => {
+    const { mesh } = deal(task, seed)[1];
+    const place = (v: number) => [...mesh.positions.subarray(3 * v, 3 * v + 2)].join(' ');
+    const towards = (h: number) => `${place(mesh.fromVertex(h))} → ${place(mesh.toVertex(h))}`;
+    for (const v of mesh.vertices()) {
+      const atBoundary = [...mesh.vertexOutgoingHalfedges(v)].some((h) => mesh.face(h) < 0);
+      expect(mesh.face(mesh.vertexHalfedge(v)) < 0).toBe(atBoundary);
+    }
+    const inner = [...mesh.vertices()].filter((v) => !mesh.isBoundaryVertex(v));
+    return {
+      vertices: inner.map((v) => towards(mesh.vertexHalfedge(v))).sort(),
+      faces: [...mesh.faces()].map((f) => towards(mesh.faceHalfedge(f))).sort(),
+    };
+  };
+  const all = SEEDS.map(anchors);
+  expect(new Set(all.map(({ vertices }) => vertices.join())).size).toBe(4);
+  expect(new Set(all.map(({ faces }) => faces.join())).size).toBeGreaterThan(6);
+});
+
 /** The faces by where their corners are. */
 function cornersOf(mesh: HalfedgeMesh): string[] {
   return [...mesh.faces()]

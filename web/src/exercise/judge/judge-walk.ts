@@ -12,8 +12,7 @@ type Part = Pick<Finding, 'code' | 'title'> & Partial<Finding>;
 /** Other items of the same walk: halfedges where vertices were asked. */
 export function otherLists({ asked, of, expected, got, reads }: Lists): Part | null {
   const subject = subjectOf(asked);
-  // The numbers of one kind may happen to be those of another: what was asked of the mesh tells.
-  if (!subject || expected.length < 2 || cameFrom(of, got, reads)) return null;
+  if (!subject || expected.length < 2) return null;
   for (const [kind, words, take, list] of walksAround(asked.mesh, subject)) {
     if (kind === of || !sameCycleEitherWay(got, list) || !cameFrom(kind, got, reads)) continue;
     const plural = { vertex: 'vertices', halfedge: 'halfedges', edge: 'edges', face: 'faces' };
@@ -32,7 +31,10 @@ export function otherLists({ asked, of, expected, got, reads }: Lists): Part | n
   return null;
 }
 
-/** Whether each number is one that a question for this kind of item was answered with. */
+/**
+ * Whether each number is one that a question for this kind of item was answered with: the numbers of one
+ * kind may happen to be those of another.
+ */
 function cameFrom(kind: Item['kind'], got: readonly unknown[], reads: readonly Read[]): boolean {
   const given = new Set(reads.filter(({ name }) => KINDS[name] === kind).map(({ gave }) => gave));
   return got.every((value) => given.has(value as number));
