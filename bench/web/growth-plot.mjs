@@ -82,6 +82,6 @@ function scaleFor(largest) {
 }
 
 const short = (faces) =>
-  faces >= 1e6
+  faces >= 999_500
     ? `${(faces / 1e6).toFixed(faces < 5e6 ? 1 : 0)} M`
     : `${Math.round(faces / 1000)} k`;

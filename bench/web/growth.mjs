@@ -15,8 +15,8 @@ import { torus } from './meshes.mjs';
 import { keepReport } from './readme.mjs';
 
 const PASSES = ['build', 'one-rings', 'validate', 'compaction'];
-/** How often native and WebAssembly take turns. */
-const TURNS = 3;
+/** How often native and WebAssembly take turns; once where that takes minutes. */
+const turnsFor = (faces) => (faces > 2e6 ? 1 : 3);
 /** Vertices of a side of a torus: steps of √10 in faces. */
 const SIDES = [71, 126, 224, 397, 707, 1257, 2236];
 
@@ -35,7 +35,7 @@ if (options.includes('--write')) {
 function measure(side) {
   const faces = 2 * side ** 2;
   const row = { faces, native: {}, flat: {}, wasm: {} };
-  for (let turn = 0; turn < TURNS; turn++) {
+  for (let turn = 0; turn < turnsFor(faces); turn++) {
     const natively = JSON.parse(execFileSync(program, [String(side)], { encoding: 'utf8' }));
     const measured = { ...natively, wasm: inWebAssembly(side) };
     for (const [who, times] of Object.entries(measured)) {
