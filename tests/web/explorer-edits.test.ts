@@ -163,6 +163,32 @@ describe('the surface after an edit', () => {
   });
 });
 
+test('the tree over many triangles grows when the picture is drawn, of the mesh as it is then', async () => {
+  const mesh = HalfedgeMesh.grid(180, 180, { triangles: true });
+  const sent: { vertices: Uint32Array }[] = [];
+  const worker = {
+    postMessage: (seed: { vertices: Uint32Array }) => sent.push(seed),
+    addEventListener: () => {},
+    terminate: () => {},
+  };
+  let draw = () => {};
+  const begin = () => new Promise<void>((resolve) => (draw = resolve));
+  const surface = new Surface(mesh, { worker: () => worker as never, begin });
+  mesh.deleteFace(7);
+  surface.update();
+  await Promise.resolve();
+  expect(sent).toEqual([]);
+  draw();
+  await Promise.resolve();
+  expect(sent).toHaveLength(1);
+  // A face that is gone has no area in it.
+  expect([...sent[0].vertices.subarray(21, 24)]).toEqual([0, 0, 0]);
+  expect(new Set(sent[0].vertices.subarray(24, 27)).size).toBe(3);
+  expect(surface.tree.isGrown).toBe(false);
+  surface.tree.dispose();
+  mesh.dispose();
+});
+
 describe('the motion of an edit', () => {
   const item: Item = { kind: 'face', index: 4 };
   const operation: Operation = {

@@ -78,7 +78,8 @@ export class MeshPicture {
     source: PictureSource,
     options: FaceTreeOptions = {},
   ) {
-    this.#options = options;
+    // The picture comes first: growing the tree takes as long as to draw it, and can wait.
+    this.#options = { begin: () => stage.drawn(), ...options };
     this.stage = stage;
     this.#source = source;
     this.travel = new Travel(stage);

@@ -48,6 +48,7 @@ export class Stage {
   readonly #listeners: (() => void)[] = [];
   readonly #woken: (() => void)[] = [];
   readonly #rested: (() => void)[] = [];
+  readonly #awaiting: (() => void)[] = [];
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
@@ -108,6 +109,11 @@ export class Stage {
   onChange(begins: () => void, rests: () => void): void {
     this.#woken.push(begins);
     this.#rested.push(rests);
+  }
+
+  /** Fulfilled when the next frame has been drawn, and the browser asks for another one. */
+  drawn(): Promise<void> {
+    return new Promise((resolve) => this.#awaiting.push(resolve));
   }
 
   /** Calls `step` before each frame as long as it says that it goes on; instead of one before. */
@@ -350,6 +356,7 @@ export class Stage {
     this.camera.updateMatrixWorld();
     for (const listener of this.#listeners) listener();
     this.#screen.render(this.scene, this.camera);
+    for (const resolve of this.#awaiting.splice(0)) requestAnimationFrame(() => resolve());
     if (flying || animated || moving) this.invalidate();
     else for (const listener of this.#rested) listener();
   }

@@ -30,6 +30,8 @@ export interface FaceTreeOptions {
    * `halfedge/three/picking-thread`, or null for none. Without, they are grown at once.
    */
   worker?: () => WorkerLike | null;
+  /** Fulfilled when that may begin to work, such as when a picture is drawn first. Default: at once. */
+  begin?: () => Promise<void>;
 }
 
 /**
@@ -40,6 +42,7 @@ export interface FaceTreeOptions {
  */
 export class FaceTree {
   readonly #makeWorker: () => WorkerLike | null;
+  readonly #begin: (() => Promise<void>) | undefined;
   #tree: TriangleTree;
   /** By face that changed since: nine coordinates of each of its triangles. */
   readonly #loose = new Map<number, Float32Array>();
@@ -48,8 +51,9 @@ export class FaceTree {
   #stopWorker = () => {};
   #ready: Promise<void> = Promise.resolve();
 
-  constructor(shown: ShownFaces, { worker = () => null }: FaceTreeOptions = {}) {
+  constructor(shown: ShownFaces, { worker = () => null, begin }: FaceTreeOptions = {}) {
     this.#makeWorker = worker;
+    this.#begin = begin;
     this.#tree = new TriangleTree(shown.allTriangles());
     this.#grow(this.#tree);
   }
@@ -135,8 +139,13 @@ export class FaceTree {
           this.#settle();
         }),
       );
-      const seed = tree.seed;
-      worker.postMessage(seed, [seed.points.buffer, seed.vertices.buffer]);
+      const post = () => {
+        if (this.#young?.tree !== tree) return; // given up in the meantime
+        const seed = tree.seed;
+        worker.postMessage(seed, [seed.points.buffer, seed.vertices.buffer]);
+      };
+      if (this.#begin) void this.#begin().then(post);
+      else post();
     });
   }
 
