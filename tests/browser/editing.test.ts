@@ -34,7 +34,7 @@ const outcome = () => explorer.page.textContent('[data-outcome]');
 
 /** The numbers below the operations, with what the last change added: `E 480 +3`. */
 async function numbers(): Promise<string[]> {
-  return explorer.page.$$eval('.numbers > div', (rows) =>
+  return explorer.page.$$eval('.numbers dl > div', (rows) =>
     rows.map((row) =>
       [...row.querySelectorAll('dt, dd')]
         .flatMap((cell) => [...cell.childNodes].map((node) => node.textContent))

@@ -14,6 +14,8 @@ import './styles/sheet.css';
 import './styles/overlays.css';
 import './styles/narrow.css';
 import { init } from 'halfedge';
+import { listenToPointer } from 'halfedge/scene';
+import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
 import { follow } from './app/share.js';
 import { Signal } from './app/signal.js';
@@ -26,7 +28,6 @@ import { busyNotice, dropTarget, failureNotice, helpDialog, listenToPaste } from
 import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
-import { listenToPointer } from './ui/pointer.js';
 import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
@@ -75,7 +76,14 @@ async function start(): Promise<void> {
   );
   view.keepClearOf(side);
   listenToKeys(explorer, view, tab, openHelp);
-  listenToPointer(explorer, view, canvas);
+  listenToPointer(canvas, {
+    itemAt: (x, y, reach) => view.pick(x, y, reach),
+    hovers: (item) => {
+      if (!sameItem(item, explorer.hovered.value)) explorer.hovered.value = item;
+    },
+    picks: (item) => explorer.pick(item),
+    doubleClicked: () => view.focus(),
+  });
   listenToPaste(explorer);
   publishState(explorer, view, stage);
   await init();

@@ -17,6 +17,8 @@ export interface FigurePageSettings {
   readonly height?: number;
   readonly dark?: boolean;
   readonly motion?: boolean;
+  /** A telephone: touch, and two device pixels to the CSS pixel. */
+  readonly phone?: boolean;
   /** The Content-Security-Policy that is sent. */
   readonly policy?: string;
   /** Whether the browser has WebGL. */
@@ -53,9 +55,10 @@ export class FigurePage {
   /** Opens a page with this body, and waits for the element to be defined. */
   static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
     connection ??= chromium.connect(shared.browser);
-    const { width = 900, height = 700, dark = false, motion = false } = settings;
+    const { width = 900, height = 700, dark = false, motion = false, phone = false } = settings;
     const { policy, webgl = true, path = 'figures.html', script = 'figure' } = settings;
-    const html = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="color-scheme" content="light dark">
+    const html = `<!doctype html><html lang="en"><meta charset="utf-8">
+      <meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark">
       <title>Figures</title><script type="module" src="/dist/${script}/standalone.js"></script>
       <link rel="icon" href="data:,"><body>${body}</body></html>`;
     const type = 'text/html; charset=utf-8';
@@ -67,6 +70,7 @@ export class FigurePage {
       viewport: { width, height },
       colorScheme: dark ? 'dark' : 'light',
       reducedMotion: motion ? 'no-preference' : 'reduce',
+      ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
     });
     context.setDefaultTimeout(90_000); // a busy machine takes its time
     await watch(context, webgl);

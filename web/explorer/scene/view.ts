@@ -186,7 +186,7 @@ export class View {
     return {
       pointers: isShown && selected.value ? [selected.value] : [],
       kinds: scope === 'off' || showsFile.value ? [] : kinds,
-      around: scope === 'all' ? 'all' : item ? [item] : [],
+      around: scope === 'all' ? 'large' : item ? [item] : [],
     };
   }
 

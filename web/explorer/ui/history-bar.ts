@@ -2,10 +2,15 @@ import type { Explorer } from '../app/explorer.js';
 import { grouped, type MeshFacts, type Numbers, signed } from '../app/facts.js';
 import { fill, h, type IconName, icon, setAttribute } from './dom.js';
 
-const SHORT: readonly [keyof Numbers, string, string][] = [
+type Entry = readonly [name: keyof Numbers, symbol: string, meaning: string];
+
+const COUNTS: readonly Entry[] = [
   ['vertices', 'V', 'vertices'],
   ['edges', 'E', 'edges'],
   ['faces', 'F', 'faces'],
+];
+
+const TOPOLOGY: readonly Entry[] = [
   ['characteristic', 'χ', 'Euler characteristic V − E + F'],
   ['genus', 'genus', 'handles, over all components'],
   ['loops', 'loops', 'boundary loops'],
@@ -27,10 +32,18 @@ export function historyBar(explorer: Explorer): HTMLElement {
   editor.outcome.subscribe((text) => {
     outcome.textContent = text;
   });
-  const numbers = h('dl', { class: 'numbers', 'aria-label': 'Numbers of the mesh' });
+  const rows = [COUNTS, TOPOLOGY].map((entries) => ({ entries, list: h('dl') }));
   explorer.facts.subscribe((facts) => {
-    if (facts) fill(numbers, ...SHORT.map((entry) => shortNumber(entry, facts)));
+    if (!facts) return;
+    for (const { entries, list } of rows) {
+      fill(list, ...entries.map((entry) => shortNumber(entry, facts)));
+    }
   });
+  const numbers = h(
+    'div',
+    { class: 'numbers', role: 'group', 'aria-label': 'Numbers of the mesh' },
+    ...rows.map(({ list }) => list),
+  );
   return h(
     'footer',
     { class: 'history' },
@@ -65,10 +78,7 @@ function showStep(
     title === null ? `Nothing to ${verb.toLowerCase()}` : `${verb} ${title} (${key})${more}`;
 }
 
-function shortNumber(
-  [name, symbol, meaning]: (typeof SHORT)[number],
-  { numbers, changes }: MeshFacts,
-): HTMLElement {
+function shortNumber([name, symbol, meaning]: Entry, { numbers, changes }: MeshFacts): HTMLElement {
   const change = changes[name];
   return h(
     'div',

@@ -1,4 +1,4 @@
-import { DARK, declarations, LABEL_STYLES, LIGHT } from 'halfedge/scene';
+import { DARK, declarations, LABEL_STYLES, LIGHT, SLIDER_STYLES } from 'halfedge/scene';
 import { Signal } from '../app/signal.js';
 
 const KEY = 'halfedge-explorer-theme';
@@ -9,7 +9,7 @@ export function addPictureStyles(): void {
   styles.textContent = `
     :root { color-scheme: light; ${declarations(LIGHT)} }
     :root[data-theme="dark"] { color-scheme: dark; ${declarations(DARK)} }
-    ${LABEL_STYLES}`;
+    ${LABEL_STYLES}${SLIDER_STYLES}`;
   document.head.prepend(styles);
 }
 

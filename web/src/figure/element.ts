@@ -1,26 +1,23 @@
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from 'lit';
+import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { HalfedgeMesh } from '../api.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import type { DialectId } from '../teaching/dialects.js';
 import { type Item, itemName, type WalkKey } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
+import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
 import { actOnKey, KEYS } from './keys.js';
-import { FigureModel, type Settings } from './model.js';
+import { FigureModel } from './model.js';
 import { posterOf } from './poster.js';
 import { openFaces, openSource } from './source.js';
 import { started } from './start.js';
 import { WalkStory } from './story.js';
 import { figureStyles } from './styles.js';
 import { type Controls, codeListing, icon, playerBar } from './template.js';
-import type { Trail } from './trail-story.js';
 import { FigureView } from './view.js';
 
 /** How far outside of the window a figure begins to load. */
 const NEAR = '300px';
-
-/** What a figure is doing, as its attribute `state` tells. */
-export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
 
 /**
  * An interactive picture of a mesh:
@@ -29,74 +26,8 @@ export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
  * <halfedge-figure src="shape:cube" select="v3" query="vertexVertices" controls></halfedge-figure>
  * ```
  */
-export class HalfedgeFigure extends LitElement implements Controls {
+export class HalfedgeFigure extends FigureAttributes implements Controls {
   static override readonly styles = figureStyles;
-  static override readonly properties = {
-    src: { reflect: true },
-    select: { reflect: true },
-    query: { reflect: true },
-    direction: { reflect: true },
-    step: { type: Number, reflect: true },
-    operation: { reflect: true },
-    build: { type: Boolean, reflect: true },
-    overlays: { reflect: true },
-    dialect: { reflect: true },
-    controls: { reflect: true },
-    camera: { reflect: true },
-    theme: { reflect: true },
-    speed: { type: Number, reflect: true },
-    autoplay: { type: Boolean, reflect: true },
-    loading: { reflect: true },
-    alt: { reflect: true },
-    bytes: { attribute: false },
-    trail: { attribute: false },
-    state: { reflect: true },
-    failure: { state: true },
-    hasCaption: { state: true },
-  };
-
-  /** Where the mesh comes from: an address, or `shape:` and a shape. */
-  declare src: string | null;
-  /** The selected item: `v3`, `h12`, `e4` or `f0`. */
-  declare select: string | null;
-  /** A circulator, by its name in the API. */
-  declare query: string | null;
-  /** `ccw` or `cw`. */
-  declare direction: string;
-  /** How many steps the player has made. */
-  declare step: number;
-  /** Operations, by their names in the API: `flip e3`; several with commas. */
-  declare operation: string | null;
-  /** Whether the faces are added one by one, instead of a query. */
-  declare build: boolean;
-  /** What is drawn over the mesh, in words. */
-  declare overlays: string | null;
-  /** Whose names the code has. */
-  declare dialect: string;
-  /** Which controls there are, of `player` and `code`: the player where it is empty, none where it is absent. */
-  declare controls: string | null;
-  /** A direction to look from, or where the camera stands and what it looks at. */
-  declare camera: string | null;
-  /** `light`, `dark` or `auto`. */
-  declare theme: string | null;
-  /** Steps a second. */
-  declare speed: number;
-  /** Whether it plays by itself when it is seen first; never where less motion is asked for. */
-  declare autoplay: boolean;
-  /** `eager` loads also what is far outside of the window. */
-  declare loading: string | null;
-  /** What the picture shows, for who can't see it. */
-  declare alt: string | null;
-  /** A mesh as `toBytes` of a mesh writes it, with all its numbers, instead of `src`. */
-  declare bytes: Uint8Array | null;
-  /** A walk that is shown instead of a query: see {@link Trail}. */
-  declare trail: Trail | null;
-  /** What it is doing; to be read only. */
-  declare state: FigureStateName;
-  /** @internal */
-  declare failure: string | null;
-  /** @internal */
-  declare hasCaption: boolean;
 
   readonly #model = new FigureModel({
     moved: (edit) => this.#moved(edit),
@@ -109,21 +40,6 @@ export class HalfedgeFigure extends LitElement implements Controls {
   });
   readonly #dark = window.matchMedia('(prefers-color-scheme: dark)');
   readonly #retheme = () => this.#view?.applyTheme();
-
-  constructor() {
-    super();
-    this.src = this.select = this.query = this.operation = this.overlays = null;
-    this.controls = this.camera = this.theme = this.alt = this.loading = null;
-    this.bytes = this.trail = null;
-    this.direction = 'ccw';
-    this.dialect = 'halfedge';
-    this.step = 0;
-    this.speed = 1.5;
-    this.autoplay = this.build = false;
-    this.state = 'waiting';
-    this.failure = null;
-    this.hasCaption = false;
-  }
 
   /** The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. */
   get mesh(): HalfedgeMesh | null {
@@ -192,7 +108,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
   /** Draws the mesh as it is now, after edits by a program. */
   refresh(): void {
     if (!this.mesh) return;
-    this.#view?.show(numbersOf(this.camera) ?? this.#view.viewpoint());
+    this.#view?.show(this.viewpoint ?? this.#view.viewpoint());
     this.requestUpdate();
   }
 
@@ -212,7 +128,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
-    if (changed.has('speed')) this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
+    if (changed.has('speed')) this.#model.player.speed = this.pace;
     const another = changed.has('src') || changed.has('build') || changed.has('bytes');
     if (another && this.state !== 'waiting') void this.#load();
     if (this.state !== 'ready') return;
@@ -230,9 +146,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
 
   protected override render(): TemplateResult {
     const { story, player } = this.#model;
-    const parts = (this.controls === '' ? 'player' : (this.controls ?? ''))
-      .split(/[\s,]+/)
-      .filter(Boolean);
+    const parts = this.controlNames;
     return html`
       <figure part="figure">
         <div class="stage" part="stage">
@@ -270,7 +184,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
 
   #poster(): TemplateResult | typeof nothing {
     if (this.#view && this.state === 'ready') return nothing;
-    const drawn = this.state === 'ready' ? posterOf(this.#model, numbersOf(this.camera)) : null;
+    const drawn = this.state === 'ready' ? posterOf(this.#model, this.viewpoint) : null;
     return html`<div class=${`poster ${this.state}`} part="poster">
       <slot name="poster">${drawn}</slot>
     </div>`;
@@ -291,7 +205,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
     this.failure = null;
     try {
       await started();
-      const source = { src: this.src, text: this.#text(), bytes: this.bytes };
+      const { source } = this;
       const { signal } = abort;
       if (this.build) {
         const list = await openFaces(source, signal);
@@ -313,10 +227,10 @@ export class HalfedgeFigure extends LitElement implements Controls {
     if (!mesh) return;
     this.#makeView();
     this.state = 'ready';
-    this.#model.player.speed = this.speed > 0 ? this.speed : 1.5;
+    this.#model.player.speed = this.pace;
     // The view still has the mesh that was shown before.
     this.#follow(false, false);
-    this.#view?.show(numbersOf(this.camera));
+    this.#view?.show(this.viewpoint);
     this.#view?.update();
     this.#model.player.seek(this.step);
     this.requestUpdate();
@@ -344,12 +258,12 @@ export class HalfedgeFigure extends LitElement implements Controls {
   /** Follows the attributes. Whether there is a story that begins anew. */
   #follow(camera: boolean, draws = true): boolean {
     const { story } = this.#model;
-    const settings = this.#settings();
+    const settings = this.settings;
     if (!camera && this.#model.follows(settings)) return false;
     this.failure = null;
     try {
       const edit = this.#model.tell(settings);
-      if (camera) this.#view?.look(numbersOf(this.camera));
+      if (camera) this.#view?.look(this.viewpoint);
       if (draws) this.#view?.update(edit);
     } catch (error) {
       this.#fail(error, 'ready');
@@ -378,19 +292,6 @@ export class HalfedgeFigure extends LitElement implements Controls {
     if (this.#view) this.#view.stage.asleep = !seen;
   }
 
-  #settings(): Settings {
-    const { select, query, direction, operation, dialect, overlays, trail } = this;
-    return { select, query, direction, operation, dialect, overlays, trail };
-  }
-
-  /** The text of a file in the element. */
-  #text(): string | null {
-    const holder = this.querySelector(':scope > script, :scope > template, :scope > pre');
-    return holder instanceof HTMLTemplateElement
-      ? holder.content.textContent
-      : (holder?.textContent ?? null);
-  }
-
   #moved(edit: Edit | null): void {
     const { story, words } = this.#model;
     if (!story) return;
@@ -416,7 +317,7 @@ export class HalfedgeFigure extends LitElement implements Controls {
 
   #choose(item: Item | null): void {
     const select = item ? itemName(item) : null;
-    if (!this.#model.choose(item, { ...this.#settings(), select })) return;
+    if (!this.#model.choose(item, { ...this.settings, select })) return;
     this.select = select;
     this.step = this.#model.story?.position ?? 0;
     this.#view?.update();
@@ -455,17 +356,4 @@ export class HalfedgeFigure extends LitElement implements Controls {
     if (this.src === null && this.state !== 'waiting' && this.state !== 'loading')
       void this.#load();
   }
-}
-
-/** The numbers of the attribute `camera`: three, or six. */
-function numbersOf(camera: string | null): number[] | null {
-  if (camera === null) return null;
-  const numbers = camera
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number);
-  if ([3, 6].includes(numbers.length) && numbers.every(Number.isFinite)) return numbers;
-  throw new Error(
-    `camera is “${camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
-  );
 }

@@ -6,7 +6,8 @@ import { define } from './define.js';
 
 define(init);
 
+export type { FigureStateName } from './attributes.js';
 export type { FigureEventMap } from './define.js';
-export { type FigureStateName, HalfedgeFigure } from './element.js';
+export { HalfedgeFigure } from './element.js';
 export type { FigureEvents } from './events.js';
 export type { Trail } from './trail-story.js';

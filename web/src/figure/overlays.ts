@@ -1,7 +1,6 @@
+import type { Color } from 'three';
 import type { HalfedgeMesh, ItemKind } from '../api.js';
-import { indexLabels } from '../scene/index-labels.js';
-import type { Anchors, Overlay } from '../scene/marks.js';
-import type { Palette } from '../scene/palette.js';
+import type { Mark } from '../scene/highlights.js';
 
 /** What a figure can draw over its mesh, by the words of the attribute `overlays`. */
 export const OVERLAYS = [
@@ -29,8 +28,7 @@ const KINDS: readonly [OverlayName, ItemKind][] = [
   ['halfedge-labels', 'halfedge'],
 ];
 
-/** No more discs and names than these. */
-const MOST_VERTICES = 300;
+const MOST_DISCS = 300;
 
 /** Reads the attribute. Throws a sentence for a word that is none of them. */
 export function overlaysNamed(text: string): ReadonlySet<OverlayName> {
@@ -44,39 +42,17 @@ export function overlaysNamed(text: string): ReadonlySet<OverlayName> {
   return names;
 }
 
-/** Adds the discs and the names of items to what is drawn. */
-export function addItems(
-  { marks, labels }: Overlay,
-  names: ReadonlySet<OverlayName>,
-  mesh: HalfedgeMesh,
-  palette: Palette,
-  anchors: Anchors,
-): void {
-  if (names.has('vertices')) {
-    for (const index of firstOf(mesh.vertices())) {
-      // Before all others, so that those lie over it.
-      marks.unshift({ item: { kind: 'vertex', index }, color: palette.arrow, weight: 'faint' });
-    }
-  }
-  const kinds = KINDS.filter(([name]) => names.has(name)).map(([, kind]) => kind);
-  if (kinds.length === 0) return;
-  const told = new Set(labels.map(({ text }) => text));
-  const named = indexLabels(mesh, kinds, mesh.faces(), anchors);
-  if (kinds.includes('vertex')) {
-    // No face has these.
-    for (const index of firstOf(mesh.vertices())) {
-      if (!mesh.isIsolatedVertex(index)) continue;
-      const point = anchors.point({ kind: 'vertex', index });
-      named.push({ text: `v${index}`, look: 'index', point, lift: 15 });
-    }
-  }
-  labels.push(...named.filter(({ text }) => !told.has(text)));
+/** The kinds of items that have their names beside them. */
+export function namedKinds(names: ReadonlySet<OverlayName>): ItemKind[] {
+  return KINDS.filter(([name]) => names.has(name)).map(([, kind]) => kind);
 }
 
-function firstOf(items: Iterable<number>): number[] {
-  const first: number[] = [];
-  for (const item of items) {
-    if (first.push(item) === MOST_VERTICES) break;
+/** Discs of all vertices, up to a number; to be drawn below all other marks. */
+export function vertexDiscs(mesh: HalfedgeMesh, color: Color): Mark[] {
+  const marks: Mark[] = [];
+  for (const index of mesh.vertices()) {
+    marks.push({ item: { kind: 'vertex', index }, color, weight: 'faint' });
+    if (marks.length === MOST_DISCS) break;
   }
-  return first;
+  return marks;
 }

@@ -1,5 +1,6 @@
 import { css, unsafeCSS } from 'lit';
 import { LABEL_STYLES } from '../scene/label-styles.js';
+import { SLIDER_STYLES } from '../scene/slider-styles.js';
 import { basicStyles } from './basic-styles.js';
 
 const parts = css`
@@ -142,47 +143,18 @@ const parts = css`
     opacity: 1;
   }
 
+  @media (hover: none) {
+    .home {
+      opacity: 1;
+    }
+  }
+
+  ${unsafeCSS(SLIDER_STYLES)}
+
   input[type="range"] {
     flex: 1;
-    width: 100%;
     min-width: 40px;
     height: 24px;
-    margin: 0;
-    background: none;
-    appearance: none;
-    cursor: pointer;
-  }
-
-  input[type="range"]::-webkit-slider-runnable-track {
-    height: 4px;
-    border-radius: 2px;
-    background: linear-gradient(var(--accent), var(--accent)) 0 / var(--filled, 0%) 100% no-repeat
-      var(--line);
-  }
-
-  input[type="range"]::-moz-range-track {
-    height: 4px;
-    border-radius: 2px;
-    background: linear-gradient(var(--accent), var(--accent)) 0 / var(--filled, 0%) 100% no-repeat
-      var(--line);
-  }
-
-  input[type="range"]::-webkit-slider-thumb {
-    width: 14px;
-    height: 14px;
-    margin-top: -5px;
-    border: 2px solid var(--accent);
-    border-radius: 50%;
-    background: var(--raised);
-    appearance: none;
-  }
-
-  input[type="range"]::-moz-range-thumb {
-    width: 10px;
-    height: 10px;
-    border: 2px solid var(--accent);
-    border-radius: 50%;
-    background: var(--raised);
   }
 
   output {
@@ -201,11 +173,6 @@ const parts = css`
     border-top: 1px solid var(--line);
     font-size: 13px;
     overflow-wrap: anywhere;
-  }
-
-  .sentence.code-words {
-    font: 450 12.5px / 1.5 var(--mono);
-    font-variant-ligatures: none;
   }
 
   .code {

@@ -3,12 +3,13 @@ import type { HalfedgeMesh } from '../api.js';
 import { type Anchors, addWitness, type Overlay, overlayOf } from '../scene/marks.js';
 import { type Palette, readPalette } from '../scene/palette.js';
 import { type Captions, MeshPicture } from '../scene/picture.js';
+import { listenToPointer } from '../scene/pointer.js';
 import { SharedScreen } from '../scene/shared-screen.js';
 import { Stage } from '../scene/stage.js';
 import { type Item, linksOf } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { frontOf } from './front.js';
-import { addItems, type OverlayName } from './overlays.js';
+import { namedKinds, type OverlayName, vertexDiscs } from './overlays.js';
 import type { Story } from './story.js';
 
 /** What a figure shows at a moment. */
@@ -20,9 +21,6 @@ export interface FigureState {
   readonly overlays: ReadonlySet<OverlayName>;
 }
 
-/** A press that moves further than this many pixels turns the camera instead of picking. */
-const CLICK_SLOP = 5;
-const FINGER = 1.9;
 const SPACE = { top: 28, right: 14, bottom: 14, left: 14 };
 
 /** The picture of a figure, on a canvas that shares its WebGL context with all others of the page. */
@@ -48,7 +46,7 @@ export class FigureView {
     this.stage.setInsets(SPACE);
     this.#picture = new MeshPicture(this.stage, labels, {
       overlay: (anchors) => this.#overlay(anchors),
-      captions: () => ({ pointers: pointersOf(state()), kinds: [], around: [] }) satisfies Captions,
+      captions: () => captionsOf(state()),
       near: () => [state().selected, state().hovered].filter((item) => item !== null),
     });
     this.focused = false;
@@ -138,39 +136,14 @@ export class FigureView {
 
   /** Tells what the pointer is over, and what is picked: an item, or null for nothing. */
   listen(hovers: (item: Item | null) => void, picks: (item: Item | null) => void): void {
-    const canvas = this.stage.controls.domElement as HTMLElement;
-    const { signal } = this.#ended;
-    const on = <Name extends keyof HTMLElementEventMap>(
-      name: Name,
-      act: (event: HTMLElementEventMap[Name]) => void,
-    ) => canvas.addEventListener(name, act, { signal });
-    let pressed: { x: number; y: number; moved: boolean } | null = null;
-    const itemAt = (event: PointerEvent) => {
-      const { left, top } = canvas.getBoundingClientRect();
-      const reach = event.pointerType === 'touch' ? FINGER : 1;
-      return this.#picture.pick(event.clientX - left, event.clientY - top, 'auto', reach);
+    const listener = {
+      itemAt: (x: number, y: number, reach: number) => this.#picture.pick(x, y, 'auto', reach),
+      hovers,
+      picks,
+      doubleClicked: () => this.focus(this.#state().selected),
     };
-    on('pointermove', (event) => {
-      if (pressed) {
-        const distance = Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y);
-        if (distance > CLICK_SLOP) pressed.moved = true;
-      } else if (event.pointerType !== 'touch') hovers(itemAt(event));
-    });
-    on('pointerleave', () => hovers(null));
-    on('pointerdown', (event) => {
-      if (!event.isPrimary || event.button !== 0) return;
-      pressed = { x: event.clientX, y: event.clientY, moved: false };
-      hovers(null);
-    });
-    on('pointerup', (event) => {
-      const click = pressed && !pressed.moved && event.isPrimary;
-      pressed = null;
-      if (click) picks(itemAt(event));
-    });
-    on('pointercancel', () => {
-      pressed = null;
-    });
-    on('dblclick', () => this.focus(this.#state().selected));
+    const canvas = this.stage.controls.domElement as HTMLElement;
+    listenToPointer(canvas, listener, this.#ended.signal);
   }
 
   #overlay(anchors: Anchors): Overlay {
@@ -191,9 +164,14 @@ export class FigureView {
       anchors,
     );
     addWitness(overlay, story?.missing ?? [], this.#palette, anchors);
-    addItems(overlay, overlays, mesh, this.#palette, anchors);
-    return overlay;
+    const { marks, labels } = overlay;
+    if (!overlays.has('vertices')) return overlay;
+    return { marks: [...vertexDiscs(mesh, this.#palette.arrow), ...marks], labels };
   }
+}
+
+function captionsOf(state: FigureState): Captions {
+  return { pointers: pointersOf(state), kinds: namedKinds(state.overlays), around: 'all' };
 }
 
 /** The items whose links are drawn as arrows: the selected one, or also what its links (3) and (4) lead to. */

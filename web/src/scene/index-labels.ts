@@ -9,13 +9,20 @@ const MOST_LABELS = 600;
 /** How far the name of an item lies from its anchor, in CSS pixels. */
 const LIFT: Record<ItemKind, number> = { vertex: 15, edge: 0, halfedge: 12, face: 0 };
 
+/** What has names: faces with all that they touch, and vertices that no face has. */
+export interface Named {
+  readonly faces: Iterable<number>;
+  readonly vertices: Iterable<number>;
+}
+
 /** The names of the items of these faces, and of the boundary halfedges across their edges. */
 export function indexLabels(
   mesh: HalfedgeMesh,
   kinds: readonly ItemKind[],
-  faces: Iterable<number>,
+  { faces, vertices }: Named,
   anchors: Anchors,
 ): Label[] {
+  if (kinds.length === 0) return [];
   const labels: Label[] = [];
   const seen = new Set<string>();
   const add = (item: Item) => {
@@ -25,6 +32,7 @@ export function indexLabels(
     const point = anchors.point(item);
     labels.push({ text, look: 'index', point, side: anchors.side(item), lift: LIFT[item.kind] });
   };
+  for (const index of vertices) add({ kind: 'vertex', index });
   const { next, face, toVertex, faceHalfedge } = mesh.connectivity;
   for (const f of faces) {
     if (labels.length === MOST_LABELS) break;

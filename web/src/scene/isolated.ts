@@ -9,9 +9,10 @@ const SIZE_PX = 7;
 
 /** Vertices without edges: no face shows them, so that they are discs of their own. */
 export class IsolatedVertices {
+  /** Those of the mesh on show. */
+  vertices: readonly number[] = [];
   readonly #stage: Stage;
   readonly #discs: Discs;
-  #vertices: number[] = [];
   #surface: Surface | null = null;
   #color: Color | null = null;
 
@@ -22,11 +23,12 @@ export class IsolatedVertices {
 
   show(surface: Surface): void {
     this.#surface = surface;
-    this.#vertices = [];
+    const vertices: number[] = [];
     const { vertexHalfedge } = surface.mesh.connectivity;
     for (let v = 0; v < vertexHalfedge.length; v++) {
-      if (vertexHalfedge[v] === NONE) this.#vertices.push(v);
+      if (vertexHalfedge[v] === NONE) vertices.push(v);
     }
+    this.vertices = vertices;
     this.#draw();
   }
 
@@ -39,7 +41,7 @@ export class IsolatedVertices {
   #draw(): void {
     this.#discs.clear();
     if (this.#surface && this.#color) {
-      for (const v of this.#vertices) {
+      for (const v of this.vertices) {
         this.#discs.add(this.#surface.points, 3 * v, SIZE_PX, this.#color);
       }
     }

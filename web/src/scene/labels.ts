@@ -45,6 +45,20 @@ export interface Label {
   readonly yields?: boolean;
 }
 
+/** How wide a label is, in CSS pixels, as its style has it: to ask the page would cost a layout in every frame. */
+function widthOf({ look, text: { length } }: Label): number {
+  switch (look) {
+    case 'index':
+      return 4 + 6.6 * length;
+    case 'ordinal':
+    case 'current':
+    case 'link':
+      return Math.max(look === 'current' ? 27 : 20, 12 + 6.7 * length);
+    default:
+      return 18 + 7.2 * length;
+  }
+}
+
 /**
  * Labels come in the order of their importance. One that would cover an earlier one goes aside if it
  * yields, and is hidden otherwise.
@@ -90,7 +104,7 @@ export class Labels {
     let names = 0;
     this.#labels.forEach((label, i) => {
       const element = this.#pool[i];
-      const width = 8 + 7 * label.text.length;
+      const width = widthOf(label);
       const wanted = this.#place(label, width);
       const isFree = (x: number, y: number) =>
         !taken.some(

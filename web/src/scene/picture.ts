@@ -10,7 +10,7 @@ import type { ChangedEdge } from './change.js';
 import { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import { Highlights } from './highlights.js';
-import { indexLabels } from './index-labels.js';
+import { indexLabels, type Named } from './index-labels.js';
 import { IsolatedVertices } from './isolated.js';
 import { type Label, Labels } from './labels.js';
 import type { Anchors, Overlay } from './marks.js';
@@ -29,8 +29,8 @@ export interface Captions {
   readonly pointers: readonly Item[];
   /** The kinds of items that have their names beside them. */
   readonly kinds: readonly ItemKind[];
-  /** The items around which they have; wherever there is room if it is 'all'. */
-  readonly around: readonly Item[] | 'all';
+  /** The items around which they have; all of them if it is 'all', and wherever faces are large if it is 'large'. */
+  readonly around: readonly Item[] | 'large' | 'all';
 }
 
 /** What a picture asks of who shows something in it. */
@@ -274,13 +274,17 @@ export class MeshPicture {
     const anchors = anchorsOf(shown);
     const isBehind = pointers.length > 0 && this.hides(anchors.point(pointers[0]));
     const numbers = this.#pointers.update(pointers, shown, this.#palette, isBehind);
-    const faces =
-      around === 'all'
-        ? this.#arrows.large
-        : around.flatMap((item) => facesAt(shown.surface, item));
+    const names = indexLabels(shown.surface.mesh, kinds, this.#namedAround(around, shown), anchors);
     const told = new Set(this.#marked.map(({ text }) => text));
-    const names = indexLabels(shown.surface.mesh, kinds, faces, anchors);
     return [...numbers, ...this.#marked, ...names.filter(({ text }) => !told.has(text))];
+  }
+
+  #namedAround(around: Captions['around'], { surface }: Shown): Named {
+    if (typeof around === 'string') {
+      const faces = around === 'all' ? surface.mesh.faces() : this.#arrows.large;
+      return { faces, vertices: this.#isolated.vertices };
+    }
+    return { faces: around.flatMap((item) => facesAt(surface, item)), vertices: [] };
   }
 
   #distance(): number {

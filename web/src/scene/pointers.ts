@@ -42,6 +42,8 @@ const PIECES = 24;
 const HEAD_PX = 9;
 /** How far from the middle of a vertex its arrow ends: at the rim of its disc. */
 const DISC_PX = 8;
+/** Arrows leave the middle of a face to its name. */
+const NAME_PX = 13;
 /** On shorter ways the number stands beside the arrow. */
 const SHORT_PX = 54;
 
@@ -106,6 +108,10 @@ export class Pointers {
     const control = middle.addScaledVector(left, bend.share * way.length() + bend.pixels * pixel);
     const arrives = end.clone().sub(control).normalize();
     if (target.kind === 'vertex') end.addScaledVector(arrives, -DISC_PX * pixel);
+    if (target.kind === 'face') end.addScaledVector(arrives, -NAME_PX * pixel);
+    if (item.kind === 'face') {
+      start.addScaledVector(control.clone().sub(start).normalize(), NAME_PX * pixel);
+    }
     const color = palette[ROLE_COLORS[role]];
     const at = (t: number) => bezier(start, control, end, t);
     for (let i = 0; i < PIECES; i++) {

@@ -49,6 +49,7 @@ export class Stage {
   readonly #woken: (() => void)[] = [];
   readonly #rested: (() => void)[] = [];
   readonly #awaiting: (() => void)[] = [];
+  readonly #ended = new AbortController();
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
@@ -67,13 +68,19 @@ export class Stage {
     this.camera.add(this.#key, this.#key.target);
     this.#key.target.position.set(0, 0, -1);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.enableDamping = !prefersReducedMotion();
     this.controls.dampingFactor = 0.12;
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => {
       this.#flight = null;
+      // It may have been asked for since.
+      this.controls.enableDamping = !prefersReducedMotion();
+      this.controls.saveState();
     });
+    const takeBack = ({ pointerType }: PointerEvent) => {
+      if (pointerType === 'touch') this.#takeBack();
+    };
+    canvas.addEventListener('pointercancel', takeBack, { signal: this.#ended.signal });
     this.#observer.observe(canvas);
     this.#resize();
   }
@@ -89,6 +96,7 @@ export class Stage {
   /** Frees what it has on the graphics card, and lets go of the canvas. */
   dispose(): void {
     this.#asleep = true;
+    this.#ended.abort();
     cancelAnimationFrame(this.#frame);
     this.#observer.disconnect();
     this.controls.dispose();
@@ -323,6 +331,13 @@ export class Stage {
       .multiplyScalar((limits[0] - limits[1]) / 2)
       .addScaledVector(up, (limits[2] - limits[3]) / 2);
     return { target, distance };
+  }
+
+  /** The browser scrolls the page with the fingers that began to turn the camera: it goes back. */
+  #takeBack(): void {
+    this.controls.enableDamping = false;
+    this.controls.update(); // what has been turned is all done then, and not by and by
+    this.controls.reset();
   }
 
   #resize(): void {

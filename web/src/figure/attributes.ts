@@ -1,0 +1,133 @@
+import { LitElement } from 'lit';
+import type { Settings } from './model.js';
+import type { Source } from './source.js';
+import type { Trail } from './trail-story.js';
+
+/** Steps a second. */
+const DEFAULT_SPEED = 1.5;
+
+/** What a figure is doing, as its attribute `state` tells. */
+export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
+
+/** The attributes of a figure, which are its properties too, and what they say. */
+export abstract class FigureAttributes extends LitElement {
+  static override readonly properties = {
+    src: { reflect: true },
+    select: { reflect: true },
+    query: { reflect: true },
+    direction: { reflect: true },
+    step: { type: Number, reflect: true },
+    operation: { reflect: true },
+    build: { type: Boolean, reflect: true },
+    overlays: { reflect: true },
+    dialect: { reflect: true },
+    controls: { reflect: true },
+    camera: { reflect: true },
+    theme: { reflect: true },
+    speed: { type: Number, reflect: true },
+    autoplay: { type: Boolean, reflect: true },
+    loading: { reflect: true },
+    alt: { reflect: true },
+    bytes: { attribute: false },
+    trail: { attribute: false },
+    state: { reflect: true },
+    failure: { state: true },
+    hasCaption: { state: true },
+  };
+
+  /** Where the mesh comes from: an address, or `shape:` and a shape. */
+  declare src: string | null;
+  /** The selected item: `v3`, `h12`, `e4` or `f0`. */
+  declare select: string | null;
+  /** A circulator, by its name in the API. */
+  declare query: string | null;
+  /** `ccw` or `cw`. */
+  declare direction: string;
+  /** How many steps the player has made. */
+  declare step: number;
+  /** Operations, by their names in the API: `flip e3`; several with commas. */
+  declare operation: string | null;
+  /** Whether the faces are added one by one, instead of a query. */
+  declare build: boolean;
+  /** What is drawn over the mesh, in words. */
+  declare overlays: string | null;
+  /** Whose names the code has. */
+  declare dialect: string;
+  /** Which controls there are, of `player` and `code`: the player where it is empty, none where it is absent. */
+  declare controls: string | null;
+  /** A direction to look from, or where the camera stands and what it looks at. */
+  declare camera: string | null;
+  /** `light`, `dark` or `auto`. */
+  declare theme: string | null;
+  /** Steps a second. */
+  declare speed: number;
+  /** Whether it plays by itself when it is seen first; never where less motion is asked for. */
+  declare autoplay: boolean;
+  /** `eager` loads also what is far outside of the window. */
+  declare loading: string | null;
+  /** What the picture shows, for who can't see it. */
+  declare alt: string | null;
+  /** A mesh as `toBytes` of a mesh writes it, with all its numbers, instead of `src`. */
+  declare bytes: Uint8Array | null;
+  /** A walk that is shown instead of a query: see {@link Trail}. */
+  declare trail: Trail | null;
+  /** What it is doing; to be read only. */
+  declare state: FigureStateName;
+  /** @internal */
+  declare failure: string | null;
+  /** @internal */
+  declare hasCaption: boolean;
+
+  constructor() {
+    super();
+    this.src = this.select = this.query = this.operation = this.overlays = null;
+    this.controls = this.camera = this.theme = this.alt = this.loading = null;
+    this.bytes = this.trail = null;
+    this.direction = 'ccw';
+    this.dialect = 'halfedge';
+    this.step = 0;
+    this.speed = DEFAULT_SPEED;
+    this.autoplay = this.build = false;
+    this.state = 'waiting';
+    this.failure = null;
+    this.hasCaption = false;
+  }
+
+  /** The attributes that say what is shown. */
+  protected get settings(): Settings {
+    const { select, query, direction, operation, dialect, overlays, trail } = this;
+    return { select, query, direction, operation, dialect, overlays, trail };
+  }
+
+  /** Steps a second, also where `speed` is none. */
+  protected get pace(): number {
+    return this.speed > 0 ? this.speed : DEFAULT_SPEED;
+  }
+
+  /** The controls that there are. */
+  protected get controlNames(): readonly string[] {
+    if (this.controls === '') return ['player'];
+    return (this.controls ?? '').split(/[\s,]+/).filter(Boolean);
+  }
+
+  /** The numbers of `camera`: three, or six; null where it is absent. Throws a sentence for others. */
+  protected get viewpoint(): readonly number[] | null {
+    if (this.camera === null) return null;
+    const numbers = this.camera
+      .trim()
+      .split(/[\s,]+/)
+      .map(Number);
+    if ([3, 6].includes(numbers.length) && numbers.every(Number.isFinite)) return numbers;
+    throw new Error(
+      `camera is “${this.camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
+    );
+  }
+
+  /** Where the mesh comes from. */
+  protected get source(): Source {
+    const holder = this.querySelector(':scope > script, :scope > template, :scope > pre');
+    const text =
+      holder instanceof HTMLTemplateElement ? holder.content.textContent : holder?.textContent;
+    return { src: this.src, text: text ?? null, bytes: this.bytes };
+  }
+}
