@@ -1,39 +1,53 @@
-// Takes a picture of every state of the explorer, in wide and narrow windows, light and dark, to be looked
-// at one by one: `node scripts/screenshots.mjs [state …] [window …]` writes to build/screenshots/states.
+// Takes a picture of every state of the explorer, of the examples and of the course, in wide and narrow
+// windows, light and dark, to be looked at one by one: `node scripts/screenshots.mjs [state …] [window …]`
+// writes to build/screenshots/states.
 
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { chromium } from 'playwright-core';
 import setup, { cleanUp } from '../tests/browser/support/setup.mjs';
+import { projects, serveProject, serveRepository } from './lib/example-servers.mjs';
 import { states } from './lib/explorer-states.mjs';
+import { pageStates } from './lib/page-states.mjs';
 import { asProgram, Failure, root } from './lib/run.mjs';
 
-const WINDOWS = [
-  ['1280-light', { width: 1280, height: 800 }, 'light'],
-  ['1280-dark', { width: 1280, height: 800 }, 'dark'],
-  ['390-light', { width: 390, height: 844 }, 'light'],
-  ['390-dark', { width: 390, height: 844 }, 'dark'],
-];
+const WINDOWS = {
+  '1280-light': { width: 1280, height: 800, colorScheme: 'light' },
+  '1280-dark': { width: 1280, height: 800, colorScheme: 'dark' },
+  '390-light': { width: 390, height: 844, colorScheme: 'light' },
+  '390-dark': { width: 390, height: 844, colorScheme: 'dark' },
+};
 
 const folder = join(root, 'build/screenshots/states');
 
 await asProgram(async () => {
   const asked = argv.slice(2);
-  const windows = chosen(WINDOWS, asked, ([name]) => name);
-  const names = chosen(Object.keys(states), asked, (name) => name);
-  const unknown = asked.filter((name) => !(name in states || WINDOWS.some(([it]) => it === name)));
+  const all = { ...states, ...pageStates };
+  const unknown = asked.filter((name) => !(name in all || name in WINDOWS));
   if (unknown.length > 0) {
-    throw new Failure(
-      `There is no state or window ${unknown}: the states are ${Object.keys(states).join(', ')}.`,
-    );
+    const known = Object.keys(all).join(', ');
+    throw new Failure(`There is no state or window ${unknown}: the states are ${known}.`);
   }
+  const names = chosen(Object.keys(all), asked);
   mkdirSync(folder, { recursive: true });
   await setup();
   const shared = JSON.parse(process.env.HALFEDGE_EXPLORER);
   const browser = await chromium.connect(shared.browser);
   try {
-    for (const each of windows) await photograph(browser, shared.address, names, each);
+    for (const window of chosen(Object.keys(WINDOWS), asked)) {
+      await photographExplorer(
+        browser,
+        shared.address,
+        names.filter((name) => name in states),
+        window,
+      );
+    }
+    await photographPages(
+      browser,
+      names.filter((name) => name in pageStates),
+      chosen(Object.keys(WINDOWS), asked),
+    );
   } finally {
     await browser.close();
     await cleanUp();
@@ -41,39 +55,69 @@ await asProgram(async () => {
 });
 
 /** Those that are asked for by name; all if none is. */
-function chosen(all, asked, nameOf) {
-  const found = all.filter((each) => asked.includes(nameOf(each)));
+function chosen(all, asked) {
+  const found = all.filter((name) => asked.includes(name));
   return found.length > 0 ? found : all;
 }
 
-/** One window goes through all states by their links, each followed by what a user would do there. */
-async function photograph(browser, address, names, [window, viewport, colorScheme]) {
-  const narrow = viewport.width < 760;
+async function openPage(browser, window) {
+  const { width, height, colorScheme } = WINDOWS[window];
   const context = await browser.newContext({
-    viewport,
+    viewport: { width, height },
     colorScheme,
     reducedMotion: 'reduce',
-    ...(narrow ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
+    ...(isNarrow(window) ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
   });
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const page = await context.newPage();
   page.setDefaultTimeout(60_000);
+  return page;
+}
+
+function isNarrow(window) {
+  return WINDOWS[window].width < 760;
+}
+
+/** Takes a picture of a page, or of a part of it. */
+async function photograph(target, name, window) {
+  await target.screenshot({ path: join(folder, `${name}-${window}.png`) });
+  console.log(`${name}-${window}`);
+}
+
+/** One window goes through all states by their links, each followed by what a user would do there. */
+async function photographExplorer(browser, address, names, window) {
+  if (names.length === 0) return;
+  const page = await openPage(browser, window);
   await page.goto(address);
   await rest(page);
   for (const name of names) {
-    const { link, act } = states[name];
+    const { link, act, moves } = states[name];
     try {
       await reset(page, link);
       await rest(page);
-      await act?.(page, { narrow });
-      await rest(page);
+      if (moves) await begin(page);
+      await act?.(page, { narrow: isNarrow(window) });
+      if (moves) await page.clock.runFor(moves);
+      else await rest(page);
     } catch (error) {
       console.warn(`${name} in ${window}: ${error.message}`);
     }
-    await page.screenshot({ path: join(folder, `${name}-${window}.png`) });
-    console.log(`${name}-${window}`);
+    await photograph(page, name, window);
+    if (moves) await end(page);
   }
-  await context.close();
+  await page.context().close();
+}
+
+/** Stops the clock, so that a motion can be seen at a moment of it. */
+async function begin(page) {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
+  await page.clock.install();
+  await page.clock.pauseAt(Date.now() + 60_000);
+}
+
+async function end(page) {
+  await page.clock.resume();
+  await page.emulateMedia({ reducedMotion: 'reduce' });
 }
 
 /** As the page was in the beginning, but for the link that it follows: a page of its own takes long. */
@@ -98,4 +142,40 @@ async function rest(page) {
   await page.evaluate(() => document.fonts.ready);
   await page.waitForSelector('html[data-state=ready], html[data-state=error]');
   await page.waitForTimeout(150);
+}
+
+/** Examples and the course, each in a page of its own. */
+async function photographPages(browser, names, windows) {
+  if (names.length === 0) return;
+  const repository = await serveRepository();
+  const servers = { repository };
+  for (const name of projects) servers[name] = await serveProject(name);
+  try {
+    for (const name of names) {
+      const { project, path = '', ready, act, each } = pageStates[name];
+      const [address] = servers[project ?? 'repository'].resolvedUrls.local;
+      for (const window of windows) {
+        const page = await openPage(browser, window);
+        await page.goto(address + path);
+        await page.waitForSelector(ready);
+        await page.waitForTimeout(2000);
+        await act?.(page);
+        await page.waitForTimeout(500);
+        await photograph(page, name, window);
+        if (each) await photographEach(page.locator(each), name, window);
+        await page.context().close();
+      }
+    }
+  } finally {
+    for (const server of Object.values(servers)) await server.close();
+  }
+}
+
+async function photographEach(parts, name, window) {
+  for (const [i, part] of (await parts.all()).entries()) {
+    await part.scrollIntoViewIfNeeded();
+    await part.evaluate((figure) => figure.ready());
+    await part.page().waitForTimeout(300);
+    await photograph(part, `${name}-${i + 1}`, window);
+  }
 }

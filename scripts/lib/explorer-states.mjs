@@ -1,4 +1,5 @@
 // The states of the explorer that are worth a picture: the link that leads there, and what is then done.
+// The picture of one that `moves` is taken so many milliseconds later, of others when all is at rest.
 
 const tab = (name) => (page) => page.click(`[data-tab-button=${name}]`);
 const keys =
@@ -86,7 +87,23 @@ export const states = {
   'code-mcguire': { link: walk('mcguire'), act: keys('z') },
   records: { link: 'sample=cube&select=h3', act: tab('records') },
   'records-walk': { link: 'sample=cube&select=v3', act: both(tab('records'), keys('.', '.')) },
+  'records-attributes': { act: both(paste(ATTRIBUTES), pause(800), tab('records')) },
   edit: { link: 'sample=icosahedron&select=e12', act: tab('edit') },
+  'moving-extrude': {
+    link: 'sample=icosahedron&select=f3',
+    act: both(tab('edit'), keys('Shift+E')),
+    moves: 230,
+  },
+  'moving-collapse': {
+    link: 'sample=icosphere&select=h31',
+    act: both(tab('edit'), keys('Shift+C')),
+    moves: 230,
+  },
+  'moving-flip': {
+    link: 'sample=icosahedron&select=e12',
+    act: both(tab('edit'), keys('Shift+F')),
+    moves: 230,
+  },
   'edit-done': { link: 'sample=icosahedron&select=f3', act: both(tab('edit'), keys('Shift+E')) },
   refusal: { link: 'sample=grid&select=e0', act: both(tab('edit'), keys('Shift+F')) },
   pending: { link: 'sample=football&select=h6', act: both(tab('edit'), keys('Shift+E')) },
