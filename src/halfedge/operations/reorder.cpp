@@ -100,7 +100,7 @@ bool Reordering::number_edges(const Links& links) {
   if (!begin.resize(vertices_.size() + 2, 0)) return false;
   Index live = 0;
   const Target vertex{maps_.vertices};
-  for (Index e = 0; e < maps_.edges.size(); ++e) {
+  for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
     if (is_deleted_link(links.next[2 * e])) continue;
     const Index low =
         std::min({vertex(links.to_vertex[2 * e]), vertex(links.to_vertex[2 * e + 1]), nowhere});
@@ -110,11 +110,11 @@ bool Reordering::number_edges(const Links& links) {
   }
   for (std::size_t group = 1; group < begin.size(); ++group) begin[group] += begin[group - 1];
   edges_.grow_to(live);
-  for (Index e = 0; e < maps_.edges.size(); ++e) {
+  for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
     Index& place = maps_.edges[e];
     if (place == kNone) continue;
     place = begin[place]++;
-    edges_[place] = e;
+    edges_[place] = Index(e);
   }
   return true;
 }
@@ -128,7 +128,7 @@ void Reordering::number_faces(const Links& links) {
     faces_[place] = f;
   };
   if (!links.face.empty()) {
-    for (const Index e : edges_) {
+    for (const std::size_t e : edges_) {
       list(links.face[2 * e]);
       list(links.face[2 * e + 1]);
     }
