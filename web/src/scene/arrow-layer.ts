@@ -55,7 +55,6 @@ export class ArrowLayer {
     this.#frames = frames;
     this.#rows = new FaceRows(surface);
     this.#glyphs = new Glyphs(surface, frames, this.#stage);
-    this.#stamp = 0;
     this.change(null);
   }
 
