@@ -1,8 +1,8 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { Surface } from 'halfedge/scene';
 import { PerspectiveCamera, Scene } from 'three';
 import { ArrowLayer } from '../../dist/scene/arrow-layer.js';
 import { FaceFrames } from '../../dist/scene/faces.js';
+import { Surface } from '../../dist/scene/surface.js';
 
 beforeAll(() => init());
 
@@ -19,7 +19,7 @@ test('faces of another mesh have their arrows, whichever were near before', () =
   const layer = new ArrowLayer(stage() as never);
   for (let turn = 0; turn < 4; turn++) {
     const mesh = HalfedgeMesh.grid(6, 6);
-    const surface = new Surface(mesh);
+    const surface = new Surface(mesh as never);
     layer.show(surface, new FaceFrames(surface));
     for (let frame = 0; frame <= turn; frame++) {
       layer.update([(7 * turn + 5 * frame) % mesh.faceCount], null);
