@@ -29,8 +29,12 @@ const together = ['operations', 'decorator', 'history', 'attributes'];
 function isAbout(folders, name, text) {
   const includes = [...text.matchAll(/<halfedge\/(\w+)\//g)].map(([, folder]) => folder);
   if ([...includes, name.replace(/_.*/, '')].some((folder) => folders.has(folder))) return true;
-  return folders.has('operations') && (/"random\//.test(text) || /^(?:append|dual)_/.test(name));
+  const isOfFile = [...folders].some((folder) => existsSync(sourceOf(folder, name)));
+  return isOfFile || (folders.has('operations') && /"random\//.test(text));
 }
+/** The header in `folder` that a test file is named after, if there is one: reorder_test.cpp. */
+const sourceOf = (folder, name) =>
+  join(tree, 'src/halfedge', folder, name.replace('_test.cpp', '.h'));
 /** They take long, and are about something else. */
 const leftOut = /_(?:scale|data)_test\.cpp$/;
 

@@ -1,6 +1,7 @@
-// Random sequences of operations of all kinds, on meshes of each topology. After each step the mesh
-// is valid, what the operation doesn't name is as it was, and a refusal has changed nothing; taken
-// back step by step, all arrays are as they were, to the last byte.
+// Random sequences of operations of all kinds, on meshes of each topology, with items renumbered in
+// between. After each step the mesh is valid, what the operation doesn't name is as it was, and a
+// refusal has changed nothing; taken back step by step, all arrays are as they were, to the last
+// byte.
 //
 // HALFEDGE_RANDOM_SEED=7 runs the sequences of one seed, HALFEDGE_RANDOM_STEPS=10000 longer ones,
 // and tells how often each operation was done.
@@ -11,11 +12,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "random/operation.h"
+#include "random/renumbering.h"
 #include "random/sequence.h"
 #include "support/complexes.h"
 #include "support/random_polygons.h"
@@ -62,12 +65,15 @@ TEST(RandomOperations, KeepTheMeshValidAndCanBeTakenBack) {
       if (testing::Test::HasFailure()) return;
     }
   }
-  for (const Operation& op : all_operations()) {
-    const auto [successes, refusals] = tally[op.name];
+  std::vector<std::string> names;
+  for (const Operation& op : all_operations()) names.push_back(op.name);
+  for (const Renumbering how : kRenumberings) names.emplace_back(name_of(how));
+  for (const std::string& name : names) {
+    const auto [successes, refusals] = tally[name];
     if (std::getenv("HALFEDGE_RANDOM_STEPS") != nullptr) {
-      std::cout << "  " << op.name << ": " << successes << " done, " << refusals << " refused\n";
+      std::cout << "  " << name << ": " << successes << " done, " << refusals << " refused\n";
     } else {
-      EXPECT_GT(successes, 0U) << op.name << " was never done";
+      EXPECT_GT(successes, 0U) << name << " was never done";
     }
   }
 }
@@ -85,6 +91,7 @@ void expect_same(const Mesh& mesh, const MeshWithoutPrev& other) {
   }
 }
 
+// This one without history.
 TEST(RandomOperations, DoTheSameToAMeshWithoutPrev) {
   const std::size_t steps = number_from("HALFEDGE_RANDOM_STEPS", 500);
   for (const std::uint32_t seed : seeds()) {
@@ -92,10 +99,19 @@ TEST(RandomOperations, DoTheSameToAMeshWithoutPrev) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       Mesh mesh = copy_of(start);
       add_attributes_of_all_kinds(mesh);
+      ASSERT_TRUE(mesh.enable_generations());
       MeshWithoutPrev other;
       ASSERT_TRUE(convert(copy_of(mesh), other));
       Sequence sequence(Draw(seed + 100), std::max<Index>(40, mesh.edge_count()));
       for (std::size_t step = 0; step < steps; ++step) {
+        if (const std::optional<Renumbering> how = sequence.renumbering()) {
+          SCOPED_TRACE("step " + std::to_string(step) + ": " + name_of(*how));
+          (void)expect_renumbers(mesh, *how);
+          ASSERT_TRUE(renumber(other, *how));
+          expect_same(mesh, other);
+          if (testing::Test::HasFailure()) return;
+          continue;
+        }
         const auto [op, call] = sequence.next(mesh);
         SCOPED_TRACE("step " + std::to_string(step) + ": " + to_string(*op, call));
         const bool can = op->check_without_prev(other, call).ok();

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <halfedge/connectivity/compact.h>
 #include <halfedge/validate/validate.h>
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "random/checks.h"
 #include "random/operation.h"
+#include "random/renumbering.h"
 #include "support/complexes.h"
 #include "support/invariants.h"
 #include "support/reference_build.h"
@@ -52,7 +53,11 @@ class Sequence {
       return {&op, call};
     }
   }
-  bool one_in(std::size_t count) { return draw_.one_in(count); }
+  /// How the items are renumbered before the next operation; seldom at all.
+  std::optional<Renumbering> renumbering() {
+    if (!draw_.one_in(30)) return std::nullopt;
+    return kRenumberings[draw_.below(kRenumberings.size())];
+  }
   [[nodiscard]] bool ends() const { return draw_.used_up(); }
 
  private:
@@ -84,18 +89,22 @@ inline void expect_success(const Mesh& before, const Mesh& after, const Operatio
   expect_defined_values(after);
 }
 
-/// How often each operation was done and refused.
+/// How often each operation and renumbering was done, and how often it was refused.
 using Tally = std::map<std::string, std::pair<std::size_t, std::size_t>>;
 
 /// Does so many steps, or those that there are; then takes them back, and does them again.
 inline void run_sequence(Mesh& mesh, Sequence& sequence, std::size_t steps, Tally& tally) {
   std::vector<Snapshot> states{Snapshot(mesh)};
   for (std::size_t step = 0; step < steps && !sequence.ends(); ++step) {
-    if (sequence.one_in(40)) {
-      ASSERT_TRUE(compact(mesh));
+    if (const std::optional<Renumbering> how = sequence.renumbering()) {
+      SCOPED_TRACE("step " + std::to_string(step) + ": " + name_of(*how));
+      if (expect_renumbers(mesh, *how)) {
+        states.emplace_back(mesh);
+        ++tally[name_of(*how)].first;
+      }
       mesh.end_step();
-      if (mesh.history()->undo_count() == states.size()) states.emplace_back(mesh);
-      ASSERT_FALSE(has_errors(validate(mesh)));
+      ASSERT_EQ(mesh.history()->undo_count() + 1, states.size());
+      if (testing::Test::HasFailure()) return;
       continue;
     }
     const auto [op, call] = sequence.next(mesh);
