@@ -17,13 +17,13 @@ class OffWriter {
     mesh_.for_each_vertex([this](Index v) {
       for (std::size_t i = 0; i < 3; ++i) put(i == 0 ? '\n' : ' ', mesh_.position(v)[i]);
       put_values(normal_, v);
-      put_color(color_, v);
+      put_color(of_vertices_, v);
       put_values(texture_, v);
     });
     mesh_.for_each_face([this](Index f, std::span<const Index> corners) {
       put('\n', static_cast<Index>(corners.size()));
       for (const Index v : corners) put(' ', mesh_.number(v));
-      if (!is_text_) put(' ', of_faces_ == nullptr ? Index{0} : of_faces_->components());
+      if (!is_text_) put(' ', of_faces_.components());
       put_color(of_faces_, f);
     });
     if (is_text_) out_.text("\n");
@@ -32,43 +32,57 @@ class OffWriter {
  private:
   static constexpr ByteOrder kBig = ByteOrder::kBig;
 
+  struct Colors {
+    const Attribute* column = nullptr;
+    bool bytes_as_fractions = false;  // a byte is written as the number from 0 to 1 it stands for
+
+    [[nodiscard]] Index components() const { return column == nullptr ? 0 : column->components(); }
+  };
+
   void choose() {
     const auto of_width = [](Index components) {
       return [components](const Attribute& column) {
         return column.type() == Scalar::kFloat32 && column.components() == components;
       };
     };
-    const auto is_color = [](const Attribute& column) {
-      return (column.type() == Scalar::kFloat32 || column.type() == Scalar::kUint8) &&
-             (column.components() == 3 || column.components() == 4);
-    };
     normal_ = mesh_.take(ItemKind::kVertex, "normal", of_width(3));
     texture_ = mesh_.take(ItemKind::kVertex, "uv", of_width(2));
-    color_ = mesh_.take(ItemKind::kVertex, "color", is_color);
-    of_faces_ = mesh_.take(ItemKind::kFace, "color", is_color);
-    for (const Attribute* column : {color_, of_faces_}) {
-      if (column == nullptr) continue;
-      if (!is_text_ && column->type() == Scalar::kUint8) {
-        mesh_.note_change(*column, "as numbers from 0 to 1");
-      } else if (is_text_ && looks_like_floats(*column)) {
-        mesh_.note_change(*column, "as 0 and 1, which readers take for floats");
-      }
-      if (!is_text_ && column == color_ && column->components() == 3) {
-        mesh_.note_change(*column, "with an alpha of 1");
-      }
+    of_vertices_ = choose_colors(ItemKind::kVertex);
+    of_faces_ = choose_colors(ItemKind::kFace);
+    if (!is_text_ && of_vertices_.components() == 3) {
+      mesh_.note_change(*of_vertices_.column, "with an alpha of 1");
     }
   }
-  /// Of integers without any above 1 nobody can tell that they aren't from 0 to 1.
-  [[nodiscard]] static bool looks_like_floats(const Attribute& column) {
-    if (column.type() != Scalar::kUint8) return false;
-    const std::span<const std::byte> values = column.bytes();
-    const auto most = std::max_element(values.begin(), values.end());
-    return most != values.end() && *most == std::byte{1};
+
+  [[nodiscard]] Colors choose_colors(ItemKind kind) {
+    Colors colors;
+    colors.column = mesh_.take(kind, "color", [](const Attribute& column) {
+      return (column.type() == Scalar::kFloat32 || column.type() == Scalar::kUint8) &&
+             (column.components() == 3 || column.components() == 4);
+    });
+    if (colors.column == nullptr || colors.column->type() == Scalar::kFloat32) return colors;
+    // Readers take integers up to 1 for numbers from 0 to 1; zeros alone are black either way.
+    colors.bytes_as_fractions = !is_text_ || most(*colors.column, kind) == 1;
+    if (colors.bytes_as_fractions) mesh_.note_change(*colors.column, "as numbers from 0 to 1");
+    return colors;
+  }
+  /// Of what will be written: the slots of deleted items don't count.
+  [[nodiscard]] float most(const Attribute& column, ItemKind kind) const {
+    float most = 0;
+    const auto see = [&](Index item) {
+      for (Index i = 0; i < column.components(); ++i) most = std::max(most, value(column, item, i));
+    };
+    if (kind == ItemKind::kVertex) {
+      mesh_.for_each_vertex(see);
+    } else {
+      mesh_.for_each_face([&see](Index f, std::span<const Index>) { see(f); });
+    }
+    return most;
   }
 
   void write_header() {
     if (texture_ != nullptr) out_.text("ST");
-    if (color_ != nullptr) out_.text("C");
+    if (of_vertices_.column != nullptr) out_.text("C");
     if (normal_ != nullptr) out_.text("N");
     out_.text(is_text_ ? "OFF" : "OFF BINARY\n");
     put('\n', mesh_.vertex_count());
@@ -80,20 +94,22 @@ class OffWriter {
     if (column == nullptr) return;
     for (Index i = 0; i < column->components(); ++i) put(' ', value(*column, item, i));
   }
-  void put_color(const Attribute* column, Index item) {
-    if (column == nullptr) return;
-    for (Index i = 0; i < column->components(); ++i) {
-      const float number = value(*column, item, i);
-      if (!is_text_) {
-        put(' ', column->type() == Scalar::kUint8 ? number / 255 : number);
-      } else if (column->type() == Scalar::kUint8) {
+  void put_color(const Colors& colors, Index item) {
+    for (Index i = 0; i < colors.components(); ++i) {
+      const float number = value(*colors.column, item, i);
+      if (colors.bytes_as_fractions) {
+        put_fraction(number / 255);
+      } else if (colors.column->type() == Scalar::kUint8) {
         put(' ', static_cast<Index>(number));
       } else {
-        put(' ', number);
-        if (is_whole(number)) out_.text(".0");  // no integer
+        put_fraction(number);
       }
     }
-    if (!is_text_ && column == color_ && column->components() == 3) put(' ', 1.0F);
+    if (!is_text_ && &colors == &of_vertices_ && colors.components() == 3) put(' ', 1.0F);
+  }
+  void put_fraction(float number) {
+    put(' ', number);
+    if (is_text_ && is_whole(number)) out_.text(".0");  // no integer
   }
   /// Whether it is written without a point and without an exponent.
   [[nodiscard]] static bool is_whole(float number) {
@@ -118,8 +134,8 @@ class OffWriter {
   bool is_text_;
   const Attribute* normal_ = nullptr;
   const Attribute* texture_ = nullptr;
-  const Attribute* color_ = nullptr;
-  const Attribute* of_faces_ = nullptr;
+  Colors of_vertices_;
+  Colors of_faces_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <halfedge/build/build.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>
@@ -16,6 +17,27 @@
 #include "support/text_file.h"
 
 namespace halfedge::test {
+
+/// 3---2   6
+/// |   | \ |   a square, a triangle, and a pentagon over the three on the left
+/// 0---1---5
+inline Mesh sample_mesh() {
+  const std::vector<float> positions = {0, 0,    0, 1, 0, 0, 1, 1, 0, 0, 1,
+                                        0, 0.5F, 2, 0, 2, 0, 0, 2, 1, 0};
+  const std::vector<Index> sizes = {4, 3, 3, 3};
+  const std::vector<Index> corners = {0, 1, 2, 3, 3, 2, 4, 1, 5, 2, 5, 6, 2};
+  Mesh mesh;
+  BuildReport report;
+  EXPECT_TRUE(build_from_polygons(mesh, {positions, sizes, corners}, report));
+  return mesh;
+}
+
+inline Attribute& add(Mesh& mesh, ItemKind kind, const char* name, Scalar type, Index components,
+                      OnSplit on_split) {
+  return *mesh.add_attribute(kind, name,
+                             {.type = type, .components = components, .on_split = on_split})
+              .value();
+}
 
 /// The mesh of a file with its attributes, or an error.
 struct MeshFile {
@@ -86,6 +108,28 @@ inline std::vector<double> values_of(const Mesh& mesh, ItemKind kind, const char
     for (Index item = 0; item < column->slots(); ++item) add(item);
   }
   return values;
+}
+
+/// Writes, reads, and compares the attributes.
+inline void expect_round_trip(const Mesh& mesh, Format format, Encoding encoding) {
+  SCOPED_TRACE(std::string(name_of(format)) + " " + std::to_string(int(encoding)));
+  std::vector<std::string> notes;
+  const auto bytes = write(mesh, format, {.encoding = encoding, .notes = &notes});
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  EXPECT_EQ(notes, std::vector<std::string>());
+  const test::MeshFile read = read_mesh(bytes.value().span());
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(read.notes, std::vector<std::string>());
+  EXPECT_EQ(describe_all(read.mesh), describe_all(mesh));
+  for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kFace}) {
+    for (const auto& column : mesh.attributes().of(kind)) {
+      const char* const name = column->name().c_str();
+      const std::vector<double> before = values_of(mesh, kind, name);
+      const std::vector<double> after = values_of(read.mesh, kind, name);
+      ASSERT_EQ(before.size(), after.size()) << name;
+      EXPECT_EQ(std::memcmp(before.data(), after.data(), 8 * before.size()), 0) << name;
+    }
+  }
 }
 
 /// Fills an attribute with bits of all kinds that are numbers.

@@ -1,0 +1,256 @@
+// Attributes of OBJ files: what is read, where it goes, and that it is written back.
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "support/attribute_file.h"
+
+namespace halfedge {
+namespace {
+
+using test::add;
+using test::describe_all;
+using test::expect_round_trip;
+using test::read_mesh;
+using test::sample_mesh;
+using test::values_of;
+using Doubles = std::vector<double>;
+using Strings = std::vector<std::string>;
+
+const std::string kObjSquare = R"(mtllib a.mtl b c.mtl
+v 0 0 0 1 0.5 0
+v 1 0 0 1
+v 1 1 0 .25 .5 .75
+o thing
+vt 0 0
+vt 1 0 7
+f 1/1/1 2/2/1 3/-1/-1
+vn 0 0 1
+v 0 1 0
+v 0 2 0
+v -1 0 0
+vt 0.5
+usemtl  two words  # comment
+g left
+f 1/3 3//1 4/9/-9
+g
+f 4 3 5
+g left
+f 1/1 4/2 6/3
+)";
+
+TEST(ObjAttributes, AreReadByCornerAndByName) {
+  const test::MeshFile read = read_mesh(kObjSquare);
+  ASSERT_EQ(read.error, "");
+  EXPECT_EQ(describe_all(read.mesh),
+            (Strings{"vertex color float32 3 interpolate", "halfedge uv float32 2 interpolate",
+                     "halfedge normal float32 3 normalize", "face group int32 1 copy",
+                     "face object int32 1 copy", "face material int32 1 copy"}));
+  const Mesh& mesh = read.mesh;
+  EXPECT_EQ(values_of(mesh, ItemKind::kVertex, "color"),
+            (Doubles{1, 0.5, 0, 0, 0, 0, .25, .5, .75, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kHalfedge, "uv"),
+            (Doubles{0, 0, 1, 0, 1, 0, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0.5, 0}));
+  Doubles normals(36, 0.0);
+  normals[2] = normals[5] = normals[14] = 1;
+  EXPECT_EQ(values_of(mesh, ItemKind::kHalfedge, "normal"), normals);
+  EXPECT_EQ(values_of(mesh, ItemKind::kFace, "group"), (Doubles{0, 1, 0, 1}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kFace, "object"), (Doubles{1, 1, 1, 1}));
+  EXPECT_EQ(values_of(mesh, ItemKind::kFace, "material"), (Doubles{0, 1, 1, 1}));
+  EXPECT_EQ(read.notes, (Strings{"3 corners have texture coordinates or normals that the file "
+                                 "doesn't have: what is missing is 0",
+                                 "ignored 1 third texture coordinate that is not 0"}));
+  const Result<ParsedFile> file = parse(test::bytes_of(kObjSquare));
+  ASSERT_EQ(file.value().names.size(), 4U);
+  EXPECT_EQ(file.value().names[0].names, (Strings{"", "left"}));
+  EXPECT_EQ(file.value().names[2].attribute, "material");
+  EXPECT_EQ(file.value().names[2].names, (Strings{"", "two words"}));
+  EXPECT_EQ(file.value().names[3].attribute, "library");
+  EXPECT_EQ(file.value().names[3].names, (Strings{"a.mtl b c.mtl"}));
+}
+
+TEST(ObjAttributes, MayBeLeftOut) {
+  const Result<ParsedFile> file =
+      parse(test::bytes_of(kObjSquare), std::nullopt, {.attributes = false});
+  ASSERT_TRUE(file);
+  EXPECT_TRUE(file.value().attributes.empty());
+  EXPECT_TRUE(file.value().names.empty());
+  EXPECT_TRUE(file.value().notes.empty());
+}
+
+/// A mesh with all that OBJ has a place for, and few different values by corner.
+Mesh sample_for_obj(Index color_components) {
+  std::mt19937 random(3);
+  Mesh mesh = sample_mesh();
+  using enum Scalar;
+  test::randomize(
+      add(mesh, ItemKind::kVertex, "color", kFloat32, color_components, OnSplit::kInterpolate),
+      random);
+  for (const Index width : {Index{2}, Index{3}}) {
+    Attribute& column = add(mesh, ItemKind::kHalfedge, width == 2 ? "uv" : "normal", kFloat32,
+                            width, width == 2 ? OnSplit::kInterpolate : OnSplit::kNormalize);
+    for (float& value : column.values<float>()) value = random() % 2 == 0 ? -0.0F : 0.1F;
+  }
+  for (const char* name : {"group", "object", "material", "smoothing"}) {
+    Attribute& column = add(mesh, ItemKind::kFace, name, kInt32, 1, OnSplit::kCopy);
+    for (std::int32_t& value : column.values<std::int32_t>())
+      value = std::int32_t(random() % 5) - 2;
+  }
+  return mesh;
+}
+
+TEST(ObjAttributes, ComeBackToTheLastBit) {
+  expect_round_trip(sample_for_obj(3), Format::kObj, Encoding::kText);
+  expect_round_trip(sample_for_obj(4), Format::kObj, Encoding::kText);
+}
+
+TEST(ObjAttributes, ShareValuesAndHaveNames) {
+  Mesh mesh = sample_mesh();
+  Attribute& uv = add(mesh, ItemKind::kHalfedge, "uv", Scalar::kFloat32, 2, OnSplit::kInterpolate);
+  uv.set(mesh.face_halfedge(Face(1)).index(), 1, 0.5, nullptr);
+  add(mesh, ItemKind::kVertex, "normal", Scalar::kFloat32, 3, OnSplit::kNormalize);
+  Attribute& material = add(mesh, ItemKind::kFace, "material", Scalar::kUint8, 1, OnSplit::kCopy);
+  material.set(1, 0, 1, nullptr);
+  const std::vector<SoupNames> names = {{"library", {"x.mtl"}}, {"material", {"", "oak#\n2"}}};
+  Strings notes;
+  const auto bytes = write(mesh, Format::kObj, {.names = names, .notes = &notes});
+  std::string text(bytes.value().begin(), bytes.value().end());
+  EXPECT_EQ(text.substr(0, 15), "mtllib x.mtl\nv ");
+  EXPECT_EQ(
+      text.substr(text.find("vt")),
+      "vt 0 0\nvt 0 0.5\n" +
+          [] {
+            std::string lines;
+            for (int v = 0; v < 7; ++v) lines += "vn 0 0 0\n";
+            return lines;
+          }() +
+          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak__2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
+          "f 2/1/2 6/1/6 3/1/3\nf 6/1/6 7/1/7 3/1/3\n");
+  EXPECT_EQ(notes,
+            (Strings{"wrote the vertex attribute \"normal\" for the corners of faces, to which "
+                     "readers give it",
+                     "wrote the face attribute \"material\" as numbers that readers take for int32",
+                     "wrote the face attribute \"material\" with 1 of its 1 names changed: # and "
+                     "control characters become _, blanks at the ends are left out"}));
+}
+
+TEST(ObjAttributes, SaysWhichNamesDoNotComeBack) {
+  using Names = std::vector<std::string>;
+  const auto notes_of = [](const Names& names, const std::vector<int>& numbers) {
+    Mesh mesh = sample_mesh();
+    Attribute& group = add(mesh, ItemKind::kFace, "group", Scalar::kInt32, 1, OnSplit::kCopy);
+    for (Index f = 0; f < numbers.size(); ++f) group.set(f, 0, numbers[f], nullptr);
+    const std::vector<SoupNames> tables = {{"group", names}};
+    Strings notes;
+    EXPECT_TRUE(write(mesh, Format::kObj, {.names = tables, .notes = &notes}));
+    return notes;
+  };
+  const std::string wrote = "wrote the face attribute \"group\" with ";
+  const std::string changed =
+      " names changed: # and control characters become _, blanks at the ends are left out";
+  EXPECT_EQ(notes_of({"", "a", "b"}, {1, 2, 0, 1}), Strings());
+  EXPECT_EQ(notes_of({"", "a", "3"}, {1, 2, 0, 1}), Strings()) << "not all of them are numbers";
+  EXPECT_EQ(notes_of({"", "a", "#"}, {1, 1, 1, 1}), Strings()) << "is not used";
+  EXPECT_EQ(notes_of({"", "a#b", "a_b", " a\tb"}, {1, 2, 3, 0}),
+            Strings{wrote + "2 of its 3" + changed});
+  EXPECT_EQ(notes_of({"", "", "b"}, {1, 2, 1, 2}),
+            Strings{wrote + "1 of its 2 names left out, being empty"});
+  EXPECT_EQ(notes_of({"", "1", "0"}, {1, 2, 1, 2}),
+            Strings{wrote + "2 of its 2 names that are numbers, for which readers take them"});
+  EXPECT_EQ(notes_of({"", "a"}, {1, 7, 1, 0}),
+            Strings{wrote + "names that are the numbers of faces which have none"});
+}
+
+TEST(ObjAttributes, LeavesOutLabelsThatAreNoInt32) {
+  Mesh mesh = sample_mesh();
+  Attribute& group = add(mesh, ItemKind::kFace, "group", Scalar::kUint32, 1, OnSplit::kCopy);
+  Attribute& object = add(mesh, ItemKind::kFace, "object", Scalar::kUint32, 1, OnSplit::kCopy);
+  group.set(2, 0, 4294967295.0, nullptr);
+  object.set(2, 0, 2147483647, nullptr);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes,
+            (Strings{"wrote the face attribute \"object\" as numbers that readers take for int32",
+                     "left out the face attribute \"group\": readers of OBJ take numbers up "
+                     "to 2147483647"}));
+  const test::MeshFile read = read_mesh(bytes.value().span());
+  EXPECT_EQ(describe_all(read.mesh), Strings{"face object int32 1 copy"});
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "object"), (Doubles{0, 0, 2147483647, 0}));
+}
+
+TEST(ObjAttributes, SaysWhatItCannotHold) {
+  Mesh mesh = sample_mesh();
+  add(mesh, ItemKind::kVertex, "color", Scalar::kUint8, 3, OnSplit::kInterpolate)
+      .set(2, 1, 51, nullptr);
+  add(mesh, ItemKind::kVertex, "uv", Scalar::kFloat32, 3, OnSplit::kInterpolate);
+  add(mesh, ItemKind::kHalfedge, "normal", Scalar::kFloat64, 3, OnSplit::kNormalize);
+  add(mesh, ItemKind::kVertex, "normal", Scalar::kFloat32, 3, OnSplit::kNormalize);
+  add(mesh, ItemKind::kFace, "color", Scalar::kFloat32, 3, OnSplit::kInterpolate);
+  add(mesh, ItemKind::kEdge, "crease", Scalar::kFloat32, 1, OnSplit::kCopy);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes,
+            (Strings{"wrote the vertex attribute \"color\" as numbers from 0 to 1",
+                     "wrote the halfedge attribute \"normal\" as doubles, which readers take for "
+                     "floats",
+                     "left out the vertex attribute \"uv\": OBJ has no place for it",
+                     "left out the vertex attribute \"normal\": OBJ has no place for it",
+                     "left out the edge attribute \"crease\": OBJ has no place for it",
+                     "left out the face attribute \"color\": OBJ has no place for it"}));
+  const test::MeshFile read = read_mesh(bytes.value().span());
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color")[7], double(0.2F));
+}
+
+TEST(ObjAttributes, HaveSmoothingGroups) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 1\n";
+  const auto smoothing_of = [&](const std::string& statements) {
+    const test::MeshFile read = read_mesh(triangle + statements);
+    EXPECT_EQ(read.error, "");
+    return values_of(read.mesh, ItemKind::kFace, "smoothing");
+  };
+  EXPECT_EQ(smoothing_of("f 1 2 3\ns 3\nf 2 4 3\ns off\nf 2 1 5\n"), (Doubles{0, 3, 0}));
+  EXPECT_EQ(smoothing_of("s -7\nf 1 2 3\ns 0\nf 2 4 3\n"), (Doubles{-7, 0}));
+  EXPECT_EQ(smoothing_of("s off\nf 1 2 3\ns 0\nf 2 4 3\n"), Doubles()) << "nothing is said";
+  const test::MeshFile strange =
+      read_mesh(triangle + "s on\nf 1 2 3\ns 1\nf 2 4 3\ns 9999999999\nf 2 1 5\ns 7x\nf 1 4 5\n");
+  EXPECT_EQ(values_of(strange.mesh, ItemKind::kFace, "smoothing"), (Doubles{0, 1, 0, 0}));
+  EXPECT_EQ(strange.notes,
+            Strings{"ignored 3 smoothing groups (s) that are neither integers nor off"});
+}
+
+TEST(ObjAttributes, KeepAnAlphaThatComesLate) {
+  const test::MeshFile read = read_mesh(
+      "v 0 0 0\nv 1 0 0 .1 .2 .3\nv 0 1 0 .4 .5 .6 .7\nv 1 1 0 .8 .9 1\nf 1 2 3\nf 2 4 3\n");
+  EXPECT_EQ(describe_all(read.mesh), Strings{"vertex color float32 4 interpolate"});
+  const Doubles colors = values_of(read.mesh, ItemKind::kVertex, "color");
+  const std::vector<float> expected = {0,   0,   0,   1,   .1F, .2F, .3F, 1,
+                                       .4F, .5F, .6F, .7F, .8F, .9F, 1,   1};
+  EXPECT_EQ(std::vector<float>(colors.begin(), colors.end()), expected);
+}
+
+TEST(ObjAttributes, SaysWhatIsIgnored) {
+  const test::MeshFile read = read_mesh(
+      "v 0 0 0 2\nv 1 0 0 1\nv 0 1 0\nvt 0 0 .5\nvt 0 1 0\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\n"
+      "f 1/1/1 2/1/1 3/1/1\n");
+  EXPECT_EQ(read.notes, (Strings{"ignored 1 third texture coordinate that is not 0",
+                                 "ignored 1 weight of a vertex",
+                                 "ignored 1 texture coordinate (vt) to which no face refers",
+                                 "ignored 2 normals (vn) to which no face refers"}));
+}
+
+TEST(ObjAttributes, LimitWhatNamesTake) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < 70000; ++i) text += "g a" + std::to_string(i) + "\n";
+  text += "f 1 2 3\n";
+  const Result<ParsedFile> file = parse(test::bytes_of(text));
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file.value().names[0].names.size(), 65537U);
+  EXPECT_EQ(file.value().notes, Strings{"the file has more than 65536 different names of a group: "
+                                        "faces of further ones have none"});
+}
+
+}  // namespace
+}  // namespace halfedge
