@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <halfedge/halfedge.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 
@@ -184,6 +185,29 @@ TEST(HistoryMemoryDeathTest, AReorderingThatDoesNotFitLeavesHistoryAlone) {
   HALFEDGE_NEEDS_A_MEMORY_LIMIT();
   EXPECT_EXIT(renumber_without_memory(reorder), testing::ExitedWithCode(0), "");
   EXPECT_EXIT(renumber_without_memory(reorder_breadth_first), testing::ExitedWithCode(0), "");
+}
+
+// The order of so few vertices fits, but no copy of this column of their halfedges.
+[[noreturn]] void reorder_without_room_for_a_column() {
+  Mesh mesh = reference_build(quad_grid(6, 6));
+  std::reverse(mesh.mutable_positions().begin(), mesh.mutable_positions().end());
+  expect(mesh.add_attribute(ItemKind::kHalfedge, "wide",
+                            {.type = Scalar::kFloat64, .components = Attribute::kMaxComponents})
+             .ok(),
+         3);
+  expect(mesh.enable_history(), 4);
+  const Snapshot before(mesh);
+  use_up_memory();
+  const Result<CompactMaps> maps = reorder(mesh);
+  expect(!maps && maps.error().code == "out-of-memory", 5);
+  const bool has_changed = mesh.history()->has_open_step();
+  stop_limiting_memory();
+  leave(!has_changed && Snapshot(mesh) == before);
+}
+
+TEST(HistoryMemoryDeathTest, AReorderingThatDoesNotFitAtItsEndChangesNothing) {
+  HALFEDGE_NEEDS_A_MEMORY_LIMIT();
+  EXPECT_EXIT(reorder_without_room_for_a_column(), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
