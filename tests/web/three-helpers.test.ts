@@ -45,6 +45,14 @@ describe('HalfedgesHelper', () => {
     }
   });
 
+  test('comes nearer to the camera than the triangles of a face that is not plane', () => {
+    const { material } = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
+    const { vertexShader, defines } = material as THREE.ShaderMaterial;
+    expect(Number(defines.LIFT)).toBeGreaterThanOrEqual(3); // CSS pixels
+    expect(vertexShader.indexOf('clip.z +=')).toBeGreaterThan(vertexShader.indexOf('vec4 clip ='));
+    expect(vertexShader.indexOf('clip.z +=')).toBeLessThan(vertexShader.indexOf('gl_Position ='));
+  });
+
   test('runs beside the halfedge, in its direction and on the side of its face', () => {
     const mesh = HalfedgeMesh.grid(2, 2);
     const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions });

@@ -43,6 +43,8 @@ export interface Label {
   readonly side?: Vector3 | undefined;
   /** Whether it goes aside where it would cover another one, instead of being hidden. */
   readonly yields?: boolean;
+  /** Whether it lies over the surface, as what it stands beside does: then nothing hides it. */
+  readonly over?: boolean;
 }
 
 /** How wide a label is, in CSS pixels, as its style has it: to ask the page would cost a layout in every frame. */
@@ -117,7 +119,8 @@ export class Labels {
         .find(([x, y]) => isFree(x, y));
       const isName = label.look === 'index';
       const inSight = wanted.z < 1 && place && !(isName && names === MOST_NAMES);
-      const behind = inSight && (isName || i < MOST_TRIED) && hides(label.point);
+      const isTried = !label.over && (isName || i < MOST_TRIED);
+      const behind = inSight && isTried && hides(label.point);
       const shown = inSight && !(behind && isName);
       element.classList.toggle('away', !shown);
       if (!shown) return;

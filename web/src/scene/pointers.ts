@@ -31,11 +31,11 @@ interface Bend {
 const BENDS: Record<1 | 2 | 3 | 4 | 5 | 6 | 7, Bend> = {
   1: { from: 0, to: 0.5, share: 0.22, pixels: 10 },
   2: { from: 0, to: 0.5, share: 0.22, pixels: 10 },
-  3: { from: 0.86, to: 0, share: -0.35, pixels: -16 },
-  4: { from: 0.44, to: 0, share: 0.16, pixels: 6 },
-  5: { from: 0.74, to: 0.3, share: 0.22, pixels: 8 },
-  6: { from: 0.58, to: 0.58, share: -0.3, pixels: -16 },
-  7: { from: 0.24, to: 0.72, share: -0.22, pixels: -8 },
+  3: { from: 0.9, to: 0, share: -0.35, pixels: -16 },
+  4: { from: 0.35, to: 0, share: 0.16, pixels: 6 },
+  5: { from: 0.76, to: 0.3, share: 0.22, pixels: 8 },
+  6: { from: 0.56, to: 0.56, share: -0.3, pixels: -16 },
+  7: { from: 0.14, to: 0.72, share: -0.22, pixels: -8 },
 };
 
 const PIECES = 24;
@@ -87,7 +87,7 @@ export class Pointers {
       }
     }
     this.#batch.upload();
-    return labels;
+    return labels.map((label) => ({ ...label, over: !faint }));
   }
 
   #draw(

@@ -194,9 +194,24 @@ export class LineBatch {
 /** One segment on its way into a batch. */
 const segment = new Float32Array(6);
 
+/** By how many CSS pixels a line comes nearer to the camera for each unit of its bias. */
+const LIFT_PX = 1.5;
+
+/**
+ * Moves what is drawn towards the camera, and nowhere on the screen. An arrow lies in the mean plane of its face, of
+ * which the triangles of a face that isn't plane stand out: as far as this, they don't hide it. An offset of polygons
+ * can't do that: it follows the slope of the line's own quad, which faces the camera and has none.
+ */
+const LIFT = `
+  float lift = 2.0 * LIFT / (projectionMatrix[1][1] * resolution.y);
+  clip.z += (projectionMatrix[2][3] == 0.0 ? projectionMatrix[2][2] : projectionMatrix[3][2]) * lift;
+  gl_Position = clip;`;
+
 /** A fat line material in CSS pixels, coloured by its segments, that wins against the surface. */
 export function lineMaterial(linewidth: number, bias: number): LineMaterial {
   const material = new LineMaterial({ linewidth, vertexColors: true });
+  material.defines.LIFT = (LIFT_PX * bias).toFixed(2);
+  material.vertexShader = material.vertexShader.replace('gl_Position = clip;', LIFT);
   material.polygonOffset = true;
   material.polygonOffsetFactor = -bias;
   material.polygonOffsetUnits = -bias;
