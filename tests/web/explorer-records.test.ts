@@ -1,5 +1,5 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { columnsOf } from '../../web/explorer/app/record-columns.js';
+import { columnsOf, roomOfIndex } from '../../web/explorer/app/record-columns.js';
 import { rowsOf } from '../../web/explorer/app/records.js';
 
 beforeAll(() => init());
@@ -23,6 +23,27 @@ describe('the columns of the records', () => {
     expect(uv?.cell(mesh, 3)).toEqual({ text: '(0.5, 0.25)', target: null });
     expect([uv?.meaning, uv?.isAttribute]).toEqual(['attribute: 2 float64', true]);
     mesh.dispose();
+  });
+
+  test('have room for their names, and for the longest name of an item of the mesh', () => {
+    const small = HalfedgeMesh.cube();
+    const rooms = (mesh: HalfedgeMesh) =>
+      columnsOf(mesh, 'halfedge', {}).map(({ name, room }) => [name, room]);
+    expect(rooms(small)).toEqual([
+      ['to', 5],
+      ['next', 5],
+      ['prev', 5],
+      ['face', 5],
+      ['opposite', 'opposite'.length],
+    ]);
+    expect([roomOfIndex(small, 'face'), roomOfIndex(small, 'halfedge')]).toEqual([4, 8]);
+    const large = HalfedgeMesh.grid(400, 400);
+    const longest = `h${large.halfedgeCount - 1}`.length;
+    expect(longest).toBe(7);
+    expect(rooms(large).map(([, room]) => room)).toEqual([7, 7, 7, 7, 8]);
+    expect(roomOfIndex(large, 'face')).toBe(7);
+    small.dispose();
+    large.dispose();
   });
 
   test('say the words of attributes that are places in a list', () => {

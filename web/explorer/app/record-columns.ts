@@ -5,7 +5,7 @@ import {
   type ItemKind,
   NONE,
 } from 'halfedge';
-import { type Item, itemName } from 'halfedge/teaching';
+import { type Item, itemName, itemSlots } from 'halfedge/teaching';
 import { textOf, typeOf } from './item-attributes.js';
 
 /** What a cell shows, and where it leads. */
@@ -19,13 +19,17 @@ export interface Column {
   readonly name: string;
   /** What it holds, in words. */
   readonly meaning: string;
-  /** How many characters wide it has to be; 0 for links and coordinates, which share what there is. */
+  /** How many characters wide it has to be, for its name and for what its cells show. */
   readonly room: number;
   /** Whether it is an attribute, and no part of the structure. */
   readonly isAttribute: boolean;
   cell(mesh: HalfedgeMesh, row: number): Cell;
 }
 
+/** Links are no narrower, so that the columns of small meshes don't crowd. */
+const LEAST_ROOM = 5;
+/** A coordinate of five digits, as `-0.12345`. Longer ones are cut short in their cells. */
+const COORDINATE_ROOM = 8;
 /** Attributes of more components are cut short in their cells. */
 const MOST_ROOM = 34;
 
@@ -35,8 +39,23 @@ export function columnsOf(
   kind: ItemKind,
   names: AttributeNames,
 ): readonly Column[] {
+  const structure = STRUCTURE[kind].map((column) => ({
+    ...column,
+    room: Math.max(column.room, roomOfNames(mesh)),
+  }));
   const attributes = mesh.attributes.list().filter((info) => info.kind === kind);
-  return [...STRUCTURE[kind], ...attributes.map((info) => attribute(info, names))];
+  return [...structure, ...attributes.map((info) => attribute(info, names))];
+}
+
+/** How many characters wide the first column has to be, which has the index of the record itself. */
+export function roomOfIndex(mesh: HalfedgeMesh, kind: ItemKind): number {
+  return Math.max(kind.length, roomOfNames(mesh));
+}
+
+/** There are more halfedges than of any other kind: the last one has the longest name. */
+function roomOfNames(mesh: HalfedgeMesh): number {
+  const index = Math.max(0, itemSlots(mesh, 'halfedge') - 1);
+  return itemName({ kind: 'halfedge', index }).length;
 }
 
 function attribute(info: AttributeInfo, names: AttributeNames): Column {
@@ -62,7 +81,7 @@ function link(
   value: (mesh: HalfedgeMesh, row: number) => number,
 ): Column {
   return {
-    ...{ name, meaning, room: 0, isAttribute: false },
+    ...{ name, meaning, room: Math.max(LEAST_ROOM, name.length), isAttribute: false },
     cell(mesh, row) {
       const index = value(mesh, row);
       const target = index === NONE ? null : { kind: to, index };
@@ -74,7 +93,7 @@ function link(
 function coordinate(axis: 0 | 1 | 2): Column {
   const name = 'xyz'[axis];
   return {
-    ...{ name, meaning: `${name} of the position`, room: 0, isAttribute: false },
+    ...{ name, meaning: `${name} of the position`, room: COORDINATE_ROOM, isAttribute: false },
     cell: (mesh, row) => ({
       text: String(Number(mesh.positions[3 * row + axis].toPrecision(5))),
       target: null,

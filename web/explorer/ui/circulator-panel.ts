@@ -10,7 +10,7 @@ const LIST_CAP = 60;
 export function circulatorPanel(explorer: Explorer): HTMLElement {
   const kinds = h('div', { class: 'kinds' });
   const body = h('div', { class: 'circulator' });
-  const nothing = h('p', { class: 'empty' }, 'Pick an item to walk around it.');
+  const nothing = h('p', { class: 'empty' });
   const section = h(
     'section',
     { 'aria-labelledby': 'circulator-title' },
@@ -35,6 +35,12 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
     direction.hidden = !hasDirection(choice.circulator);
   };
   explorer.choice.subscribe(show);
+  explorer.document.subscribe((opened) => {
+    const isEmpty = opened?.mesh.vertexCount === 0;
+    nothing.textContent = isEmpty
+      ? 'There is nothing to walk around.'
+      : 'Pick an item to walk around it.';
+  });
   return section;
 }
 

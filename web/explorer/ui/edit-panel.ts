@@ -33,7 +33,10 @@ export function editPanel(explorer: Explorer): HTMLElement {
     const selected = explorer.selected.value;
     title.textContent = selected ? itemTitle(selected) : 'Selection';
     nothing.hidden = selected !== null;
-    nothing.textContent = 'Pick a vertex, edge, halfedge or face to edit it.';
+    const isEmpty = explorer.document.value?.mesh.vertexCount === 0;
+    nothing.textContent = isEmpty
+      ? 'There is nothing to edit.'
+      : 'Pick a vertex, edge, halfedge or face to edit it.';
     keepFocus(section, title, () => {
       const buttons = (belongs: (operation: Operation) => boolean) =>
         offers

@@ -1,7 +1,7 @@
 import type { ItemKind } from 'halfedge';
 import { type Item, isLive, itemName, itemSlots, sameItem } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import { type Cell, type Column, columnsOf } from '../app/record-columns.js';
+import { type Cell, type Column, columnsOf, roomOfIndex } from '../app/record-columns.js';
 import { cellKey, type Reading, readingOf, rowsOf } from '../app/records.js';
 import type { Signal } from '../app/signal.js';
 import { fill, h, setAttribute } from './dom.js';
@@ -78,7 +78,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     columns = columnsOf(mesh, kind, names);
     kinds.choose(kind);
     grid.dataset.records = kind;
-    setTracks(grid, columns);
+    setTracks(grid, [roomOfIndex(mesh, kind), ...columns.map(({ room }) => room)]);
     if (isOther) grid.scrollLeft = 0;
     setAttribute(grid, 'aria-rowcount', itemSlots(mesh, kind) + 1);
     setAttribute(grid, 'aria-colcount', columns.length + 1);
@@ -116,7 +116,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
       cell.dataset.column = String(column);
       cell.dataset.name = name;
       setAttribute(cell, 'data-attribute', isAttribute);
-      setAttribute(cell, 'title', isAttribute && text);
+      setAttribute(cell, 'title', target === null && text);
       if (cell.textContent !== text) cell.textContent = text;
       const points = column > 0 && target !== null;
       cell.classList.toggle('link', live && target !== null);
@@ -251,13 +251,11 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   return section;
 }
 
-/** The widths of the columns: attributes have what they need, the others share what there is. */
-function setTracks(grid: HTMLElement, columns: readonly Column[]): void {
-  const width = ({ room }: Column) =>
-    room > 0 ? `minmax(${room}ch, ${room}fr)` : 'minmax(var(--cell), 9fr)';
-  grid.style.setProperty('--tracks', columns.map(width).join(' '));
-  const inner = columns.map(({ room }) => (room > 0 ? `${room}ch` : 'var(--cell)'));
-  grid.style.setProperty('--least-width', `calc(${['var(--cell)', ...inner].join(' + ')})`);
+/** The widths of the columns: each has what it needs, and its share of what is left. */
+function setTracks(grid: HTMLElement, rooms: readonly number[]): void {
+  const least = (room: number) => `calc(${room}ch + var(--cell-padding))`;
+  grid.style.setProperty('--tracks', rooms.map((it) => `minmax(${least(it)}, ${it}fr)`).join(' '));
+  grid.style.setProperty('--least-width', `calc(${rooms.map(least).join(' + ')})`);
 }
 
 function kindSegments(choose: (kind: ItemKind) => void) {

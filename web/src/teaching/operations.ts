@@ -167,7 +167,7 @@ const onFaces: readonly Operation[] = [
     stem: 'deleteComponent',
     on: 'face',
     label: 'Delete component',
-    meaning: 'all that hangs together with it',
+    meaning: 'all that is joined to it',
     key: 'X',
     arguments: ({ item }) => ['face', item.index],
   },
@@ -200,7 +200,7 @@ const onMeshes: readonly Operation[] = [
     stem: 'keepLargestComponents',
     on: 'mesh',
     label: 'Keep the largest',
-    meaning: 'deletes all other components',
+    meaning: 'deletes the other parts',
     key: 'L',
   },
   {
