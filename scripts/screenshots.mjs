@@ -91,10 +91,11 @@ async function photographExplorer(browser, address, names, window) {
   await page.goto(address);
   await rest(page);
   for (const name of names) {
-    const { link, act, moves } = states[name];
+    const { link, aim, act, moves } = states[name];
     try {
       await reset(page, link);
       await rest(page);
+      if (aim) await aimAtSelection(page);
       if (moves) await begin(page);
       await act?.(page, { narrow: isNarrow(window) });
       if (moves) await page.clock.runFor(moves);
@@ -120,19 +121,29 @@ async function end(page) {
   await page.emulateMedia({ reducedMotion: 'reduce' });
 }
 
+/** Flies to what is selected, where that isn't in sight. */
+async function aimAtSelection(page) {
+  await page.keyboard.press('z');
+  await rest(page);
+}
+
 /** As the page was in the beginning, but for the link that it follows: a page of its own takes long. */
 async function reset(page, link = 'sample=bunny&select=v1224') {
   for (let i = 0; i < 3; i++) await page.keyboard.press('Escape');
-  await page.mouse.move(0, 0);
   await page.click('[data-tab-button=circulate]');
+  await page.mouse.move(0, 0);
   await page.evaluate(
     (hash) => {
       document.querySelector('.drop-target').hidden = true;
       document.querySelector('.busy').hidden = true;
       document.querySelector('.toast').hidden = true;
+      // A link is followed only where it is another one.
+      history.replaceState(null, '', location.pathname);
       location.hash = hash;
     },
-    `${link}&${link.includes('labels') ? '' : 'labels=off:vhf'}`,
+    Object.entries({ labels: 'off:vhf', names: 'halfedge' })
+      .filter(([setting]) => !link.includes(`${setting}=`))
+      .reduce((hash, [setting, value]) => `${hash}&${setting}=${value}`, link),
   );
   await page.waitForTimeout(100);
 }
@@ -174,7 +185,7 @@ async function photographPages(browser, names, windows) {
 async function photographEach(parts, name, window) {
   for (const [i, part] of (await parts.all()).entries()) {
     await part.scrollIntoViewIfNeeded();
-    await part.evaluate((figure) => figure.ready());
+    await part.evaluate((element) => element.ready?.());
     await part.page().waitForTimeout(300);
     await photograph(part, `${name}-${i + 1}`, window);
   }

@@ -1,5 +1,5 @@
 // The states of the explorer that are worth a picture: the link that leads there, and what is then done.
-// The picture of one that `moves` is taken so many milliseconds later, of others when all is at rest.
+// `aim` flies to what is selected, before; `moves` is after how many milliseconds of a motion the picture is taken.
 
 const tab = (name) => (page) => page.click(`[data-tab-button=${name}]`);
 const keys =
@@ -62,13 +62,13 @@ export const states = {
   edge: { link: 'sample=icosahedron&select=e12', act: both(inspect, keys('z')) },
   halfedge: { link: 'sample=icosahedron&select=h12', act: both(inspect, keys('z')) },
   face: { link: 'sample=football&select=f5', act: both(inspect, keys('z')) },
-  boundary: { link: 'sample=annulus&select=h2', act: inspect },
+  boundary: { link: 'sample=annulus&select=h0', act: inspect },
   attributes: { act: both(paste(ATTRIBUTES), pause(800), inspect) },
   nothing: { link: 'sample=torus&select=nothing', act: inspect },
   pointers: { link: 'sample=icosahedron&select=h12&pointers=on', act: keys('z') },
   'pointers-vertex': { link: 'sample=grid&select=v8&pointers=on', act: keys('z') },
   'pointers-face': { link: 'sample=grid&select=f8&pointers=on' },
-  'pointers-boundary': { link: 'sample=annulus&select=h2&pointers=on' },
+  'pointers-boundary': { link: 'sample=annulus&select=h0&pointers=on', aim: true },
   'labels-all': { link: 'sample=grid&select=f8&labels=all:vehf' },
   'labels-closed': { link: 'sample=icosphere&select=v3&labels=all:vf' },
   'labels-selection': { link: 'sample=suzanne&select=v60&labels=selection:vhf', act: keys('z') },
@@ -79,32 +79,41 @@ export const states = {
   walk: { link: 'sample=suzanne&select=v60&query=vertexVertices&at=4', act: keys('z') },
   'walk-done': { link: 'sample=football&select=v5&query=vertexFaces', act: keys('End', 'z') },
   'walk-boundary': {
-    link: 'sample=annulus&select=h2&query=halfedgeLoop',
+    link: 'sample=annulus&select=h0&query=halfedgeLoop',
     act: keys('.', '.', '.', '.'),
   },
   'code-openmesh': { link: walk('openmesh'), act: keys('z') },
   'code-cgal': { link: walk('cgal'), act: keys('z') },
   'code-mcguire': { link: walk('mcguire'), act: keys('z') },
-  records: { link: 'sample=cube&select=h3', act: tab('records') },
+  records: { link: 'sample=cube&select=h3', aim: true, act: tab('records') },
+  'records-vertices': { link: 'sample=bunny&select=v1224', act: tab('records') },
+  'records-bunny': { link: 'sample=bunny&select=h16943', aim: true, act: tab('records') },
   'records-walk': { link: 'sample=cube&select=v3', act: both(tab('records'), keys('.', '.')) },
   'records-attributes': { act: both(paste(ATTRIBUTES), pause(800), tab('records')) },
-  edit: { link: 'sample=icosahedron&select=e12', act: tab('edit') },
+  edit: { link: 'sample=icosahedron&select=e12', aim: true, act: tab('edit') },
   'moving-extrude': {
     link: 'sample=icosahedron&select=f3',
+    aim: true,
     act: both(tab('edit'), keys('Shift+E')),
     moves: 230,
   },
   'moving-collapse': {
     link: 'sample=icosphere&select=h31',
+    aim: true,
     act: both(tab('edit'), keys('Shift+C')),
     moves: 230,
   },
   'moving-flip': {
     link: 'sample=icosahedron&select=e12',
+    aim: true,
     act: both(tab('edit'), keys('Shift+F')),
     moves: 230,
   },
-  'edit-done': { link: 'sample=icosahedron&select=f3', act: both(tab('edit'), keys('Shift+E')) },
+  'edit-done': {
+    link: 'sample=icosahedron&select=f3',
+    aim: true,
+    act: both(tab('edit'), keys('Shift+E')),
+  },
   refusal: { link: 'sample=grid&select=e0', act: both(tab('edit'), keys('Shift+F')) },
   pending: { link: 'sample=football&select=h6', act: both(tab('edit'), keys('Shift+E')) },
   mesh: { link: 'sample=bunny&select=nothing', act: tab('mesh') },
