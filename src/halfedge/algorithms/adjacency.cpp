@@ -41,40 +41,62 @@ bool valences_vary(const RawLinks& links) {
   return *std::max_element(count.begin(), count.end()) < kSamples / 8 * 7;
 }
 
+// Writes the ring that begins at `first` to `at`, and moves that behind it. False if it is broken,
+// or longer than there is room before `end`. Where items can be missing `steps` counts down the
+// steps; elsewhere the place to write to tells how many were taken.
+template <class Ring>
+bool write_ring_at(const RawLinks& links, Halfedge first, Index*& at, const Index* end,
+                   [[maybe_unused]] Index& steps) {
+  if constexpr (Ring::View::kCanBeEmpty) {
+    return walk_ring<Ring>(links, first, steps, [&at](Index item) {
+      *at = item;  // a missing item is overwritten by the next one
+      at += item != kNone ? 1 : 0;
+    });
+  } else {
+    if (!first.valid()) return false;
+    Halfedge h = first;
+    do {
+      if (at == end) return false;
+      *at++ = Ring::View::of(links, h).index();
+      h = Ring::Walk::on(links, h);
+      if (!links.contain(h)) return false;
+    } while (h != first);
+    return true;
+  }
+}
+
 // Writes the whole mesh's rings to arrays with room for them; the orbits of a valid mesh don't
 // overlap, so all of them together have no more items than there are halfedges. Returns the first
 // item whose ring is broken, or kNone.
 template <class Ring, bool kTryShort = false>
-Index write_all(const RawLinks& links, Adjacency& out) {
+Index write_all(const RawLinks& of_mesh, Adjacency& out) {
   using Centre = typename Ring::Centre;
   if constexpr (std::is_same_v<Centre, Vertex> && !kTryShort) {
-    if (valences_vary(links)) return write_all<Ring, true>(links, out);
+    if (valences_vary(of_mesh)) return write_all<Ring, true>(of_mesh, out);
   }
+  const RawLinks links = of_mesh;  // a local, which no write of an item can change
   const Index slots = links.slots(Centre{});
   Index steps = links.halfedge_slots();
   Index* const items = out.items.data();
+  const Index* const end = items + links.halfedge_slots();
   Index* const offsets = out.offsets.data();
-  Index size = 0;
+  Index* at = items;
   for (Index i = 0; i < slots; ++i) {
-    offsets[i] = size;
+    offsets[i] = Index(at - items);
     if (!has_ring(links, Centre(i))) continue;
     const Halfedge first = first_of<Ring>(links, Centre(i));
     if constexpr (kTryShort) {
-      const Index length = write_short_ring<Ring>(links, first, items + size);
-      if (length <= std::min(steps, kShortRing)) {
-        steps -= length;
-        size += length;
+      const Index length = write_short_ring<Ring>(links, first, at);
+      if (length <= std::min(steps, kShortRing) && at + length <= end) {
+        at += length;
+        if constexpr (Ring::View::kCanBeEmpty) steps -= length;
         continue;
       }
     }
-    const bool closes = walk_ring<Ring>(links, first, steps, [&](Index item) {
-      items[size] = item;  // a missing face is overwritten by the next item
-      size += !Ring::View::kCanBeEmpty || item != kNone ? 1 : 0;
-    });
-    if (!closes) return i;
+    if (!write_ring_at<Ring>(links, first, at, end, steps)) return i;
   }
-  offsets[slots] = size;
-  (void)out.items.resize(size);  // shrinks
+  offsets[slots] = Index(at - items);
+  (void)out.items.resize(offsets[slots]);  // shrinks
   return kNone;
 }
 
