@@ -71,7 +71,7 @@ class RecycledItems {
 
 /// Joins `c`, which is isolated, to the corners of the loop of `h`; see create_center_vertex.
 template <class Mesh, class Items>
-[[nodiscard]] Halfedge fan_out(Mesh& mesh, Halfedge h, Vertex c, Items items) {
+[[nodiscard]] Halfedge fan_out(Mesh& mesh, Halfedge h, Vertex c, Items&& items) {
   const Face f = face_of(mesh, h);
   const auto of_sides = mesh.unnoted_writer();
   const auto& of_new = items.writer();
