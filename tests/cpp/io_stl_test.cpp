@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <halfedge/io/parse.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -146,6 +147,69 @@ TEST(Stl, NotesAnOddEnd) {
   EXPECT_EQ(parse_stl(longer).notes,
             std::vector<std::string>{"ignored the 3 bytes behind the last of the 1 triangles that "
                                      "the header promises"});
+}
+
+std::string on_one_line(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+TEST(Stl, TakesTextOnAnyLines) {
+  std::string part = kText;
+  part.replace(0, part.find('\n'), "solid my facet normal part");  // no number follows: a name
+  for (const std::string& text : {on_one_line(part), on_one_line(part + part)}) {
+    const Parsed file = parse_stl(text);
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.faces.size(), text.size() > part.size() ? 4U : 2U);
+    EXPECT_EQ(file.positions, kSquare);
+  }
+  const std::string facet = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 1 1 0 ";
+  EXPECT_EQ(parse_stl("solid\n" + facet + "endloop endfacet\nendsolid\n").faces.size(), 1U);
+}
+
+TEST(Stl, TakesSolidsWithoutAnEnd) {
+  const std::string part = kText.substr(0, kText.find("endsolid"));
+  const Parsed file = parse_stl(part + part + kText);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces.size(), 6U);
+  EXPECT_EQ(file.notes,
+            (std::vector<std::string>{"2 solids end without endsolid before the last one",
+                                      "ignored the names of 3 solids"}));
+}
+
+TEST(Stl, PassesOverWhatFillsUpATextBehindItsEnd) {
+  const std::string small = kText.substr(0, kText.find(" facet normal nan")) + "endsolid\n";
+  for (const std::string& text : {kText, small}) {
+    for (const std::string& padding : {"\0"s, std::string(600, '\0'), "\x1A"s, "\x1A\0\0"s}) {
+      const auto file = parse(bytes_of(text + padding));
+      ASSERT_TRUE(file) << file.error().message;
+      EXPECT_FALSE(file.value().binary);
+      EXPECT_EQ(file.value().soup.view().face_count(), text == kText ? 2U : 1U);
+      EXPECT_EQ(file.value().notes.size(), 1U);
+    }
+  }
+  EXPECT_EQ(stl_error("solid"s + std::string(30, '\0')).substr(0, 10), "truncated:");
+}
+
+// Programs that write as they go begin with such a count, and some never come back to it.
+TEST(Stl, CountsTheTrianglesWhereTheHeaderHasAPlaceholder) {
+  for (const std::string header : {"made by us", "solid"}) {
+    for (const std::uint32_t count : {0U, UINT32_MAX}) {
+      std::string bytes = binary({kFirst, kSecond}, header);
+      bytes.replace(80, 4, raw(count));
+      for (std::size_t at : {84U, 134U}) bytes.replace(at, 12, std::string(12, '\0'));
+      const auto file = parse(bytes_of(bytes));
+      ASSERT_TRUE(file) << file.error().message;
+      EXPECT_EQ(file.value().soup.view().face_count(), 2U);
+      EXPECT_EQ(file.value().notes,
+                std::vector<std::string>{"the header promises " + std::to_string(count) +
+                                         " triangles, but the file has 2, which were read"});
+    }
+  }
+  // What follows no triangle is none.
+  const auto none = parse(bytes_of(binary({}, "solid") + std::string(100, '\0')));
+  ASSERT_TRUE(none) << none.error().message;
+  EXPECT_EQ(none.value().soup.view().face_count(), 0U);
 }
 
 TEST(Stl, NotesTheNamesOfSolids) {

@@ -69,6 +69,13 @@ std::size_t TextScanner::lines_between(const char* from, const char* to) {
   return lines;
 }
 
+std::span<const std::uint8_t> without_padding(std::span<const std::uint8_t> bytes) {
+  constexpr std::uint8_t kCtrlZ = 0x1A;
+  std::size_t size = bytes.size();
+  while (size > 0 && (bytes[size - 1] == 0 || bytes[size - 1] == kCtrlZ)) --size;
+  return bytes.first(size);
+}
+
 std::string quoted(std::string_view text) {
   constexpr std::size_t kShown = 32;
   std::string quoted = "\"";

@@ -31,11 +31,17 @@ inline constexpr std::array<CharClass, 256> kCharClasses = [] {
 /// A part of a file in quotation marks, for a sentence. Plain ASCII and short, whatever the bytes.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// That of UTF-8, which some programs start a text with.
+inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// A text without what some programs leave behind its end: NULs, and the Ctrl-Z of DOS.
+[[nodiscard]] std::span<const std::uint8_t> without_padding(std::span<const std::uint8_t> bytes);
+
 /// A cursor over the bytes of a text file, which need not end with NUL. Never reads beyond them.
 ///
 /// Lines end with LF, CR LF or CR; `#` starts a comment that runs to the end of its line; a
-/// backslash before the end of a line joins the next line to it. Line numbers are counted only when
-/// asked for, so that they cost nothing on the way.
+/// backslash at the end of a line, before blanks at most, joins the next line to it. Line numbers
+/// are counted only when asked for, so that they cost nothing on the way.
 class TextScanner {
  public:
   /// Starts behind the UTF-8 byte-order mark, if there is one.
@@ -43,7 +49,7 @@ class TextScanner {
       : begin_(reinterpret_cast<const char*>(bytes.data())),
         end_(begin_ + bytes.size()),
         at_(begin_) {
-    if (rest().starts_with("\xEF\xBB\xBF")) at_ += 3;
+    (void)skip(kByteOrderMark);
   }
 
   [[nodiscard]] const char* position() const { return at_; }
@@ -93,6 +99,12 @@ class TextScanner {
     for (skip_blanks(); at_ != end_ && at_line_end(); skip_blanks()) skip_line();
   }
 
+  /// Past `word`, if it is next.
+  bool skip(std::string_view word) {
+    if (!rest().starts_with(word)) return false;
+    at_ += word.size();
+    return true;
+  }
   /// Past `c`, if it is next.
   bool skip(char c) {
     if (at_ == end_ || *at_ != c) return false;
@@ -165,7 +177,8 @@ class TextScanner {
     }
   }
   bool skip_continuation() {
-    const char* const next = at_ + 1;
+    const char* next = at_ + 1;
+    while (next != end_ && class_of(*next) == CharClass::kBlank) ++next;
     if (next != end_ && class_of(*next) != CharClass::kNewline) return false;
     at_ = next;
     skip_newline();

@@ -1,0 +1,151 @@
+#include <halfedge/build/sentence.h>
+#include <halfedge/io/stl_reader.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace halfedge::io {
+namespace {
+
+constexpr std::size_t kCorners = 12;  // behind the normal
+constexpr std::size_t kBlock = 256;   // so many triangles are read at once
+
+/// The two bytes behind each triangle, which some programs have colours in.
+SoupAttribute face_attribute() {
+  SoupAttribute column;
+  column.name = "attribute";
+  column.item = SoupItem::kFace;
+  column.type = Scalar::kUint16;
+  column.on_split = OnSplit::kCopy;
+  return column;
+}
+/// Reads those of the triangles `at`, of which the first is `face`. Makes room for all at the first
+/// one that isn't 0. False when memory is exhausted.
+bool read_values(const std::uint8_t* at, std::size_t face, std::size_t count, std::size_t faces,
+                 SoupAttribute& column) {
+  for (std::size_t i = 0; i < count; ++i, at += kStlTriangle) {
+    const auto value = load<std::uint16_t, ByteOrder::kLittle>(at + 48);
+    if (value == 0) continue;
+    if (!column.values.resize(sizeof(value) * faces, std::byte{})) return false;
+    std::memcpy(&column.values[sizeof(value) * (face + i)], &value, sizeof(value));
+  }
+  return true;
+}
+
+/// pre: one of the triangles, of which the first is `face`, is not finite
+Error first_not_finite(std::size_t face, std::span<const float> triangles) {
+  while (are_finite(triangles.first(9))) {
+    triangles = triangles.subspan(9);
+    ++face;
+  }
+  Error at = error_at_byte(kStlStart + kStlTriangle * face, "non-finite-position", "");
+  return not_finite(std::move(at), triangles.first(9), face);
+}
+
+/// Programs that write as they go begin with a count of 0 or -1, and some never come back to it:
+/// then the size tells.
+std::uint64_t triangles_of(std::span<const std::uint8_t> bytes) {
+  const std::uint64_t announced = announced_triangles(bytes);
+  const std::size_t size = bytes.size() - kStlStart;
+  const bool is_placeholder = announced == 0 || announced == UINT32_MAX;
+  return is_placeholder && size % kStlTriangle == 0 && has_stl_triangles(bytes)
+             ? size / kStlTriangle
+             : announced;
+}
+
+}  // namespace
+
+bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
+  constexpr std::size_t kLooked = 16;
+  constexpr float kNothing = 1e-30F;
+  if (bytes.size() < kStlStart + kStlTriangle) return false;
+  const std::size_t room = (bytes.size() - kStlStart) / kStlTriangle;
+  const std::uint64_t announced = announced_triangles(bytes);
+  const std::size_t looked =
+      std::min({kLooked, room, announced == 0 ? room : std::size_t(announced)});
+  const std::uint8_t* at = bytes.data() + kStlStart;
+  bool are_nothing = true;
+  for (std::size_t i = 0; i < looked; ++i, at += kStlTriangle) {
+    std::array<float, 12> numbers;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      numbers[k] = load<float, ByteOrder::kLittle>(at + 4 * k);
+    }
+    if (!are_finite(numbers)) return false;
+    are_nothing &=
+        std::all_of(numbers.begin(), numbers.end(), [](float x) { return std::abs(x) < kNothing; });
+    const float length = std::hypot(numbers[0], numbers[1], numbers[2]);
+    if (length > 0.01F && std::abs(length - 1) > 0.01F) return false;
+  }
+  return !are_nothing;
+}
+
+Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
+                                   const ParseOptions& options) {
+  if (bytes.size() < kStlStart) {
+    return Error{
+        "truncated",
+        sentence::of(
+            "the file has {} bytes, expected at least the {} bytes that start a binary STL file",
+            bytes.size(), kStlStart)};
+  }
+  const std::uint64_t count = triangles_of(bytes);
+  const std::uint64_t room = (bytes.size() - kStlStart) / kStlTriangle;
+  if (count > room) {
+    const std::size_t rest = (bytes.size() - kStlStart) % kStlTriangle;
+    return error_at_byte(
+        bytes.size(), "truncated",
+        sentence::of("the bytes of this binary STL file of {} triangles end after {} of them{}",
+                     count, room,
+                     (rest == 0 ? "" : " and " + std::to_string(rest) + " bytes of the next one")));
+  }
+
+  TriangleWriter writer(bytes, {options});
+  SoupWriter& out = writer.out();
+  writer.reserve(static_cast<std::size_t>(count));
+  const std::uint8_t* at = bytes.data() + kStlStart;
+  SoupAttribute attribute = face_attribute();
+  const auto faces = static_cast<std::size_t>(count);
+  std::array<float, 9 * kBlock> numbers;
+  for (std::size_t face = 0; face < faces && !out.out_of_memory(); face += kBlock) {
+    out.reached(at);
+    const std::size_t block = std::min(kBlock, faces - face);
+    for (std::size_t i = 0; i < block; ++i) {
+      for (std::size_t k = 0; k < 9; ++k) {
+        numbers[9 * i + k] =
+            load<float, ByteOrder::kLittle>(at + kStlTriangle * i + kCorners + 4 * k);
+      }
+    }
+    const std::span<const float> read = std::span(numbers).first(9 * block);
+    if (!options.for_repair && !are_finite(read)) return first_not_finite(face, read);
+    writer.add(read);
+    if (options.attributes && !read_values(at, face, block, faces, attribute)) {
+      out.set_out_of_memory();
+    }
+    at += kStlTriangle * block;
+  }
+  if (std::optional<Error> error = check_size(out)) return *std::move(error);
+
+  ParsedFile file{Format::kStl, std::move(out.soup()), {}, true};
+  if (!attribute.values.empty()) file.attributes.push_back(std::move(attribute));
+  const std::uint64_t announced = announced_triangles(bytes);
+  if (announced != count) {
+    file.notes.push_back(
+        sentence::of("the header promises {} triangles, but the file has {}, which were read",
+                     announced, count));
+  }
+  const std::size_t rest =
+      bytes.size() - kStlStart - static_cast<std::size_t>(count) * kStlTriangle;
+  if (rest > 0) {
+    file.notes.push_back(sentence::of(
+        "ignored the {} bytes behind the last of the {} triangles that the header promises", rest,
+        count));
+  }
+  return file;
+}
+
+}  // namespace halfedge::io
