@@ -160,6 +160,53 @@ TEST(Ply, TakesPointsAlone) {
   EXPECT_TRUE(file.faces.empty());
 }
 
+std::string with(std::string text, char from, char to) {
+  std::replace(text.begin(), text.end(), from, to);
+  return text;
+}
+
+TEST(Ply, TakesRowsOnAnyLines) {
+  for (const std::string& rows : {with(kRows, ' ', '\n'), with(kRows, '\n', ' '),
+                                  "\n# corners\n0 0\n0\n1\n0 0 # x\n\n0 1 0\n3 0 1\n 2"s}) {
+    const Parsed file = parse_ply(header("ascii") + rows);
+    EXPECT_EQ(file.error, "") << rows;
+    EXPECT_EQ(file.positions, kCorner);
+    EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}}));
+    EXPECT_TRUE(file.notes.empty());
+  }
+  const std::string vertices = header("ascii") + "0 0\n0\n1 0\n0\n0 1 0\n";
+  EXPECT_EQ(ply_error(vertices + "3 0 1\n7\n"),
+            "index-out-of-range: line 16: corner 2 of face 0 is \"7\", expected a vertex from 0 to "
+            "2");
+  EXPECT_EQ(ply_error(vertices + "3 0 1\n").substr(0, 18), "truncated: line 15");
+}
+
+TEST(Ply, PassesOverWhatARowHasMoreThanTheHeaderSays) {
+  const std::string colors = "0 0 0 255\n1 0 0 0 0\n0 1 0\n3 0 1 2 1 2 3\n";
+  const Parsed file = parse_ply(header("ascii") + colors);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.positions, kCorner);
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}}));
+  EXPECT_EQ(file.notes, std::vector<std::string>{
+                            "ignored what 3 rows have beyond the properties of the header"});
+}
+
+TEST(Ply, TakesTheOnlyListOfIntegersForTheVertices) {
+  const std::string faces = "element face 1\nproperty list uchar int corners\n";
+  const Parsed file = parse_ply(header("ascii", kVertices + faces) + kRows);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}}));
+  EXPECT_EQ(file.notes,
+            std::vector<std::string>{"took the list \"corners\" of \"face\" for its vertices"});
+  const std::string error =
+      "parse-error: line 10: the element face has no list vertex_indices (or vertex_index)";
+  EXPECT_EQ(ply_error(header("ascii", kVertices + faces + "property list uchar int more\n")),
+            error);
+  EXPECT_EQ(ply_error(header("ascii", kVertices + "element face 1\nproperty list uchar float uv\n"
+                                                  "property uchar red\n")),
+            error);
+}
+
 TEST(Ply, NotesWhatFollows) {
   EXPECT_EQ(
       parse_ply(header("ascii") + kRows + "\nmore\n").notes,

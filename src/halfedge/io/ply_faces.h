@@ -15,6 +15,10 @@ template <class Source>
 bool PlyReader<Source>::read_faces(const PlyElement& element) {
   const PlyProperty* const list = element.vertex_list();
   if (list == nullptr) return true;  // and no faces: the header was checked
+  if (element.count > 0 && !list->name.starts_with("vertex_ind")) {
+    notes_.push_back(sentence::of("took the list {} of {} for its vertices", quoted(list->name),
+                                  quoted(element.name)));
+  }
   const std::uint64_t corners =
       std::min(3 * element.count, source_.room(list->type, element.count, *list->length_type));
   out_.reserve(0, static_cast<std::size_t>(corners));

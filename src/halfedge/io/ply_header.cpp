@@ -237,13 +237,25 @@ const PlyProperty* PlyElement::vertex_list() const {
     const PlyProperty* const property = find(name);
     if (property != nullptr && property->length_type) return property;
   }
-  return nullptr;
+  const PlyProperty* only = nullptr;
+  for (const PlyProperty& property : properties) {
+    if (!property.length_type || !is_integer(property.type)) continue;
+    if (only != nullptr) return nullptr;
+    only = &property;
+  }
+  return only;
 }
 
 const PlyElement* PlyHeader::find(std::string_view element) const {
   const auto at = std::find_if(elements.begin(), elements.end(),
                                [element](const PlyElement& e) { return e.name == element; });
   return at == elements.end() ? nullptr : &*at;
+}
+
+std::uint64_t PlyHeader::rows() const {
+  std::uint64_t rows = 0;
+  for (const PlyElement& element : elements) rows += element.properties.empty() ? 0 : element.count;
+  return rows;
 }
 
 Result<PlyHeader> read_ply_header(std::span<const std::uint8_t> bytes) {

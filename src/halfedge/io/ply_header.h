@@ -45,7 +45,8 @@ struct PlyElement {
 
   /// The property of this name, or null.
   [[nodiscard]] const PlyProperty* find(std::string_view property) const;
-  /// The list of the vertices of each row, under either of its usual names, or null.
+  /// The list of the vertices of each row, under either of its usual names, or else the only list
+  /// of integers; or null.
   [[nodiscard]] const PlyProperty* vertex_list() const;
 };
 
@@ -60,6 +61,8 @@ struct PlyHeader {
 
   /// The element of this name, or null.
   [[nodiscard]] const PlyElement* find(std::string_view element) const;
+  /// How many rows follow, of all elements.
+  [[nodiscard]] std::uint64_t rows() const;
 };
 
 /// Reads the header. Counts that the rest of the file is too short for are refused, so that memory

@@ -211,7 +211,7 @@ std::vector<std::string> PlyReader<Source>::notes() {
         "the list \"texcoord\" of {}{} has not two numbers for each corner: what is missing is 0",
         wrong_textures_, wrong_textures_ == 1 ? " face" : " faces"));
   }
-  if (std::string rest = source_.rest(); !rest.empty()) notes_.push_back(std::move(rest));
+  source_.add_notes(notes_);
   return std::move(notes_);
 }
 

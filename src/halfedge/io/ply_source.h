@@ -13,15 +13,19 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace halfedge::io {
 
-/// The values of a PLY file in text form. A row may not be broken over lines, so that one with too
-/// few values is found where it is.
+/// The values of a PLY file in text form. Rows are lines, so that one with too few or too many
+/// values is found where it is; unless there are more lines than rows, or fewer: then rows are
+/// broken over lines, or share them.
 class PlyText {
  public:
-  PlyText(std::span<const std::uint8_t> bytes, std::size_t offset) : text_(bytes) {
-    text_.move_to(reinterpret_cast<const char*>(bytes.data()) + offset);
+  PlyText(std::span<const std::uint8_t> bytes, std::size_t offset, std::uint64_t rows)
+      : text_(bytes), data_(text_), rows_(rows) {
+    data_.move_to(reinterpret_cast<const char*>(bytes.data()) + offset);
+    text_ = data_;
   }
 
   /// As many values as the rest of the file can hold, behind `others` values of another type.
@@ -33,36 +37,39 @@ class PlyText {
   [[nodiscard]] const void* position() const { return text_.position(); }
   /// Returns where the row starts.
   const char* begin_row() {
+    if (text_.position() != data_.position()) end_row();
     text_.skip_to_token();
     return text_.position();
   }
   /// Each reads or skips the next value of the row; false, at that value, if it is none.
   [[nodiscard]] bool read(PlyType, float& value) {
     text_.skip_blanks();
-    return text_.read_float(value);
+    return text_.read_float(value) || (next_line() && text_.read_float(value));
   }
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     text_.skip_blanks();
+    if (text_.at_line_end() && !next_line()) return false;
     const char* const start = text_.position();
     if (text_.read_integer(value) && text_.at_token_end()) return true;
     text_.move_to(start);
     return !is_integer(type) && read_whole_float(value);
   }
   [[nodiscard]] bool read(PlyType type, std::byte* value) {
-    return read_number(text_, type, value);
+    return read_number(text_, type, value) || (next_line() && read_number(text_, type, value));
   }
   [[nodiscard]] bool skip(PlyType, std::uint64_t count) {
     for (; count > 0; --count) {
       text_.skip_blanks();
-      if (text_.at_line_end()) return false;
+      if (text_.at_line_end() && !next_line()) return false;
       text_.skip_token();
     }
     return true;
   }
 
-  /// The place of the value that was read last, to go back to it.
+  /// The place of the next value, to go back to it.
   [[nodiscard]] const char* mark() {
     text_.skip_blanks();
+    (void)next_line();
     return text_.position();
   }
   void move_to(const char* mark) { text_.move_to(mark); }
@@ -76,15 +83,45 @@ class PlyText {
   [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t) const {
     return io::index_error(text_, corner, face);
   }
-  /// What follows the last row, as a note; "" if there is nothing.
-  [[nodiscard]] std::string rest() {
+  /// Says what was not read, when all rows have been.
+  void add_notes(std::vector<std::string>& notes) {
+    end_row();
+    if (long_rows_ > 0) {
+      notes.push_back(
+          sentence::of("ignored what {} beyond the properties of the header",
+                       long_rows_ == 1 ? "1 row has" : sentence::of("{} rows have", long_rows_)));
+    }
     text_.skip_to_token();
-    if (text_.at_end()) return "";
-    return sentence::of("ignored what follows the last element, from line {} on: {}", text_.line(),
-                        text_.found());
+    if (text_.at_end()) return;
+    notes.push_back(sentence::of("ignored what follows the last element, from line {} on: {}",
+                                 text_.line(), text_.found()));
   }
 
  private:
+  /// Past what a row has behind its last value, unless that is another row.
+  void end_row() {
+    text_.skip_blanks();
+    if (text_.at_line_end() || lines() < rows_) return;
+    ++long_rows_;
+    text_.skip_line();
+  }
+  /// From the end of a line to the next value, where rows are broken over lines. False, without
+  /// moving, if that is not so.
+  [[nodiscard]] bool next_line() {
+    if (!text_.at_line_end() || text_.at_end() || lines() <= rows_) return false;
+    text_.skip_to_token();
+    return true;
+  }
+  /// Lines with something on them. Counted when first asked for.
+  [[nodiscard]] std::uint64_t lines() {
+    if (lines_ > 0) return lines_;
+    TextScanner text = data_;
+    for (text.skip_to_token(); !text.at_end(); text.skip_to_token()) {
+      ++lines_;
+      text.skip_line();
+    }
+    return lines_;
+  }
   /// 3.0, where the header says that an index is a float.
   [[nodiscard]] bool read_whole_float(std::int64_t& value) {
     const char* const start = text_.position();
@@ -98,6 +135,10 @@ class PlyText {
   }
 
   TextScanner text_;
+  TextScanner data_;  // stays behind the header
+  std::uint64_t rows_;
+  std::uint64_t lines_ = 0;
+  std::size_t long_rows_ = 0;
 };
 
 /// The values of a binary PLY file.
@@ -169,9 +210,9 @@ class PlyBinary {
     error.witness.faces = {static_cast<Index>(face)};
     return error;
   }
-  [[nodiscard]] std::string rest() const {
-    if (bytes_.left() == 0) return "";
-    return sentence::of("ignored the {} bytes behind the last element", bytes_.left());
+  void add_notes(std::vector<std::string>& notes) const {
+    if (bytes_.left() == 0) return;
+    notes.push_back(sentence::of("ignored the {} bytes behind the last element", bytes_.left()));
   }
 
  private:
