@@ -182,7 +182,7 @@ std::vector<Case> promises() {
        ply("binary_little_endian", "0", "1", "int int") + "\xFF\xFF\xFF\xFF" + "0000",
        "parse-error"},
       {"binary STL of so many triangles",
-       std::string(80, ' ') + "\xFF\xFF\xFF\xFF" + std::string(50, '\0'), "not-text"},
+       std::string(80, ' ') + "\xFF\xFF\xFF\xFF" + std::string(50, '\0'), "unknown-format"},
       {"OBJ with an index of 64 bits", kObj + "f 1 2 18446744073709551617\n", "index-out-of-range"},
       {"OBJ with an index below that", kObj + "f 1 2 -9223372036854775809\n", "index-out-of-range"},
   };

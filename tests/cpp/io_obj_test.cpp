@@ -130,6 +130,23 @@ TEST(Obj, JoinsLinesAtABackslash) {
   }
 }
 
+TEST(Obj, JoinsLinesAtABackslashBeforeBlanks) {
+  const Parsed file = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 \\ \t\n3\n");
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}}));
+  EXPECT_NE(parse_obj("v 0 0 0\nf 1 1 \\ 1\n").error, "");
+}
+
+// A vertex that is taken for an unknown statement would move the indices of all that follow.
+TEST(Obj, SkipsTheByteOrderMarksOfFilesPutTogether) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string part = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+  const Parsed file = parse_obj(mark + mark + part + mark + "\n" + mark + part);
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}, {3, 4, 5}}));
+  EXPECT_TRUE(file.notes.empty());
+}
+
 TEST(Obj, CountsJoinedLinesInErrors) {
   EXPECT_EQ(obj_error("v 0 0 \\\n0\nv 1 \\\n\\\nx 0\n"),
             "parse-error: line 5: expected a number for y of the vertex, found \"x\"");

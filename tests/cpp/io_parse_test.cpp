@@ -89,6 +89,9 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
       {"\x1F\x8B\x08\0\0"s, "a gzip archive, to be unpacked first"},
       {"PK\x03\x04\x14\0"s, "a ZIP archive (perhaps 3MF), to be unpacked first"},
       {"Kaydara FBX Binary  \0\x1A"s, "an FBX file"},
+      {"7z\xBC\xAF\x27\x1C\0\4"s, "a 7z archive, to be unpacked first"},
+      {"\x28\xB5\x2F\xFD\0\0"s, "a Zstandard archive, to be unpacked first"},
+      {"# .PCD v0.7\nVERSION 0.7\n", "a PCD point cloud"},
       {"# vtk DataFile Version 3.0\nv 1\n", "a VTK file"}};
   for (const auto& [text, name] : kinds) {
     for (const auto claimed : {std::optional<Format>{}, std::optional{Format::kObj}}) {
@@ -113,7 +116,7 @@ TEST(Parse, RefusesUtf16AndBinary) {
   EXPECT_EQ(error_of(std::string(4096, '\0'), Format::kObj),
             "not-text: byte 0 is 0, which no text has: this is no OBJ, OFF, PLY or STL file in "
             "text form");
-  EXPECT_EQ(error_of("v 1 2 3\nabc\0"s, Format::kObj),
+  EXPECT_EQ(error_of("v 1 2 3\nabc\0d"s, Format::kObj),
             "not-text: byte 11 is 0, which no text has: this is no OBJ, OFF, PLY or STL file in "
             "text form");
 }

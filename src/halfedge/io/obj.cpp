@@ -73,7 +73,7 @@ Statement statement_of(std::string_view word) {
 class ObjReader {
  public:
   ObjReader(std::span<const std::uint8_t> bytes, const Request& request)
-      : text_(bytes), options_(request.options), out_(request.wanted) {
+      : text_(without_padding(bytes)), options_(request.options), out_(request.wanted) {
     out_.follow(bytes, options_.progress);
   }
 
@@ -126,6 +126,9 @@ class ObjReader {
 };
 
 bool ObjReader::read_statement() {
+  // Files that were put together have the byte-order mark of each.
+  while (text_.skip(kByteOrderMark)) text_.skip_blanks();
+  if (text_.at_line_end()) return true;
   const char* const start = text_.position();
   const std::string_view word = text_.token();
   const Statement statement = statement_of(word);

@@ -48,6 +48,8 @@ class ObjWriter {
   void write() {
     choose();
     write_libraries();
+    // An empty file is of no format: this statement, which changes nothing, tells that it is OBJ.
+    if (mesh_.vertex_count() == 0) out_.text("# no vertices\nusemtl\n");
     mesh_.for_each_vertex([this](Index v) {
       out_.text("v");
       for (std::size_t i = 0; i < 3; ++i) out_.number(' ', mesh_.position(v)[i]);

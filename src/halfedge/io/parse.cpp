@@ -34,6 +34,15 @@ const char* name_of_unreadable(std::string_view bytes, std::string_view text) {
       {"#VRML", "a VRML file"},
       {"$MeshFormat", "a Gmsh file"},
       {"%PDF-", "a PDF document"},
+      {"# .PCD", "a PCD point cloud"},
+      {"#usda", "a USD file"},
+      {"PXR-USDC", "a USD file"},
+      {"MeshVersionFormatted", "a Medit file"},
+      {"7z\xBC\xAF\x27\x1C", "a 7z archive, to be unpacked first"},
+      {"Rar!", "a RAR archive, to be unpacked first"},
+      {"BZh", "a bzip2 archive, to be unpacked first"},
+      {"\xFD\x37zXZ", "an xz archive, to be unpacked first"},
+      {"\x28\xB5\x2F\xFD", "a Zstandard archive, to be unpacked first"},
       {"\x89PNG", "a PNG image"},
       {"\xFF\xD8\xFF", "a JPEG image"},
   };
@@ -77,7 +86,9 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
   const bool has_nul = raw.find('\0') != std::string_view::npos;
   const bool is_stl = stl == io::StlKind::kBinaryOfWrongSize || claimed == Format::kStl;
   if (has_nul && is_stl) return Format::kStl;
-  if (const std::size_t nul = raw.find('\0'); nul != std::string_view::npos) {
+  const std::size_t size = io::without_padding(bytes).size();
+  const std::string_view content = size == 0 ? raw : raw.substr(0, size);
+  if (const std::size_t nul = content.find('\0'); nul != std::string_view::npos) {
     return Error{
         "not-text",
         sentence::of(
