@@ -1,29 +1,142 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { PerspectiveCamera, Scene } from 'three';
+import { ARROW_FLOATS, ArrowTracer, arrowSizes } from 'halfedge/three';
+import { Color, type Mesh, PerspectiveCamera, Scene } from 'three';
+import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { ArrowLayer } from '../../dist/scene/arrow-layer.js';
 import { FaceFrames } from '../../dist/scene/faces.js';
 import { Surface } from '../../dist/scene/surface.js';
+import { Card } from './support/card.js';
+import { drawLines } from './support/lines-on-card.js';
+import { random } from './support/random.js';
+import { randomEdit, refusalOf } from './support/random-edits.js';
 
 beforeAll(() => init());
 
-/** A stage with a camera near enough for all faces of a mesh at the origin to be large. */
-function stage() {
+const ARROW = new Color(0.25, 0.5, 0.75);
+const BOUNDARY = new Color(1, 0.5, 0);
+
+/** A layer before a camera near enough for all faces of a mesh at the origin to be large, and what it draws. */
+function layerInSight(pixels = 2000) {
   const camera = new PerspectiveCamera(60);
   camera.position.set(0, 0, 3);
   camera.updateMatrixWorld();
-  const pixelAt = (depth: number) => depth / 2000;
-  return { scene: new Scene(), camera, pixelAt, depthOf: () => 3 };
+  const pixelAt = (depth: number) => depth / pixels;
+  const scene = new Scene();
+  const layer = new ArrowLayer({ scene, camera, pixelAt, depthOf: () => 3 } as never);
+  layer.setColors(ARROW, ARROW, BOUNDARY);
+  const [{ geometry }] = scene.children as Mesh[];
+  const card = new Card();
+  const draw = (near: readonly number[], middle: number | null = null) => {
+    layer.update(near, middle);
+    return drawLines(card, geometry as unknown as LineSegmentsGeometry);
+  };
+  return { layer, draw, pixelAt };
 }
 
-test('faces of another mesh have their arrows, whichever were near before', () => {
-  const layer = new ArrowLayer(stage() as never);
-  for (let turn = 0; turn < 4; turn++) {
-    const mesh = HalfedgeMesh.grid(6, 6);
-    const surface = new Surface(mesh as never);
-    layer.show(surface, new FaceFrames(surface));
-    for (let frame = 0; frame <= turn; frame++) {
-      layer.update([(7 * turn + 5 * frame) % mesh.faceCount], null);
-      expect([...layer.large].sort((a, b) => a - b)).toEqual([...mesh.faces()]);
+const sorted = (segments: number[][]) => segments.map(String).sort();
+const isArrow = (segment: number[]) => segment[8] === ARROW.b;
+
+describe('The arrows of a scene', () => {
+  test('are those of all faces of another mesh, whichever were near before', () => {
+    const { layer, draw } = layerInSight();
+    for (let turn = 0; turn < 4; turn++) {
+      const mesh = HalfedgeMesh.grid(6, 6);
+      const surface = new Surface(mesh as never);
+      layer.show(surface, new FaceFrames(surface));
+      for (let frame = 0; frame <= turn; frame++) {
+        draw([(7 * turn + 5 * frame) % mesh.faceCount]);
+        expect([...layer.large].sort((a, b) => a - b)).toEqual([...mesh.faces()]);
+      }
+      mesh.dispose();
     }
-  }
+  });
+
+  test('lie in each face where they are traced, frame after frame', () => {
+    const mesh = HalfedgeMesh.grid(4, 3);
+    mesh.insertVertexOnEdge(7); // a face of five corners
+    const surface = new Surface(mesh as never);
+    const frames = new FaceFrames(surface);
+    const { layer, draw, pixelAt } = layerInSight();
+    layer.show(surface, frames);
+    const expected = [...mesh.faces()].flatMap((f) => {
+      const corners: number[] = [];
+      const degree = surface.corners(f, corners);
+      const depth = 3 - frames.data[frames.at(f) + 2];
+      const out = new Float32Array(degree * ARROW_FLOATS);
+      new ArrowTracer().traceFace(corners, degree, arrowSizes(pixelAt(depth)), out, 0);
+      return Array.from({ length: degree }, (_, i) => [9 * i, 9 * i + 3]).flatMap((ats) =>
+        ats.map((at) => [...out.subarray(at, at + 6)]),
+      );
+    });
+    for (let frame = 0; frame < 3; frame++) {
+      const arrows = draw([frame]).filter(isArrow);
+      expect(arrows.length).toBe(expected.length);
+      const far = expected.filter(
+        (segment) =>
+          !arrows.some((drawn) => segment.every((x, k) => Math.abs(x - drawn[k]) < 1e-5)),
+      );
+      expect(far).toEqual([]);
+    }
+    mesh.dispose();
+  });
+
+  test.each([1, 2, 3])('are those of a layer that sees the mesh first: seed %i', (seed) => {
+    const next = random(seed);
+    const mesh = seed === 3 ? HalfedgeMesh.dodecahedron() : HalfedgeMesh.grid(5, 4);
+    mesh.history.enabled = true;
+    const surface = new Surface(mesh as never);
+    const frames = new FaceFrames(surface);
+    const { layer, draw } = layerInSight();
+    layer.show(surface, frames);
+    for (let step = 0; step < 60; step++) {
+      const change = surface.update();
+      frames.forget(change?.faces ?? null);
+      layer.change(change?.faces ?? null);
+      const faces = [...mesh.faces()];
+      const near = faces.filter(() => next() < 0.1);
+      const first = layerInSight();
+      first.layer.show(surface, new FaceFrames(surface));
+      const [mine, expected] = [sorted(draw(near)), sorted(first.draw(near))];
+      const other = mine.filter((segment, i) => segment !== expected[i]);
+      expect([mine.length, other.length]).toEqual([expected.length, 0]);
+      expect(layer.boundary).toEqual(first.layer.boundary);
+      expect(layer.large).toEqual(first.layer.large);
+      if (next() < 0.2) mesh.history.undo();
+      else refusalOf(randomEdit(mesh, next));
+    }
+    mesh.dispose();
+  });
+
+  test('leave out what is hidden, and all where they are not to be seen', () => {
+    const mesh = HalfedgeMesh.grid(3, 3);
+    const surface = new Surface(mesh as never);
+    const { layer, draw } = layerInSight();
+    layer.show(surface, new FaceFrames(surface));
+    const whole = sorted(draw([]));
+    expect(layer.boundary).toHaveLength(12);
+    layer.hidden = new Set([4]);
+    expect(whole.length - draw([]).length).toBe(2 * mesh.degree(4));
+    layer.visible = false;
+    expect(draw([])).toEqual([]);
+    expect([layer.boundary, layer.large]).toEqual([[], []]);
+    [layer.hidden, layer.visible] = [new Set(), true];
+    expect(sorted(draw([]))).toEqual(whole);
+    mesh.dispose();
+  });
+
+  test('spread from the middle of a mesh with more faces than are drawn', () => {
+    const mesh = HalfedgeMesh.grid(100, 100);
+    const surface = new Surface(mesh as never);
+    const { layer, draw } = layerInSight(20_000);
+    layer.show(surface, new FaceFrames(surface));
+    expect(draw([]).length).toBe(0);
+    const middle = 5050;
+    expect(draw([], middle).filter(isArrow).length).toBe(8 * 8000);
+    expect(layer.large[0]).toBe(middle);
+    expect(new Set(layer.large).size).toBe(8000);
+    draw([17], middle);
+    expect(layer.large[0]).toBe(17);
+    expect(layer.large.includes(middle)).toBe(true);
+    mesh.dispose();
+  });
 });

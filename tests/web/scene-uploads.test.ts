@@ -1,38 +1,13 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { ShownTriangles, Surface } from 'halfedge/scene';
 import { ARROW_FLOATS, LineBatch } from 'halfedge/three';
-import { type BufferAttribute, Color, type InterleavedBufferAttribute, Vector3 } from 'three';
+import { Color, Vector3 } from 'three';
+import { Card } from './support/card.js';
+import { drawLines } from './support/lines-on-card.js';
 import { random } from './support/random.js';
 import { randomEdit, refusalOf } from './support/random-edits.js';
 
 beforeAll(() => init());
-
-/** What a graphics card holds of an attribute, which is sent ranges of it. */
-class Card {
-  readonly #copies = new Map<BufferAttribute, { array: ArrayLike<number>; version: number }>();
-  bytes = 0;
-
-  upload(attribute: BufferAttribute): void {
-    const { array, version, updateRanges } = attribute;
-    const known = this.#copies.get(attribute);
-    if (known?.version === version) return;
-    const copy = known && updateRanges.length > 0 ? (known.array as Float32Array) : array.slice();
-    if (copy === known?.array) {
-      for (const { start, count } of updateRanges) {
-        copy.set(array.subarray(start, start + count), start);
-        this.bytes += 4 * count;
-      }
-    } else {
-      this.bytes += array.byteLength;
-    }
-    attribute.clearUpdateRanges();
-    this.#copies.set(attribute, { array: copy, version });
-  }
-
-  read(attribute: BufferAttribute): ArrayLike<number> {
-    return this.#copies.get(attribute)?.array ?? [];
-  }
-}
 
 /** The triangles that the card draws, as coordinates, in some order; those without a place are left out. */
 function drawnBy(card: Card, { triangles: shown, position }: Surface): string[] {
@@ -128,7 +103,7 @@ describe('The triangles of a scene', () => {
 });
 
 describe('A batch of lines', () => {
-  const color = new Color(0.25, 0.5, 0.75);
+  const color = new Color(0.1, 0.2, 0.3);
   const drawn = (batch: LineBatch, changed: number, arrows = 1000) => {
     batch.clear();
     for (let i = 0; i < arrows; i++) {
@@ -138,22 +113,13 @@ describe('A batch of lines', () => {
     }
     batch.upload();
   };
-  const buffers = ({ geometry: { attributes } }: LineBatch) =>
-    ['instanceStart', 'instanceColorStart'].map((name) => {
-      const { data } = attributes[name] as InterleavedBufferAttribute;
-      return { stride: data.stride, data: data as unknown as BufferAttribute };
-    });
 
   test('uploads nothing that the card has already, and some lines around one that is new', () => {
     const [batch, card] = [new LineBatch(), new Card()];
     const bytes = (changed: number, arrows?: number) => {
       drawn(batch, changed, arrows);
       card.bytes = 0;
-      for (const { data, stride } of buffers(batch)) {
-        card.upload(data);
-        const known = Array.from(card.read(data)).slice(0, stride * batch.count);
-        expect(known).toEqual(Array.from(data.array).slice(0, stride * batch.count));
-      }
+      drawLines(card, batch.geometry);
       return card.bytes;
     };
     expect(bytes(-1)).toBeGreaterThan(2000 * 9 * 4 - 1);
@@ -164,6 +130,84 @@ describe('A batch of lines', () => {
     // After fewer lines, those beyond are known still.
     expect(bytes(-1, 20)).toBe(0);
     expect(bytes(-1)).toBe(64 * 9 * 4);
+    batch.geometry.dispose();
+  });
+
+  test('uploads a line of which one number has changed', () => {
+    const [batch, card] = [new LineBatch(), new Card()];
+    const numbers = [0, 1, 2, 3, 4, 5, 0.25, 0.5, 0.75];
+    for (let k = -1; k < numbers.length; k++) {
+      if (k >= 0) numbers[k] += 0.125;
+      batch.clear();
+      batch.add(numbers, 0, 3, new Color().fromArray(numbers, 6));
+      batch.upload();
+      expect(drawLines(card, batch.geometry)).toEqual([numbers]);
+    }
+    batch.geometry.dispose();
+  });
+
+  test('is on the card also after a thousand changes that it did not see', () => {
+    const [batch, card] = [new LineBatch(), new Card()];
+    const lines = Array.from({ length: 200 }, (_, i) => [i, 1, 2, 3, 4, 5, 0, 0, 0]);
+    const upload = () => {
+      batch.clear();
+      for (const line of lines) batch.add(line, 0, 3, new Color(0, 0, 0));
+      batch.upload();
+    };
+    upload();
+    drawLines(card, batch.geometry);
+    lines[0][1] = 7;
+    for (let change = 0; change < 2500; change++) {
+      lines[150][1] = change;
+      upload();
+    }
+    expect(drawLines(card, batch.geometry)).toEqual(lines);
+    batch.geometry.dispose();
+  });
+
+  test.each([1, 2, 3])('is on the card, however seldom that takes it up: seed %i', (seed) => {
+    const next = random(seed);
+    const [batch, card] = [new LineBatch(), new Card()];
+    const sixty = () => Math.floor(60 * next());
+    const lines: number[][] = [];
+    const newLine = () => Array.from({ length: 9 }, () => Math.fround(next()));
+    const add = (line: number[]) => batch.add(line, 0, 3, new Color().fromArray(line, 6));
+    const addArrow = ([shaft, barb]: number[][]) => {
+      barb.splice(0, 3, ...shaft.slice(3, 6));
+      barb.splice(6, 3, ...shaft.slice(6));
+      const arrow = Float32Array.of(...shaft.slice(0, 6), ...barb.slice(3, 6));
+      batch.addArrows(arrow, 1, new Color().fromArray(shaft, 6));
+    };
+    const expectDrawn = () => {
+      const drawn = drawLines(card, batch.geometry);
+      const wrong = lines.filter((line, i) => line.some((x, k) => x !== drawn[i]?.[k]));
+      expect([drawn.length, wrong.length]).toEqual([lines.length, 0]);
+    };
+    for (let frame = 0; frame < 1500; frame++) {
+      // Now and then many more or fewer; mostly one that is new among those of before.
+      const way = next();
+      if (way < 0.01) lines.push(...Array.from({ length: 5 * sixty() }, newLine));
+      else if (way < 0.02) lines.length = Math.min(lines.length, sixty());
+      if (lines.length > 700) lines.length = 100;
+      for (let some = sixty() / 20; some > 0; some--) {
+        lines[Math.floor(next() * (lines.length + 1))] = newLine();
+      }
+      batch.clear();
+      for (let i = 0; i < lines.length; ) {
+        // The same lines are arrows each time.
+        if (i % 7 === 0 || i + 1 === lines.length) add(lines[i++]);
+        else {
+          addArrow([lines[i], lines[i + 1]]);
+          i += 2;
+        }
+      }
+      batch.upload();
+      // In the second half it is hidden for long: ranges come together.
+      if (next() < (frame < 1000 ? 0.2 : 0.002)) {
+        expectDrawn();
+      }
+    }
+    expectDrawn();
     batch.geometry.dispose();
   });
 });

@@ -124,9 +124,13 @@ export class LineBatch {
       while (to < blocks && this.#isStale[to] === 1) this.#isStale[to++] = 0;
       const end = Math.min(to * BLOCK, this.#capacity);
       for (const buffer of this.#buffers) {
-        if (buffer.updateRanges.length > MOST_RANGES) buffer.clearUpdateRanges();
-        else
+        if (buffer.updateRanges.length >= MOST_RANGES) {
+          // A range all the same: three.js uploads the whole buffer only as long as there is none.
+          buffer.clearUpdateRanges();
+          buffer.addUpdateRange(0, buffer.array.length);
+        } else {
           buffer.addUpdateRange(from * BLOCK * buffer.stride, (end - from * BLOCK) * buffer.stride);
+        }
         buffer.needsUpdate = true;
       }
       from = to;
