@@ -30,6 +30,11 @@ function expectSameMesh(mesh: HalfedgeMesh, before: HalfedgeMesh, maps: CompactM
   ]);
   expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
   const { vertices, halfedges, edges, faces } = maps;
+  for (const [kind, map] of Object.entries(maps)) {
+    const live = new Set<number>(before[kind as keyof CompactMaps]());
+    const gone = [...map.keys()].filter((item) => !live.has(item));
+    expect(gone.map((item) => map[item])).toEqual(gone.map(() => NONE));
+  }
   const linksOf = (m: HalfedgeMesh, h: number) => [m.next(h), m.prev(h)];
   for (const h of before.halfedges()) {
     const to = halfedges[h];
@@ -97,6 +102,24 @@ describe('reorder', () => {
     expect([...mesh.positions.slice(0, 9)]).toEqual([0, 0, 0, 0, 0, 1, 0, 1, 0]);
   });
 
+  test('goes from neighbour to neighbour, whatever the positions are, if it is asked to', () => {
+    // A strip of triangles, whose vertices are numbered along it, and lie in random places.
+    const faces = Array.from({ length: 18 }, (_, i) =>
+      i % 2 ? [i, i + 2, i + 1] : [i, i + 1, i + 2],
+    );
+    const next = random(9);
+    const places = Array.from({ length: 60 }, () => next());
+    using along = HalfedgeMesh.fromPolygons(places, faces);
+    const seen: number[] = [0];
+    for (const v of seen) {
+      for (const w of along.vertexVertices(v, 'cw')) if (!seen.includes(w)) seen.push(w);
+    }
+    const { vertices } = along.reorder('breadth-first');
+    expect(seen.map((v) => vertices[v])).toEqual(seen.map((_, i) => i));
+    using other = HalfedgeMesh.fromPolygons(places, faces);
+    expect(other.reorder('morton').vertices).not.toEqual(vertices);
+  });
+
   test('of a mesh in order changes nothing, and is no step of history', () => {
     using mesh = scattered(4);
     mesh.reorder();
@@ -151,6 +174,7 @@ describe('reorder', () => {
     expect(() => mesh.reorder(0 as never)).toThrow(TypeError);
     mesh.dispose();
     expect(() => mesh.reorder()).toThrow('disposed');
+    expect(() => mesh.reorder('hilbert' as never)).toThrow('disposed');
   });
 
   test('without memory is refused, changes nothing and leaks nothing', () => {
