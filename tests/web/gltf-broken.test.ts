@@ -73,6 +73,16 @@ describe('A glTF file that is none', () => {
       "it needs three.js's DRACOLoader as options.dracoLoader.",
     ],
     [
+      changed((json) => {
+        const extensions = { KHR_draco_mesh_compression: { bufferView: 0, attributes: {} } };
+        const primitive = { attributes: { POSITION: 0 }, indices: 1, extensions };
+        Object.assign(json, { meshes: [{ primitives: [primitive] }] });
+        Object.assign(json.accessors[0], { bufferView: undefined });
+      }),
+      'unsupported-format',
+      'the geometry is compressed (KHR_draco_mesh_compression)',
+    ],
+    [
       set('extensionsRequired', ['EXT_meshopt_compression']),
       'unsupported-format',
       'options.meshoptDecoder',

@@ -163,6 +163,16 @@ describe('readGltf', () => {
     );
   });
 
+  test('says how many corners are left behind the last triangle', async () => {
+    const json = square();
+    json.accessors[1].count = 5;
+    const { mesh, report } = await read(json);
+    expect(mesh.faceCount).toBe(1);
+    expect(report.summary).toMatch(
+      / Ignored corners behind the last triangle of a primitive \(2\)\.$/,
+    );
+  });
+
   test('mends what makes no manifold, or refuses it', async () => {
     const clashing = document(
       [

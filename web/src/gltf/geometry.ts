@@ -53,6 +53,11 @@ export function trianglesOf({ geometry }: Mesh, matrix: Matrix4): Triangles {
   return { positions, indices, attributes };
 }
 
+/** How many corners are left behind the last triangle. */
+export function cornersLeft({ index, attributes }: BufferGeometry): number {
+  return (index?.count ?? attributes.position.count) % 3;
+}
+
 /** A copy of the index, or all vertices in a row; whole triangles only. */
 function indicesOf({ index }: BufferGeometry, vertices: number): Uint32Array {
   const count = index?.count ?? vertices;

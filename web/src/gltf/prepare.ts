@@ -47,7 +47,10 @@ export function prepare(
       if (kept === undefined) return [];
       const { attributes, indices = [], extensions } = kept;
       const read = [...Object.values(attributes), indices].flat();
-      if (extensions === undefined) checkSizes(document, read, fileSize);
+      if (extensions === undefined) {
+        checkFallback(document, primitive);
+        checkSizes(document, read, fileSize);
+      }
       return [kept];
     }),
   }));
@@ -127,14 +130,7 @@ class Notes {
 
 function checkExtensions(document: GltfDocument, decoders: GltfDecoders): void {
   const required = document.extensionsRequired ?? [];
-  const needs = (name: string, option: string, what: string) =>
-    fileError(
-      'unsupported-format',
-      `glTF: the geometry is compressed (${name}): it needs ${what} as options.${option}.`,
-    );
-  if (required.includes(DRACO) && decoders.dracoLoader === undefined) {
-    throw needs(DRACO, 'dracoLoader', "three.js's DRACOLoader");
-  }
+  if (required.includes(DRACO) && decoders.dracoLoader === undefined) throw needsDraco();
   const meshopt = MESHOPT.find((name) => required.includes(name));
   if (meshopt !== undefined && decoders.meshoptDecoder === undefined) {
     throw needs(meshopt, 'meshoptDecoder', 'a MeshoptDecoder');
@@ -145,6 +141,22 @@ function checkExtensions(document: GltfDocument, decoders: GltfDecoders): void {
     'unsupported-format',
     `glTF: the file requires the extension ${JSON.stringify(unknown)}, which is not supported.`,
   );
+}
+
+function needs(name: string, option: string, what: string): Error {
+  return fileError(
+    'unsupported-format',
+    `glTF: the geometry is compressed (${name}): it needs ${what} as options.${option}.`,
+  );
+}
+
+const needsDraco = () => needs(DRACO, 'dracoLoader', "three.js's DRACOLoader");
+
+/** Where a file doesn't require the decoder, it should have the geometry uncompressed too; some don't. */
+function checkFallback({ accessors }: GltfDocument, primitive: GltfPrimitive): void {
+  if (primitive.extensions?.[DRACO] === undefined) return;
+  const { bufferView, sparse } = accessors[primitive.attributes.POSITION];
+  if (bufferView === undefined && sparse === undefined) throw needsDraco();
 }
 
 /** Rows without a buffer are zeros: they cost no bytes in the file, but memory. */

@@ -11,7 +11,7 @@ import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
 import { checkDocument } from './document.js';
-import { join, type Triangles, trianglesOf } from './geometry.js';
+import { cornersLeft, join, type Triangles, trianglesOf } from './geometry.js';
 import { type GltfDecoders, prepare } from './prepare.js';
 import { packSparse } from './sparse.js';
 import { loadLoader, loadThree } from './three.js';
@@ -91,6 +91,8 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
     if ('isMesh' in object) meshes.push(object as Mesh);
   });
   checkCorners(meshes);
+  const left = meshes.reduce((sum, { geometry }) => sum + cornersLeft(geometry), 0);
+  if (left > 0) notes.push(`Ignored corners behind the last triangle of a primitive (${left}).`);
   for (const mesh of meshes) {
     const which = parser.associations.get(mesh)?.meshes ?? -1;
     const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path
