@@ -21,7 +21,7 @@ endif()
 # for one edit after the other, are compiled for speed, and the others for size.
 set(halfedge_fast_files
   # every file that is read, and what reads its words and numbers
-  io/obj io/off io/off_binary io/ply io/stl io/text_scanner io/copy_numbers
+  io/obj io/off io/off_binary io/ply io/stl_binary io/stl_text io/text_scanner io/copy_numbers
   # what workers and files are given
   io/bytes_reader io/live_mesh io/number_writer io/stl_writer
   # every build, and every build from a soup
@@ -36,6 +36,14 @@ set(halfedge_fast_files
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references
   making_bindings operations/append operations/dual operations/reorder
 )
+
+# A file that was given another name would be compiled for size, and nobody would see why it is slow.
+foreach(name IN LISTS halfedge_fast_files)
+  if(NOT EXISTS "${PROJECT_SOURCE_DIR}/src/halfedge/${name}.cpp" AND
+     NOT EXISTS "${PROJECT_SOURCE_DIR}/wasm/${name}.cpp")
+    message(FATAL_ERROR "halfedge_fast_files names ${name}, expected a file of src/halfedge or wasm.")
+  endif()
+endforeach()
 
 # Compiles all files but those for size: by -Oz, which inlines what gets smaller by it, such as
 # circulators. Alone it makes emcc inline nothing, and circulators ten times slower.
