@@ -61,6 +61,7 @@ export class CodeEditor {
         }),
         keymap.of([
           { key: 'Mod-Enter', run },
+          { key: 'Ctrl-Enter', run }, // which a Mac doesn't call Mod, and the page does
           { key: 'Shift-Enter', run },
           ...historyKeymap,
           indentWithTab,
@@ -143,7 +144,8 @@ const theme = EditorView.theme({
   '&.cm-focused': { outline: '2px solid var(--focus)', outlineOffset: '-2px' },
   '.cm-scroller': { font: '450 13px/1.55 var(--mono)', fontVariantLigatures: 'none' },
   '.cm-content': { padding: '10px 0', caretColor: 'var(--text)' },
-  '.cm-line': { padding: '0 12px 0 6px' },
+  // What goes on in the next row is indented there.
+  '.cm-line': { padding: '0 12px 0 calc(6px + 4ch)', textIndent: '-4ch' },
   '.cm-gutters': { border: 'none', backgroundColor: 'transparent', color: 'var(--muted)' },
   '.cm-lineNumbers .cm-gutterElement': { minWidth: '30px', padding: '0 6px 0 8px' },
   '.cm-activeLine': { backgroundColor: 'transparent' },

@@ -1,6 +1,7 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { WorkerLike } from '../connection.js';
 import { started } from '../figure/start.js';
+import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
 import { tell } from './events.js';
 import type { Trial } from './judge/deal.js';
@@ -178,10 +179,12 @@ export class HalfedgeExercise extends LitElement implements Actions {
     this.#editor?.goTo(line, column);
   }
 
-  /** Runs, where nobody waits for the result. */
+  /** Runs, where nobody waits for the result, and brings what is said of it into sight. */
   async runByHand(): Promise<void> {
     try {
       await this.run();
+      const behavior = prefersReducedMotion() ? 'auto' : 'smooth';
+      this.renderRoot.querySelector('.verdict')?.scrollIntoView({ block: 'nearest', behavior });
     } catch (error) {
       if (this.state !== 'running') this.failure = messageOf(error);
     }

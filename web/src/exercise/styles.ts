@@ -91,7 +91,7 @@ const parts = css`
   .statement ::slotted(code) {
     padding: 0.1em 0.3em;
     border-radius: 4px;
-    background: var(--well);
+    background: color-mix(in srgb, var(--text) 8%, transparent);
     color: var(--text);
     font: 450 0.9em var(--mono);
     overflow-wrap: anywhere;
@@ -338,8 +338,14 @@ const parts = css`
 
     halfedge-figure,
     .no-figure {
+      grid-area: 1 / 2;
       border-top: 0;
       border-left: 1px solid var(--line);
+    }
+
+    .outcome {
+      grid-column: 1 / -1;
+      grid-row: 2;
     }
   }
 
@@ -347,6 +353,13 @@ const parts = css`
     .help {
       flex-basis: 100%;
       text-align: start;
+    }
+  }
+
+  /* Keys are of no use to fingers. */
+  @media (hover: none) {
+    .help {
+      display: none;
     }
   }
 `;

@@ -45,11 +45,13 @@ export function page(
           <div class="editor" part="editor"></div>
           ${bar(task, actions)}
         </div>
+        <div class="outcome">
+          ${sentence}
+          <div class="verdict-place" role="status">${verdict(actions)}</div>
+          ${actions.result ? meshes(actions.result, actions) : nothing}
+        </div>
         ${figure(picture, actions.theme)}
       </div>
-      ${sentence}
-      <div class="verdict-place" role="status">${verdict(actions)}</div>
-      ${actions.result ? meshes(actions.result, actions) : nothing}
     </section>
   `;
 }
