@@ -55,6 +55,26 @@ describe('The records', () => {
     expect(await row(2000)).toBeNull();
   });
 
+  test('cut nothing short, and stand below their names', async () => {
+    for (const item of ['v9', 'h16943', 'e12', 'f33']) {
+      await explorer.goTo(item);
+      const { cut, lefts } = await explorer.page.evaluate(() => {
+        const rows = [...document.querySelectorAll('.record.head, .record.selected')];
+        const cells = rows.map((row) => [...row.children] as HTMLElement[]);
+        const isCut = ({ scrollWidth, clientWidth }: HTMLElement) => scrollWidth > clientWidth;
+        return {
+          cut: cells
+            .flat()
+            .filter(isCut)
+            .map(({ textContent }) => textContent),
+          lefts: cells.map((row) => row.map((cell) => cell.getBoundingClientRect().left)),
+        };
+      });
+      expect(cut).toEqual([]);
+      for (const row of lefts.slice(1)) expect(row).toEqual(lefts[0]);
+    }
+  });
+
   test('light what is pointed at, and are lit by it', async () => {
     await explorer.goTo('h700');
     await explorer.page.hover('.record[data-row="701"] [data-name=next]');
