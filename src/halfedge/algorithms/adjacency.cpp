@@ -18,7 +18,7 @@ Error corrupt(ItemKind kind, Index index) {
                        name_of(kind), index)};
 }
 
-Error out_of_memory() {
+Error no_room_for_lists() {
   return {"out-of-memory", "memory is exhausted: no room for the adjacency lists"};
 }
 
@@ -242,7 +242,7 @@ Result<void> adjacency(const RawLinks& links, Ring ring, Direction direction, Ad
   // More than the items: a missing face is written before it is skipped, a short ring in full.
   if (!out.offsets.recreate(std::size_t{functions.slots(links)} + 1) ||
       !out.items.recreate(std::size_t{links.halfedge_slots()} + kShortRing)) {
-    return finish(out_of_memory(), out);
+    return finish(no_room_for_lists(), out);
   }
   const Index broken = functions.write_all(links, out);
   if (broken != kNone) return finish(corrupt(functions.kind, broken), out);
@@ -254,10 +254,10 @@ Result<void> adjacency(const RawLinks& links, Ring ring, Direction direction,
                        std::span<const Index> centres, Adjacency& out) {
   const Walkable walkable(links, ring, direction);
   const RingFunctions functions = functions_of(ring, walkable.direction);
-  if (!out.offsets.recreate(centres.size() + 1)) return finish(out_of_memory(), out);
+  if (!out.offsets.recreate(centres.size() + 1)) return finish(no_room_for_lists(), out);
   Result<void> counted = sum_ring_lengths(links, functions, centres, out.offsets);
   if (!counted) return finish(counted, out);
-  if (!out.items.recreate(out.offsets[centres.size()])) return finish(out_of_memory(), out);
+  if (!out.items.recreate(out.offsets[centres.size()])) return finish(no_room_for_lists(), out);
   for (std::size_t i = 0; i < centres.size(); ++i) {
     const Index first = out.offsets[i];
     (void)functions.write_one(links, centres[i], 0, out.items.data() + first,

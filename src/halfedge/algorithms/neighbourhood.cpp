@@ -62,7 +62,7 @@ struct MarkedItems {
   }
 };
 
-Error out_of_memory() {
+Error no_room_for_items() {
   return {"out-of-memory", "memory is exhausted: no room for the items of a neighbourhood"};
 }
 
@@ -168,16 +168,16 @@ Result<Adjacency> k_ring(const RawLinks& links, std::span<const Index> vertices,
   }
   Adjacency rows;
   Marks seen;
-  if (!seen.create(links.slots(Vertex{}))) return out_of_memory();
+  if (!seen.create(links.slots(Vertex{}))) return no_room_for_items();
   Array<Index>& items = rows.items;  // the queue of a search in breadth at the same time
   for (const Index v : vertices) {
-    if (seen.add(v) && !items.push_back(v)) return out_of_memory();
+    if (seen.add(v) && !items.push_back(v)) return no_room_for_items();
   }
-  if (!rows.offsets.push_back(0)) return out_of_memory();
+  if (!rows.offsets.push_back(0)) return no_room_for_items();
   Index steps = links.halfedge_slots();
   for (std::size_t begin = 0; begin < items.size();) {
     const std::size_t end = items.size();
-    if (!rows.offsets.push_back(Index(end))) return out_of_memory();
+    if (!rows.offsets.push_back(Index(end))) return no_room_for_items();
     if (k-- == 0) break;
     for (; begin < end; ++begin) {
       const Vertex v(items[begin]);
@@ -190,7 +190,7 @@ Result<Adjacency> k_ring(const RawLinks& links, std::span<const Index> vertices,
         return true;
       });
       if (!is_sound) return corrupt();
-      if (!fits) return out_of_memory();
+      if (!fits) return no_room_for_items();
     }
   }
   return rows;
@@ -199,7 +199,7 @@ Result<Adjacency> k_ring(const RawLinks& links, std::span<const Index> vertices,
 Result<ItemSet> surroundings(const RawLinks& links, Surroundings which, const Items& items) {
   MarkedItems given;
   MarkedItems found;
-  if (!given.create(links) || !found.create(links)) return out_of_memory();
+  if (!given.create(links) || !found.create(links)) return no_room_for_items();
   for (const Result<void>& marked : {mark_items<Vertex>(links, items.vertices, given.vertices),
                                      mark_items<Edge>(links, items.edges, given.edges),
                                      mark_items<Face>(links, items.faces, given.faces)}) {
@@ -215,7 +215,7 @@ Result<ItemSet> surroundings(const RawLinks& links, Surroundings which, const It
     MarkedItems closure;
     MarkedItems star_of_closure;
     if (!star.create(links) || !closure.create(links) || !star_of_closure.create(links)) {
-      return out_of_memory();
+      return no_room_for_items();
     }
     is_sound = add_star(links, given, star) && add_closure(links, star, found) &&
                add_closure(links, given, closure) && add_star(links, closure, star_of_closure);
@@ -227,7 +227,7 @@ Result<ItemSet> surroundings(const RawLinks& links, Surroundings which, const It
   ItemSet set;
   if (!list_marked(found.vertices, set.vertices) || !list_marked(found.edges, set.edges) ||
       !list_marked(found.faces, set.faces)) {
-    return out_of_memory();
+    return no_room_for_items();
   }
   return set;
 }

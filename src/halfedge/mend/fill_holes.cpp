@@ -14,7 +14,7 @@ namespace {
 
 using decorator::internal::refusal;
 
-Failure no_memory() { return decorator::internal::no_memory("the triangles of a hole"); }
+Failure no_room_for_triangles() { return decorator::internal::no_memory("the triangles of a hole"); }
 
 Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
   return refusal("",
@@ -65,7 +65,7 @@ class Filler {
  private:
   [[nodiscard]] Result<void> fill(Halfedge first, std::size_t edges) {
     const HolePlan::Outcome outcome = plan_.run(first);
-    if (outcome == HolePlan::Outcome::kOutOfMemory) return no_memory();
+    if (outcome == HolePlan::Outcome::kOutOfMemory) return no_room_for_triangles();
     if (outcome == HolePlan::Outcome::kBlocked) {
       report_.leave(Code::kUnfillableHole, [&] {
         return left_open(first, edges,
@@ -85,7 +85,7 @@ class Filler {
       });
       return {};
     }
-    return cut(first) ? Result<void>{} : no_memory();
+    return cut(first) ? Result<void>{} : no_room_for_triangles();
   }
 
   // One face, from which the ears are cut off.
