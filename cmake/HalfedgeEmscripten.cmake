@@ -21,7 +21,7 @@ endif()
 # for one edit after the other, are compiled for speed, and the others for size.
 set(halfedge_fast_files
   # every file that is read, and what reads its words and numbers
-  io/obj io/off io/off_binary io/ply io/stl_binary io/stl_text io/text_scanner io/copy_numbers
+  io/obj io/off io/ply io/stl_binary io/stl_text io/text_scanner io/copy_numbers
   # what workers and files are given
   io/bytes_reader io/live_mesh io/number_writer io/stl_writer
   # every build, and every build from a soup
@@ -34,7 +34,7 @@ set(halfedge_fast_files
   # whole meshes: rows of all rings, topology, validation, copies, orders
   algorithms/adjacency algorithms/topology
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references
-  making_bindings operations/append operations/dual operations/reorder
+  making_bindings operations/append operations/reorder
 )
 
 # A file that was given another name would be compiled for size, and nobody would see why it is slow.
