@@ -1,0 +1,103 @@
+import { spawn } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { HalfedgeMesh, init } from 'halfedge';
+import { readGltf } from 'halfedge/gltf';
+import { folder, program, run, texts, written } from './support/cli.js';
+
+const { QUAD } = texts;
+
+beforeAll(() => init());
+
+describe('halfedge convert', () => {
+  test.each(['obj', 'off', 'ply', 'stl'] as const)(
+    'writes %s by the name of the output',
+    async (format) => {
+      const name = `converted.${format.toUpperCase()}`;
+      expect(await run(['convert', 'square.off', name])).toMatchObject({
+        status: 0,
+        out: '',
+        err: '',
+      });
+      const { mesh, report } = written(name);
+      expect(report.format).toBe(format);
+      expect([mesh.vertexCount, mesh.faceCount]).toEqual([4, 2]);
+    },
+  );
+
+  test('writes to standard output what --to says, bit for bit what the package writes', async () => {
+    const { mesh } = HalfedgeMesh.parse(QUAD);
+    const { status, bytes } = await run(['convert', '--to', 'ply'], QUAD);
+    expect(status).toBe(0);
+    expect(new Uint8Array(bytes)).toEqual(mesh.write('ply'));
+    const text = await run(['convert', 'quad.obj', '-', '--to=ply', '--encoding', 'text']);
+    expect(text.out).toBe(mesh.write('ply', { encoding: 'text' }));
+  });
+
+  test('goes to glTF and back, texture coordinates the right way up', async () => {
+    const mesh = HalfedgeMesh.tetrahedron();
+    const uv = mesh.attributes.add('vertex', 'uv', { components: 2 });
+    uv.set([0, 0, 1, 0, 1, 1, 0.25, 0.75]);
+    writeFileSync(join(folder, 'uv.ply'), mesh.write('ply'));
+    expect(await run(['convert', 'uv.ply', 'uv.glb'])).toMatchObject({ status: 0, err: '' });
+    const { mesh: read } = await readGltf(readFileSync(join(folder, 'uv.glb')));
+    expect([...read.attributes.get('vertex', 'uv')]).toEqual([0, 1, 1, 1, 1, 0, 0.25, 0.25]);
+    const info = await run(['info', '--json'], readFileSync(join(folder, 'uv.glb')));
+    expect(JSON.parse(info.out)).toMatchObject({ format: 'glb', vertices: 4, closed: true });
+    expect(await run(['convert', 'uv.glb', '--to', 'gltf', '--encoding', 'text'])).toMatchObject({
+      status: 2,
+      err: expect.stringContaining('--encoding is for OBJ, OFF, PLY and STL'),
+    });
+  });
+
+  test('cuts polygons into triangles if asked to', async () => {
+    await run(['convert', 'quad.obj', 'cut.off', '--triangulate']);
+    expect(written('cut.off').mesh.faceCount).toBe(2);
+  });
+
+  test('keeps the names of materials, and tells what the output has no place for', async () => {
+    const named = QUAD.replace('f 1', 'usemtl oak\nf 1');
+    const { out, err } = await run(['convert', '--to', 'obj'], named);
+    expect(out).toContain('usemtl oak\nf 1 2 3 4');
+    expect(err).toBe('');
+    const stl = await run(['convert', '-', 'named.stl'], named);
+    expect(stl).toMatchObject({ status: 0, err: expect.stringMatching(/^named\.stl: .*material/) });
+    expect((await run(['convert', '-', 'named.stl', '-q'], named)).err).toBe('');
+  });
+
+  test('tells what glTF has no place for, and in JSON with all else', async () => {
+    const named = QUAD.replace('f 1', 'usemtl oak\nf 1');
+    const { err } = await run(['convert', '-', 'named.glb'], named);
+    expect(err).toBe(
+      'named.glb: Cut 1 face into 2 triangles: glTF has no polygons.\n' +
+        'named.glb: Left out the face attribute "material": glTF has no place for it.\n',
+    );
+    const json = await run(['convert', '-', 'named.glb', '--json', '--quiet'], named);
+    expect(json.err).toBe('');
+    expect(JSON.parse(json.out)).toMatchObject({
+      notes: [expect.stringMatching(/^Cut 1 face/), expect.stringMatching(/^Left out the face/)],
+    });
+  });
+
+  test('tells on standard error what it had to repair', async () => {
+    const { status, out, err } = await run(['convert', 'clashing.off', '--to', 'obj']);
+    expect(status).toBe(0);
+    expect(out).toMatch(/^v 0 0 0\n/);
+    expect(err).toBe('clashing.off: OFF: 4 vertices, 5 edges, 2 faces. 1 face turned over.\n');
+  });
+
+  test('ends without a word when nobody reads its output any more', async () => {
+    const { mesh } = HalfedgeMesh.parse(HalfedgeMesh.icoSphere(6).write('obj'));
+    writeFileSync(join(folder, 'sphere.obj'), mesh.write('obj'));
+    const child = spawn(process.execPath, [program, 'convert', 'sphere.obj', '--to', 'obj'], {
+      cwd: folder,
+    });
+    let err = '';
+    child.stderr.on('data', (chunk) => {
+      err += chunk;
+    });
+    child.stdout.once('data', () => child.stdout.destroy());
+    const status = await new Promise((resolve) => child.on('close', resolve));
+    expect({ status, err }).toEqual({ status: 141, err: '' });
+  });
+});

@@ -1,0 +1,472 @@
+import { init } from 'halfedge';
+import { type ExerciseTask, taskNamed } from 'halfedge/exercise/judge';
+import { failureOf } from './support/exercises.js';
+
+beforeAll(() => init());
+
+/** A walk of do … while around a vertex, from pieces. */
+const around = (name: string, take: string, step: string, first = 'mesh.vertexHalfedge(v)') =>
+  `function ${name}(mesh, v) {
+  const ring = [];
+  const first = ${first};
+  if (first === NONE) return ring;
+  let h = first;
+  do {
+    ${take};
+    ${step};
+  } while (h !== first);
+  return ring;
+}`;
+
+const TAKE = 'ring.push(mesh.toVertex(h))';
+const CCW = 'h = mesh.opposite(mesh.prev(h))';
+
+describe('A typical mistake', () => {
+  test.each<[why: string, task: string, code: string, expected: string, words: RegExp]>([
+    [
+      'walking around the face',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, 'h = mesh.next(h)'),
+      'walks-face',
+      /^It walks around f\d+, not around v0\. On the tetrahedron, vertexVertices\(mesh, v0\): it gave v\d, v\d, v\d; expected/,
+    ],
+    [
+      'turning around the other end',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, 'h = mesh.opposite(mesh.next(h))'),
+      'turns-elsewhere',
+      /^It turns around v\d, not around v0\./,
+    ],
+    [
+      'taking the vertex itself',
+      'vertex-vertices',
+      around('vertexVertices', 'ring.push(mesh.fromVertex(h))', CCW),
+      'takes-centre',
+      /^It takes v0 itself, 3 times\./,
+    ],
+    [
+      'giving halfedges back',
+      'vertex-vertices',
+      around('vertexVertices', 'ring.push(h)', CCW),
+      'returns-halfedges',
+      /gives back the halfedges that leave the vertex; vertices were asked\..*mesh\.toVertex\(h\)/,
+    ],
+    [
+      'missing the last one',
+      'vertex-vertices',
+      `function vertexVertices(mesh, v) {
+        const ring = [];
+        const first = mesh.vertexHalfedge(v);
+        for (let h = first; mesh.opposite(mesh.prev(h)) !== first; h = mesh.opposite(mesh.prev(h))) {
+          ring.push(mesh.toVertex(h));
+        }
+        return ring;
+      }`,
+      'misses-last',
+      /^It misses one: v\d\./,
+    ],
+    [
+      'missing the first one',
+      'vertex-vertices',
+      `function vertexVertices(mesh, v) {
+        const ring = [];
+        const first = mesh.vertexHalfedge(v);
+        for (let h = mesh.opposite(mesh.prev(first)); h !== first; h = mesh.opposite(mesh.prev(h))) {
+          ring.push(mesh.toVertex(h));
+        }
+        return ring;
+      }`,
+      'misses-first',
+      /^It misses the first: v\d\./,
+    ],
+    [
+      'taking the start twice',
+      'vertex-vertices',
+      `function vertexVertices(mesh, v) {
+        const first = mesh.vertexHalfedge(v);
+        const ring = [mesh.toVertex(first)];
+        let h = first;
+        do {
+          h = mesh.opposite(mesh.prev(h));
+          ring.push(mesh.toVertex(h));
+        } while (h !== first);
+        return ring;
+      }`,
+      'start-twice',
+      /^It takes v\d twice: at the start, and again at the end\./,
+    ],
+    [
+      'going round twice',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, CCW).replace(
+        'return ring;\n}',
+        'return [...ring, ...ring];\n}',
+      ),
+      'several-laps',
+      /^It goes round 2 times\./,
+    ],
+    [
+      'looking before leaving',
+      'vertex-vertices',
+      `function vertexVertices(mesh, v) {
+        const ring = [];
+        const first = mesh.vertexHalfedge(v);
+        let h = first;
+        while (h !== first) { ${TAKE}; ${CCW}; }
+        return ring;
+      }`,
+      'empty',
+      /^Its list is empty\./,
+    ],
+    [
+      'forgetting an isolated vertex',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, CCW).replace('if (first === NONE) return ring;', ''),
+      'reads-null-halfedge',
+      /^Line 7: it asks for toVertex\(−1\), and −1 is no item\. On the sheet with a lonely vertex, .*v5 is isolated/,
+    ],
+    [
+      'stopping where there is no face',
+      'vertex-vertices',
+      `function vertexVertices(mesh, v) {
+        const ring = [];
+        const first = mesh.vertexHalfedge(v);
+        if (first === NONE) return ring;
+        let h = first;
+        do {
+          ${TAKE};
+          ${CCW};
+        } while (h !== first && mesh.face(h) !== NONE);
+        return ring;
+      }`,
+      'stops-at-boundary',
+      /^It stops at the boundary\. On the bow tie, /,
+    ],
+    [
+      'never comparing with the start',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, 'h = mesh.next(h)').replace('h !== first', 'h !== v'),
+      'endless',
+      /^The loop in line 6 does not end\./,
+    ],
+    [
+      'never coming back to the start',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, CCW, 'mesh.vertexHalfedge(v)').replace(
+        'let h = first;',
+        'let h = mesh.next(first);',
+      ),
+      'endless',
+      /^The loop in line 6 does not end\..*and never comes back to h\d+, where it began/,
+    ],
+    [
+      'looping without a walk',
+      'valence',
+      'function valence(mesh, v) {\n  let n = 0;\n  while (true) n += 1;\n}',
+      'endless',
+      /^The loop in line 3 does not end\..*asks the mesh for no next halfedge/,
+    ],
+    [
+      'calling itself without end',
+      'valence',
+      'function valence(mesh, v) {\n  return 1 + valence(mesh, v);\n}',
+      'endless-recursion',
+      /^Line 2: the function calls itself without end\./,
+    ],
+    [
+      'giving nothing back',
+      'vertex-vertices',
+      around('vertexVertices', TAKE, CCW).replace('return ring;\n}', '}'),
+      'returns-nothing',
+      /^It gives back undefined\./,
+    ],
+    [
+      'giving a number for a list',
+      'vertex-vertices',
+      'function vertexVertices(mesh, v) { return 3; }',
+      'wrong-type',
+      /^It gives back the number 3; expected a list\./,
+    ],
+    [
+      'pushing what has no value',
+      'vertex-vertices',
+      around('vertexVertices', 'ring.push(h.vertex)', CCW),
+      'not-an-item',
+      /^The 1st in its list is undefined, which is no vertex\./,
+    ],
+    [
+      'taking the null face',
+      'vertex-faces',
+      around('vertexFaces', 'ring.push(mesh.face(h))', CCW),
+      'null-face',
+      /^It takes −1 for a face\. On the sheet, /,
+    ],
+    [
+      'asking the null face',
+      'vertex-faces',
+      around('vertexFaces', 'mesh.faceHalfedge(mesh.face(h)); ring.push(mesh.face(h))', CCW),
+      'throws',
+      /^Line 7: mesh\.faceHalfedge is not to be used in this exercise: the mesh has vertexHalfedge, /,
+    ],
+    [
+      'going the wrong way round',
+      'one-ring',
+      `${around('oneRing', TAKE, 'h = mesh.next(mesh.opposite(h))')}`,
+      'wrong-way',
+      /^It goes the wrong way round: clockwise\. On the tetrahedron, oneRing\(mesh, v0, 'ccw'\)/,
+    ],
+    [
+      'starting elsewhere',
+      'one-ring',
+      `function oneRing(mesh, v, direction) {
+        const ring = [];
+        const first = mesh.vertexHalfedge(v);
+        if (first === NONE) return ring;
+        let h = first;
+        do {
+          h = direction === 'ccw' ? mesh.opposite(mesh.prev(h)) : mesh.next(mesh.opposite(h));
+          ring.push(mesh.toVertex(h));
+        } while (h !== first);
+        return ring;
+      }`,
+      'starts-elsewhere',
+      /^It starts at v\d; expected v\d as the first\./,
+    ],
+    [
+      'going along prev',
+      'face-vertices',
+      around('faceVertices', TAKE, 'h = mesh.prev(h)', 'mesh.faceHalfedge(v)'),
+      'wrong-way',
+      /^It goes the wrong way round: clockwise\./,
+    ],
+    [
+      'leaving the face',
+      'face-vertices',
+      around('faceVertices', TAKE, 'h = mesh.next(mesh.opposite(h))', 'mesh.faceHalfedge(v)'),
+      'walks-vertex',
+      /^It turns around v\d, not around the face\./,
+    ],
+    [
+      'taking every face for a triangle',
+      'face-vertices',
+      `function faceVertices(mesh, f) {
+        const h = mesh.faceHalfedge(f);
+        return [h, mesh.next(h), mesh.prev(h)].map((it) => mesh.toVertex(it));
+      }`,
+      'misses-last',
+      /^It misses one: v\d\. On the prism, /,
+    ],
+    [
+      'going to the other side of the boundary',
+      'boundary-loop',
+      `function boundaryLoop(mesh, h) {
+        const loop = [];
+        let at = mesh.opposite(h);
+        do { loop.push(at); at = mesh.next(at); } while (at !== mesh.opposite(h));
+        return loop;
+      }`,
+      'walks-face',
+      /^It walks around f\d, on the other side of the edge\. On the sheet, /,
+    ],
+    [
+      'walking against next',
+      'boundary-loop',
+      `function boundaryLoop(mesh, h) {
+        const loop = [];
+        let at = h;
+        do { loop.push(at); at = mesh.prev(at); } while (at !== h);
+        return loop;
+      }`,
+      'wrong-way',
+      /^It goes the wrong way round: against next\./,
+    ],
+    [
+      'counting faces for edges',
+      'valence',
+      around('valence', 'if (mesh.face(h) !== NONE) ring.push(h)', CCW).replaceAll(
+        'return ring',
+        'return ring.length',
+      ),
+      'counts-faces',
+      /^That is the number of faces around it\. On the sheet, valence\(mesh, v\d\): it gave 1; expected 2\./,
+    ],
+    [
+      'counting around the face',
+      'valence',
+      around('valence', 'ring.push(h)', 'h = mesh.next(h)').replaceAll(
+        'return ring',
+        'return ring.length',
+      ),
+      'walks-face',
+      /^That is the number of halfedges around a face\. On the prism, /,
+    ],
+    [
+      'counting one too many',
+      'valence',
+      around('valence', 'ring.push(h)', CCW).replace(
+        'return ring;\n}',
+        'return ring.length + 1;\n}',
+      ),
+      'one-too-many',
+      /^It counts one too many\./,
+    ],
+    [
+      'adding to undefined',
+      'valence',
+      'function valence(mesh, v) { let n; return n + 1; }',
+      'not-a-number',
+      /^It gives back NaN/,
+    ],
+    [
+      'seeing no boundary',
+      'is-boundary-vertex',
+      'function isBoundaryVertex(mesh, v) { return false; }',
+      'wrong-false',
+      /^It says false of v\d; expected true\. On the sheet, .* h\d+ leaves it and has no face\./,
+    ],
+    [
+      'taking three steps',
+      'previous',
+      'function previous(mesh, h) { return mesh.next(mesh.next(h)); }',
+      'wrong-item',
+      /which is next\(next\(h\d+\)\): right in triangles only; expected h\d+\. On the prism, /,
+    ],
+    [
+      'using what is not there',
+      'previous',
+      'function previous(mesh, h) { return mesh.prev(h); }',
+      'throws',
+      /^Line 1: mesh\.prev is not to be used in this exercise: the mesh has next, opposite, toVertex, face here\./,
+    ],
+    [
+      'inventing a name',
+      'previous',
+      'function previous(mesh, h) {\n  return mesh.before(h);\n}',
+      'throws',
+      /^Line 2: mesh\.before does not exist/,
+    ],
+    [
+      'asking for undefined',
+      'previous',
+      'function previous(mesh, h) {\n  let at;\n  return mesh.next(at);\n}',
+      'asks-for-nothing',
+      /^Line 3: it asks for next\(undefined\)\./,
+    ],
+    [
+      'counting halfedges for loops',
+      'count-boundary-loops',
+      taskNamed('count-boundary-loops').starter,
+      'counts-halfedges',
+      /^That is the number of boundary halfedges\. On the sheet, countBoundaryLoops\(mesh\): it gave 9; expected 1\./,
+    ],
+    [
+      'counting one loop at most',
+      'count-boundary-loops',
+      'function countBoundaryLoops(mesh) { return [...mesh.halfedges()].some((h) => mesh.face(h) < 0) ? 1 : 0; }',
+      'yes-or-no',
+      /^It has more than one\. On the ring, /,
+    ],
+    [
+      'taking halfedges for edges',
+      'euler-characteristic',
+      taskNamed('euler-characteristic').starter,
+      'counts-halfedges',
+      /^It takes each halfedge for an edge/,
+    ],
+    [
+      'believing in two',
+      'euler-characteristic',
+      'const eulerCharacteristic = () => 2;',
+      'two',
+      /^It is 2 for a sphere only.* On the torus, /,
+    ],
+    [
+      'changing nothing',
+      'flip-edge',
+      taskNamed('flip-edge').starter,
+      'nothing-changed',
+      /^The links are sound, but the faces are what they were before\./,
+    ],
+    [
+      'forgetting prev',
+      'flip-edge',
+      taskNamed('flip-edge').solution.replace('prev[y] = x;', ''),
+      'next-prev-mismatch',
+      /^The next of halfedge \d+ is halfedge \d+, whose prev is halfedge \d+\..*Whenever next\[a\] = b is set/,
+    ],
+    [
+      'forgetting the vertices',
+      'flip-edge',
+      taskNamed('flip-edge').solution.replace('toVertex[h] = d;', ''),
+      'to-from-mismatch',
+      /leads to vertex \d+, but its next, halfedge \d+, leaves vertex \d+/,
+    ],
+    [
+      'forgetting the anchors',
+      'flip-edge',
+      taskNamed('flip-edge').solution.replace(/if \(vertexHalfedge.*\n/g, ''),
+      'anchor-elsewhere',
+      /vertexHalfedge has to leave its vertex/,
+    ],
+    [
+      'a mistake of syntax',
+      'valence',
+      'function valence(mesh, v) {\n  let n = ;\n}',
+      'syntax',
+      /^Line 2, column 11: Unexpected token\./,
+    ],
+    [
+      'another name',
+      'valence',
+      'function degree() {}',
+      'no-function',
+      /^The code has no function valence\. It has degree\./,
+    ],
+    [
+      'a mistake outside',
+      'valence',
+      'const a = 1;\nmissing();\nfunction valence() {}',
+      'throws',
+      /^Line 2: missing is not defined\. It happens outside of valence/,
+    ],
+    [
+      'an import',
+      'valence',
+      "import 'halfedge';\n",
+      'syntax',
+      /Import and export have no place here/,
+    ],
+  ])('%s, in %s, is told as such', (_why, task, code, expected, words) => {
+    const failure = failureOf(task, code);
+    expect([failure.code, failure.message]).toEqual([expected, expect.stringMatching(words)]);
+  });
+
+  test('that only the tidy numbers let pass is found, and told as such', () => {
+    const sheet: ExerciseTask = { ...taskNamed('is-boundary-vertex'), meshes: ['sheet'] };
+    const failure = failureOf(sheet, 'function isBoundaryVertex(mesh, v) { return v !== 4; }');
+    expect(failure.code).toBe('numbering');
+    expect(failure.message).toMatch(
+      /^It is right as long as the numbers are tidy, and wrong with others\. It says \w+ of v\d; expected \w+\. On the sheet, shuffled, /,
+    );
+  });
+
+  test('names the line also in a loop without braces, and where lines have other code', () => {
+    const code = 'function valence(mesh, v) {\n\n  for (const a of [1])\n    for (;;)\n      v;\n}';
+    expect(failureOf('valence', code).line).toBe(4);
+    const throwing = 'function valence(mesh, v) {\n  for (;;)\n    null.x;\n}';
+    expect(failureOf('valence', throwing).line).toBe(3);
+  });
+
+  test('shows where the walk went, and what it missed', () => {
+    const code = around('vertexVertices', TAKE, 'h = mesh.next(h)');
+    const { steps, marks, item } = failureOf('vertex-vertices', code);
+    expect(item).toBe('v0');
+    expect(steps.map(({ item: { kind } }) => kind)).toEqual(['vertex', 'vertex', 'vertex']);
+    expect(marks).toHaveLength(1);
+  });
+
+  test('does not let one call change what the next one gets', () => {
+    const code = 'function valence(mesh, v) { mesh.next = () => 0; return 3; }';
+    expect(failureOf('valence', code).message).toMatch(/^Line 1: mesh\.next can't be set/);
+  });
+});
