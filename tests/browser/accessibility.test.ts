@@ -1,35 +1,8 @@
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
 import type { Page } from 'playwright-core';
+import { seriousFindings } from './support/axe.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
-/** What is run in the page. */
-interface Axe {
-  run(): Promise<{
-    violations: {
-      impact: string;
-      id: string;
-      nodes: { target: string[]; failureSummary: string }[];
-    }[];
-  }>;
-}
-
-const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
-
 afterAll(disconnect);
-
-/** What axe-core finds serious or critical in the page as it is. */
-async function findings({ page }: ExplorerPage): Promise<string[]> {
-  const violations = await page.evaluate(async () => {
-    const { axe } = window as unknown as { axe: Axe };
-    return (await axe.run()).violations;
-  });
-  return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .flatMap(({ id, nodes }) =>
-      nodes.map(({ target, failureSummary }) => `${id}: ${target}: ${failureSummary}`),
-    );
-}
 
 /** Goes to another state by its link, and waits for the mesh and for what is selected there. */
 async function follow(page: Page, link: string, mesh: string): Promise<void> {
@@ -52,11 +25,10 @@ test.each([
   async (_name, settings) => {
     const explorer = await ExplorerPage.open(settings);
     const { page } = explorer;
-    await page.evaluate(AXE);
     const found: Record<string, string[]> = {};
     const look = async (place: string) => {
       await explorer.rest();
-      const serious = await findings(explorer);
+      const serious = await seriousFindings(page);
       if (serious.length > 0) found[place] = serious;
     };
     for (const tab of ['inspect', 'circulate', 'edit', 'mesh', 'records']) {

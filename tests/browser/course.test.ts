@@ -1,12 +1,5 @@
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { seriousFindings } from './support/axe.js';
 import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
-
-interface Axe {
-  run(): Promise<{ violations: { impact: string; id: string; nodes: { target: string[] }[] }[] }>;
-}
-
-const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
 
 let open: FigurePage | undefined;
 
@@ -34,15 +27,7 @@ describe('The course page', () => {
     expect(page.complaints).toEqual([]);
     const wide = await page.page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     expect(wide).toBeLessThanOrEqual(0);
-    await page.page.evaluate(AXE);
-    const violations = await page.page.evaluate(async () => {
-      const { axe } = window as unknown as { axe: Axe };
-      return (await axe.run()).violations;
-    });
-    const serious = violations
-      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-      .map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target).join(' ')}`);
-    expect(serious).toEqual([]);
+    expect(await seriousFindings(page.page)).toEqual([]);
     await page.screenshot(`course-${look}`);
   });
 
