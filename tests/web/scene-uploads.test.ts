@@ -109,7 +109,7 @@ describe('A batch of lines', () => {
     for (let i = 0; i < arrows; i++) {
       const arrow = Float32Array.from({ length: ARROW_FLOATS }, (_, k) => 10 * i + k);
       if (i === changed) arrow[3] += 0.5;
-      batch.addArrows(arrow, 1, color);
+      for (const at of [0, 3]) batch.add(arrow, at, at + 3, color);
     }
     batch.upload();
   };
@@ -172,12 +172,6 @@ describe('A batch of lines', () => {
     const lines: number[][] = [];
     const newLine = () => Array.from({ length: 9 }, () => Math.fround(next()));
     const add = (line: number[]) => batch.add(line, 0, 3, new Color().fromArray(line, 6));
-    const addArrow = ([shaft, barb]: number[][]) => {
-      barb.splice(0, 3, ...shaft.slice(3, 6));
-      barb.splice(6, 3, ...shaft.slice(6));
-      const arrow = Float32Array.of(...shaft.slice(0, 6), ...barb.slice(3, 6));
-      batch.addArrows(arrow, 1, new Color().fromArray(shaft, 6));
-    };
     const expectDrawn = () => {
       const drawn = drawLines(card, batch.geometry);
       const wrong = lines.filter((line, i) => line.some((x, k) => x !== drawn[i]?.[k]));
@@ -193,14 +187,7 @@ describe('A batch of lines', () => {
         lines[Math.floor(next() * (lines.length + 1))] = newLine();
       }
       batch.clear();
-      for (let i = 0; i < lines.length; ) {
-        // The same lines are arrows each time.
-        if (i % 7 === 0 || i + 1 === lines.length) add(lines[i++]);
-        else {
-          addArrow([lines[i], lines[i + 1]]);
-          i += 2;
-        }
-      }
+      for (const line of lines) add(line);
       batch.upload();
       // In the second half it is hidden for long: ranges come together.
       if (next() < (frame < 1000 ? 0.2 : 0.002)) {

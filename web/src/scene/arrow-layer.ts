@@ -1,8 +1,10 @@
-import { Color, Matrix4 } from 'three';
-import type { HalfedgeMesh } from '../api.js';
-import { ARROWS_FROM, arrowSizes, LineBatch, lineMaterial, lines } from '../three/index.js';
+import { Color } from 'three';
+import type { ConnectivityViews } from '../api.js';
+import { ARROWS_FROM, LineBatch, lineMaterial, lines } from '../three/index.js';
 import { roomFor } from '../three/rows.js';
+import { FaceArrows } from './face-arrows.js';
 import { FaceRows } from './face-rows.js';
+import { FaceSight } from './face-sight.js';
 import type { FaceFrames } from './faces.js';
 import { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
@@ -20,22 +22,21 @@ const FACE_CAP = 8000;
 /** The half-arrows of all faces that are seen large enough, and of the boundary beside them. */
 export class ArrowLayer {
   readonly #stage: Stage;
-  readonly #batch = new LineBatch(4096);
+  readonly #arrows = new FaceArrows();
+  readonly #batch = new LineBatch();
   readonly #material = lineMaterial(1.5, 2);
-  readonly #view = new Matrix4();
-  readonly #tint = new Color();
-  readonly #sizes = { inset: 0, trim: 0, barb: 0 };
-  /** The length of a CSS pixel at depth 1. */
-  #pixel = 0;
+  readonly #sight = new FaceSight();
   #surface: Surface | null = null;
   #frames: FaceFrames | null = null;
   #rows: FaceRows | null = null;
   #glyphs: Glyphs | null = null;
+  /** The links of the mesh, in the frame that is drawn. */
+  #links: ConnectivityViews | null = null;
   #closed = true;
   #stamp = 0;
   #seen = new Uint32Array(0);
   readonly #queue: number[] = [];
-  #colors = { faded: new Color(), arrow: new Color(), boundary: new Color() };
+  #boundaryColor = new Color();
   /** Whether any arrows are drawn. */
   visible = true;
   /** Faces that show no arrows, while they are changing. */
@@ -47,7 +48,9 @@ export class ArrowLayer {
 
   constructor(stage: Stage) {
     this.#stage = stage;
-    stage.scene.add(lines(this.#batch, this.#material, 3));
+    for (const segments of [this.#arrows.lines, this.#batch]) {
+      stage.scene.add(lines(segments, this.#material, 3));
+    }
   }
 
   show(surface: Surface, frames: FaceFrames): void {
@@ -55,6 +58,7 @@ export class ArrowLayer {
     this.#frames = frames;
     this.#rows = new FaceRows(surface);
     this.#glyphs = new Glyphs(surface, frames, this.#stage);
+    this.#arrows.reset(this.#rows, surface.mesh.faceSlots);
     this.change(null);
   }
 
@@ -62,12 +66,14 @@ export class ArrowLayer {
   change(faces: Iterable<number> | null): void {
     const { mesh, boundary } = this.#surface as Surface;
     this.#rows?.forget(faces);
+    this.#arrows.forget(faces, mesh.faceSlots);
     if (mesh.faceSlots > this.#seen.length) this.#seen = new Uint32Array(roomFor(mesh.faceSlots));
     this.#closed = boundary.length === 0;
   }
 
   setColors(faded: Color, arrow: Color, boundary: Color): void {
-    this.#colors = { faded, arrow, boundary };
+    this.#arrows.setColors(faded, arrow);
+    this.#boundaryColor = boundary;
   }
 
   /**
@@ -78,33 +84,34 @@ export class ArrowLayer {
   update(near: readonly number[], middle: number | null): void {
     const surface = this.#surface;
     if (!surface) return;
+    this.#arrows.begin();
     this.#batch.clear();
     this.boundary.length = 0;
     this.large.length = 0;
     if (this.visible) this.#drawAll(surface, near, middle);
+    this.#arrows.end();
     this.#batch.upload();
   }
 
   #drawAll({ mesh }: Surface, near: readonly number[], middle: number | null): void {
-    const { camera } = this.#stage;
-    this.#view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    this.#pixel = this.#stage.pixelAt(1);
+    this.#sight.aim(this.#stage, this.#closed);
+    this.#links = mesh.connectivity;
     this.#stamp += 1;
     const queue = this.#queue;
     queue.length = 0;
-    const { faceHalfedge } = mesh.connectivity;
+    const { faceHalfedge } = this.#links;
     for (const f of near) this.#push(f);
     let at = 0;
     for (let ring = 0; ring < NEAR_RINGS; ring++) {
       for (const end = queue.length; at < end && at < FACE_CAP; at++) {
         this.#draw(queue[at], 1);
-        this.#pushNeighbours(mesh, queue[at]);
+        this.#pushNeighbours(queue[at]);
       }
     }
     if (faceHalfedge.length > FACE_CAP) {
       if (middle !== null) this.#push(middle);
       for (; at < queue.length && at < FACE_CAP; at++) {
-        if (this.#draw(queue[at], 0)) this.#pushNeighbours(mesh, queue[at]);
+        if (this.#draw(queue[at], 0)) this.#pushNeighbours(queue[at]);
       }
       return;
     }
@@ -120,7 +127,8 @@ export class ArrowLayer {
     this.#queue.push(f);
   }
 
-  #pushNeighbours({ connectivity: { next, face, faceHalfedge } }: HalfedgeMesh, f: number): void {
+  #pushNeighbours(f: number): void {
+    const { next, face, faceHalfedge } = this.#links as ConnectivityViews;
     const first = faceHalfedge[f];
     let h = first;
     do {
@@ -135,45 +143,20 @@ export class ArrowLayer {
    */
   #draw(f: number, strength: number): boolean {
     if (this.hidden.size > 0 && this.hidden.has(f)) return true;
-    const frames = this.#frames as FaceFrames;
-    const at = frames.at(f);
-    const { data } = frames;
-    const x = data[at];
-    const y = data[at + 1];
-    const z = data[at + 2];
-    const m = this.#view.elements;
-    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
-    if (w <= 0) return false;
-    const reach = 1.15 * w + data[at + 6] * 4;
-    if (Math.abs(m[0] * x + m[4] * y + m[8] * z + m[12]) > reach) return false;
-    if (Math.abs(m[1] * x + m[5] * y + m[9] * z + m[13]) > reach) return false;
-    const { position } = this.#stage.camera;
-    const dx = position.x - x;
-    const dy = position.y - y;
-    const dz = position.z - z;
-    const across = data[at + 3] * dx + data[at + 4] * dy + data[at + 5] * dz;
-    const facing = across / Math.sqrt(dx * dx + dy * dy + dz * dz);
-    if (this.#closed && facing < 0) return false;
-    // Edges of a face seen from the side are foreshortened, on average about this much.
-    const pixel = this.#pixel * w;
-    const pixels = (data[at + 6] / pixel) * (0.35 + 0.65 * Math.abs(facing));
+    const sight = this.#sight;
+    const pixels = sight.edgeOf(f, this.#frames as FaceFrames);
     if (pixels < ARROWS_FROM) return false;
     if (pixels >= LABELS_FROM_PX) this.large.push(f);
     const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
-    if (strength > 0 || faded > 0) {
-      const { faded: far, arrow } = this.#colors;
-      this.#tint.lerpColors(far, arrow, Math.min(1, Math.max(faded, strength)));
-      const rows = this.#rows as FaceRows;
-      const count = rows.place(f, arrowSizes(pixel, this.#sizes));
-      this.#batch.addArrows(rows.arrows, count, this.#tint);
-    }
+    const shown = Math.min(1, Math.max(faded, strength));
+    if (shown > 0) this.#arrows.show(f, sight.pixel, shown);
     if (!this.#closed) this.#writeBoundaries(f);
     return true;
   }
 
   /** The boundary halfedges across the edges of a face: never faded, never hidden. */
   #writeBoundaries(f: number): void {
-    const { next, face, faceHalfedge } = (this.#surface as Surface).mesh.connectivity;
+    const { next, face, faceHalfedge } = this.#links as ConnectivityViews;
     const first = faceHalfedge[f];
     let h = first;
     do {
@@ -188,8 +171,8 @@ export class ArrowLayer {
     const pixel = this.#stage.pixelAt(
       this.#stage.depthOf(glyphs.arrows[0], glyphs.arrows[1], glyphs.arrows[2]),
     );
-    this.#batch.addDashed(glyphs.arrows, 0, 3, this.#colors.boundary, 5 * pixel, 0.4);
-    this.#batch.add(glyphs.arrows, 3, 6, this.#colors.boundary);
+    this.#batch.addDashed(glyphs.arrows, 0, 3, this.#boundaryColor, 5 * pixel, 0.4);
+    this.#batch.add(glyphs.arrows, 3, 6, this.#boundaryColor);
     this.boundary.push(h);
   }
 }

@@ -1,4 +1,4 @@
-import { ARROW_FLOATS, ArrowRows, type ArrowSizes, rowLength } from '../three/index.js';
+import { ArrowRows, rowLength } from '../three/index.js';
 import { roomFor } from '../three/rows.js';
 import type { Surface } from './surface.js';
 
@@ -6,30 +6,27 @@ import type { Surface } from './surface.js';
 const MOST = 1_000_000;
 
 /**
- * Places the arrows of faces. What they depend on besides their sizes is measured when a face is first asked for, and
- * kept until its corners have changed.
+ * What of faces their arrows depend on, besides their sizes: measured when a face is first asked for, and kept until
+ * its corners have changed.
  */
 export class FaceRows {
+  readonly rows = new ArrowRows();
   readonly #surface: Surface;
-  readonly #rows = new ArrowRows();
   /** By face: where its row is; 0 if it has none. */
   #at: Int32Array;
   /** The faces that have one. */
   #faces: number[] = [];
   #end = 1;
   readonly #corners: number[] = [];
-  /** The arrows that were placed last. */
-  arrows = new Float32Array(0);
 
   constructor(surface: Surface) {
     this.#surface = surface;
     this.#at = new Int32Array(surface.mesh.faceSlots);
   }
 
-  /** Writes the arrows of a face to `arrows`. Returns how many they are. */
-  place(face: number, sizes: ArrowSizes): number {
-    const known = this.#at[face];
-    return this.#rows.place(known > 0 ? known : this.#measure(face), sizes, this.arrows, 0);
+  /** Where in `rows` the row of a face is. */
+  at(face: number): number {
+    return this.#at[face] || this.#measure(face);
   }
 
   /** Measures some faces anew when they are next asked for, because they have changed; all of them for null. */
@@ -50,13 +47,10 @@ export class FaceRows {
     if (this.#end > MOST) this.forget(null);
     const degree = this.#surface.corners(face, this.#corners);
     const at = this.#end;
-    this.#rows.measureFace(at, this.#corners, degree);
+    this.rows.measureFace(at, this.#corners, degree);
     this.#end += rowLength(degree);
     this.#at[face] = at;
     this.#faces.push(face);
-    if (degree * ARROW_FLOATS > this.arrows.length) {
-      this.arrows = new Float32Array(2 * degree * ARROW_FLOATS);
-    }
     return at;
   }
 }

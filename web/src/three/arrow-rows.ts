@@ -15,6 +15,9 @@ const CORNER = 12;
 /** xyz of the start, the end and the tip of the barb. */
 export const ARROW_FLOATS = 9;
 
+/** An arrow as two segments, of which the second, the barb, begins where the first ends. */
+export const SEGMENTS_OF_ARROW = 2;
+
 /** The inset is at most this share of the largest one that leaves all arrows some length. */
 export const CAP_SHARE = 0.35;
 
@@ -75,23 +78,29 @@ export class ArrowRows {
   /** Writes the arrows of all edges of a row to `out`. Returns how many there are. */
   place(at: number, sizes: ArrowSizes, out: Float32Array, offset: number): number {
     const degree = this.#data[at + DEGREE];
-    placeArrows(this.#data, at, sizes, out, offset, 0, degree);
+    placeArrows(this.#data, at, sizes, out, offset, 3, 0, degree);
     return degree;
+  }
+
+  /** Writes the arrows of all edges of a row to `out`, as two segments each: xyz of both ends of shaft and barb. */
+  placeSegments(at: number, sizes: ArrowSizes, out: Float32Array, offset: number): void {
+    placeArrows(this.#data, at, sizes, out, offset, 6, 0, this.#data[at + DEGREE]);
   }
 
   /** Writes the arrow of one edge of a row to `out`. */
   placeOne(at: number, edge: number, sizes: ArrowSizes, out: Float32Array, offset: number): void {
-    placeArrows(this.#data, at, sizes, out, offset, edge, edge + 1);
+    placeArrows(this.#data, at, sizes, out, offset, 3, edge, edge + 1);
   }
 }
 
-/** The arrows of the edges from corner `first` on, before corner `end`. */
+/** The arrows of the edges from corner `first` on, before corner `end`. Of each, the barb is written from `barbAt` on. */
 function placeArrows(
   row: Float64Array,
   at: number,
   { inset, trim, barb }: ArrowSizes,
   out: Float32Array,
   offset: number,
+  barbAt: number,
   first: number,
   end: number,
 ): void {
@@ -101,7 +110,7 @@ function placeArrows(
   const widest = 0.6 * (cap - d);
   const stop = at + HEAD + CORNER * end;
   let o = offset;
-  for (let a = at + HEAD + CORNER * first; a < stop; a += CORNER, o += ARROW_FLOATS) {
+  for (let a = at + HEAD + CORNER * first; a < stop; a += CORNER, o += barbAt + 6) {
     const b = a === last ? at + HEAD : a + CORNER;
     const length = row[a + LENGTH];
     const gap = Math.min(trim, TRIM_SHARE * length);
@@ -124,13 +133,14 @@ function placeArrows(
     out[o] = x + from * tx;
     out[o + 1] = y + from * ty;
     out[o + 2] = z + from * tz;
-    out[o + 3] = x + to * tx;
-    out[o + 4] = y + to * ty;
-    out[o + 5] = z + to * tz;
+    const b1 = o + barbAt;
+    out[o + 3] = out[b1] = x + to * tx;
+    out[o + 4] = out[b1 + 1] = y + to * ty;
+    out[o + 5] = out[b1 + 2] = z + to * tz;
     const tip = to - back;
-    out[o + 6] = x + tip * tx + width * ix;
-    out[o + 7] = y + tip * ty + width * iy;
-    out[o + 8] = z + tip * tz + width * iz;
+    out[b1 + 3] = x + tip * tx + width * ix;
+    out[b1 + 4] = y + tip * ty + width * iy;
+    out[b1 + 5] = z + tip * tz + width * iz;
   }
 }
 

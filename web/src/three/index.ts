@@ -1,6 +1,6 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
-export { ARROW_FLOATS, ArrowRows, CAP_SHARE, rowLength } from './arrow-rows.js';
+export { ARROW_FLOATS, ArrowRows, CAP_SHARE, rowLength, SEGMENTS_OF_ARROW } from './arrow-rows.js';
 export { ARROWS_FROM, type ArrowSizes, ArrowTracer, arrowSizes } from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
 export { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
@@ -15,6 +15,7 @@ export {
   type ProblemsOptions,
 } from './helpers.js';
 export { IndexLabelsHelper, type LabelsOptions } from './labels-helper.js';
+export { LineBuffers, SEGMENT_FLOATS } from './line-buffers.js';
 export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 export { type ChangeListener, type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
 export { newellNormal, squaredDistanceToSegment } from './polygon.js';

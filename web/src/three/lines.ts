@@ -1,38 +1,23 @@
-import {
-  type Color,
-  DynamicDrawUsage,
-  GreaterDepth,
-  InstancedInterleavedBuffer,
-  InterleavedBufferAttribute,
-  Vector4,
-} from 'three';
+import { type Color, GreaterDepth, Vector4 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import { ARROW_FLOATS } from './arrow-rows.js';
-
-/** Segments are uploaded in blocks of so many, those of which one has changed. */
-const BLOCK = 64;
-/** With more ranges than this, of an object that isn't drawn, the whole buffer waits to be uploaded. */
-const MOST_RANGES = 1000;
+import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { LineBuffers, SEGMENT_FLOATS } from './line-buffers.js';
 
 /**
  * Coloured line segments that are written anew again and again; memory grows and is kept. What is written as it was
  * before is not uploaded again.
  */
 export class LineBatch {
-  readonly geometry = new LineSegmentsGeometry();
-  /** xyz of both ends by segment, and one colour for both. */
-  #positions = new Float32Array(0);
-  #colors = new Float32Array(0);
-  readonly #buffers: InstancedInterleavedBuffer[] = [];
-  /** By block: whether a segment of it is other than what was uploaded. */
-  #isStale = new Uint8Array(0);
-  #capacity = 0;
+  readonly #lines: LineBuffers;
   #count = 0;
 
-  constructor(capacity = BLOCK) {
-    this.#grow(capacity);
+  constructor(capacity?: number) {
+    this.#lines = new LineBuffers(capacity);
+  }
+
+  get geometry(): LineSegmentsGeometry {
+    return this.#lines.geometry;
   }
 
   get count(): number {
@@ -51,38 +36,10 @@ export class LineBatch {
     segment[3] = points[b];
     segment[4] = points[b + 1];
     segment[5] = points[b + 2];
-    this.#reserve(this.#count + 1);
-    this.#write(segment, 0, 3, color);
-  }
-
-  /** Adds shaft and barb of so many arrows, as `ArrowTracer` writes them. */
-  addArrows(arrows: Float32Array, count: number, color: Color): void {
-    const { r, g, b } = color;
-    this.#reserve(this.#count + 2 * count);
-    const positions = this.#positions;
-    const colors = this.#colors;
-    for (let at = 0; at < count * ARROW_FLOATS; at += ARROW_FLOATS) {
-      const shaft = this.#count;
-      if (
-        this.#isStale[(shaft / BLOCK) | 0] === 0 ||
-        this.#isStale[((shaft + 1) / BLOCK) | 0] === 0
-      ) {
-        this.#write(arrows, at, at + 3, color);
-        this.#write(arrows, at + 3, at + 6, color);
-        continue;
-      }
-      // Most arrows, while the camera moves: nothing is left to be compared.
-      const p = 6 * shaft;
-      for (let k = 0; k < 6; k++) {
-        positions[p + k] = arrows[at + k];
-        positions[p + 6 + k] = arrows[at + 3 + k];
-      }
-      const c = 3 * shaft;
-      colors[c] = colors[c + 3] = r;
-      colors[c + 1] = colors[c + 4] = g;
-      colors[c + 2] = colors[c + 5] = b;
-      this.#count = shaft + 2;
-    }
+    tint[0] = color.r;
+    tint[1] = color.g;
+    tint[2] = color.b;
+    this.#write();
   }
 
   /** Adds the segment as dashes: `period` long each, the first `duty` of it drawn. */
@@ -116,87 +73,33 @@ export class LineBatch {
 
   /** Hands what was added to the graphics card, as far as it has something else there. */
   upload(): void {
-    this.geometry.instanceCount = this.#count;
-    const blocks = Math.ceil(this.#count / BLOCK);
-    for (let from = 0; from < blocks; from++) {
-      if (this.#isStale[from] === 0) continue;
-      let to = from;
-      while (to < blocks && this.#isStale[to] === 1) this.#isStale[to++] = 0;
-      const end = Math.min(to * BLOCK, this.#capacity);
-      for (const buffer of this.#buffers) {
-        if (buffer.updateRanges.length >= MOST_RANGES) {
-          // A range all the same: three.js uploads the whole buffer only as long as there is none.
-          buffer.clearUpdateRanges();
-          buffer.addUpdateRange(0, buffer.array.length);
-        } else {
-          buffer.addUpdateRange(from * BLOCK * buffer.stride, (end - from * BLOCK) * buffer.stride);
-        }
-        buffer.needsUpdate = true;
-      }
-      from = to;
-    }
+    this.#lines.upload(this.#count);
   }
 
-  /** pre: there is room for one more */
-  #write(from: Float32Array, a: number, b: number, color: Color): void {
-    const block = (this.#count / BLOCK) | 0;
-    const p = 6 * this.#count;
-    const c = 3 * this.#count;
+  /** Writes `segment` in the colour `tint`. */
+  #write(): void {
+    const lines = this.#lines;
+    const at = this.#count;
     this.#count += 1;
-    const positions = this.#positions;
-    const colors = this.#colors;
-    if (this.#isStale[block] === 0) {
-      let isSame =
-        colors[c] === Math.fround(color.r) &&
-        colors[c + 1] === Math.fround(color.g) &&
-        colors[c + 2] === Math.fround(color.b);
-      for (let k = 0; isSame && k < 3; k++) {
-        isSame = positions[p + k] === from[a + k] && positions[p + 3 + k] === from[b + k];
-      }
+    lines.reserve(this.#count);
+    const { positions, colors } = lines;
+    const p = SEGMENT_FLOATS * at;
+    const c = 3 * at;
+    if (!lines.isStale(at)) {
+      let isSame = true;
+      for (let k = 0; isSame && k < 3; k++) isSame = colors[c + k] === tint[k];
+      for (let k = 0; isSame && k < SEGMENT_FLOATS; k++) isSame = positions[p + k] === segment[k];
       if (isSame) return;
-      this.#isStale[block] = 1;
+      lines.touch(at, at + 1);
     }
-    for (let k = 0; k < 3; k++) {
-      positions[p + k] = from[a + k];
-      positions[p + 3 + k] = from[b + k];
-    }
-    colors[c] = color.r;
-    colors[c + 1] = color.g;
-    colors[c + 2] = color.b;
-  }
-
-  #reserve(count: number): void {
-    if (count > this.#capacity) this.#grow(2 * count);
-  }
-
-  #grow(capacity: number): void {
-    const grown = (from: Float32Array, components: number) => {
-      const array = new Float32Array(components * capacity);
-      array.set(from.subarray(0, components * this.#count));
-      return array;
-    };
-    this.#positions = grown(this.#positions, 6);
-    this.#colors = grown(this.#colors, 3);
-    this.#capacity = capacity;
-    // Other buffers are uploaded whole.
-    this.#isStale = new Uint8Array(Math.ceil(capacity / BLOCK));
-    const positions = new InstancedInterleavedBuffer(this.#positions, 6, 1);
-    const colors = new InstancedInterleavedBuffer(this.#colors, 3, 1);
-    this.#buffers.splice(0, 2, positions, colors);
-    for (const buffer of this.#buffers) buffer.setUsage(DynamicDrawUsage);
-    const { geometry } = this;
-    geometry.dispose();
-    const both = new InterleavedBufferAttribute(colors, 3, 0);
-    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(positions, 3, 0));
-    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(positions, 3, 3));
-    geometry.setAttribute('instanceColorStart', both);
-    geometry.setAttribute('instanceColorEnd', both);
-    geometry.instanceCount = this.#count;
+    for (let k = 0; k < SEGMENT_FLOATS; k++) positions[p + k] = segment[k];
+    for (let k = 0; k < 3; k++) colors[c + k] = tint[k];
   }
 }
 
-/** One segment on its way into a batch. */
-const segment = new Float32Array(6);
+/** One segment and its colour on their way into a batch. */
+const segment = new Float32Array(SEGMENT_FLOATS);
+const tint = new Float32Array(3);
 
 /** By how many CSS pixels a line comes nearer to the camera for each unit of its bias. */
 const LIFT_PX = 1.5;
@@ -222,9 +125,13 @@ export function lineMaterial(linewidth: number, bias: number): LineMaterial {
   return material;
 }
 
-/** The segments of a batch as an object of the scene; drawn in `order` among the overlays. */
-export function lines(batch: LineBatch, material: LineMaterial, order: number): LineSegments2 {
-  const object = new LineSegments2(batch.geometry, material);
+/** Line segments as an object of the scene; drawn in `order` among the overlays. */
+export function lines(
+  { geometry }: LineBatch | LineBuffers,
+  material: LineMaterial,
+  order: number,
+): LineSegments2 {
+  const object = new LineSegments2(geometry, material);
   object.frustumCulled = false;
   object.renderOrder = order;
   if (!Object.hasOwn(LineSegments2.prototype, 'onBeforeRender')) {

@@ -1,29 +1,32 @@
 import { newArray } from '../arguments.js';
 
-/** Which triangles of a geometry show which face. A face keeps its place as long as its degree stays. */
-export class TriangleSlots {
-  /** By triangle: the face that it shows, or -1. Longer than there are triangles. */
+/**
+ * Which rows of a buffer (triangles, arrows) show which face. A face keeps its place as long as the number of its rows
+ * stays.
+ */
+export class FaceSlots {
+  /** By row: the face that it shows, or -1. Longer than there are rows. */
   faceOf: Int32Array;
-  /** The triangles from here on have never been used. */
+  /** The rows from here on have never been used. */
   end = 0;
-  /** Faces from here on have no triangles. */
+  /** Faces from here on have no rows. */
   faces = 0;
-  /** By face: the first of its triangles, and how many there are. */
+  /** By face: the first of its rows, and how many there are. */
   #first = new Int32Array(0);
   #count = new Int32Array(0);
-  /** By number of triangles, places that are free. */
+  /** By number of rows, places that are free. */
   readonly #free = new Map<number, number[]>();
   #unused = 0;
 
   constructor(capacity: number) {
-    this.faceOf = newArray('the triangles', Int32Array, capacity).fill(-1);
+    this.faceOf = newArray('a buffer', Int32Array, capacity).fill(-1);
   }
 
   get capacity(): number {
     return this.faceOf.length;
   }
 
-  /** Whether more than half of the triangles that are drawn show nothing. */
+  /** Whether more than half of the rows that are drawn show nothing. */
   get isWasteful(): boolean {
     return this.#unused > 1000 && 2 * this.#unused > this.end;
   }
@@ -36,7 +39,7 @@ export class TriangleSlots {
     return this.#count[face] ?? 0;
   }
 
-  /** Faces up to this one, no more, can have triangles. pre: those beyond have none */
+  /** Faces up to this one, no more, can have rows. pre: those beyond have none */
   resize(faces: number): void {
     this.faces = faces;
     if (faces <= this.#first.length) return;
@@ -49,23 +52,23 @@ export class TriangleSlots {
     this.#count = count;
   }
 
-  /** Gives the triangles, from the first on, to the faces that they are of. pre: none has one yet */
+  /** Gives the rows, from the first on, to the faces that they are of. pre: none has one yet */
   assign(faceOf: ArrayLike<number>, faces: number): void {
     this.resize(faces);
     this.faceOf.set(faceOf);
     this.end = faceOf.length;
-    for (let t = this.end - 1; t >= 0; t--) {
-      this.#first[faceOf[t]] = t;
-      this.#count[faceOf[t]] += 1;
+    for (let row = this.end - 1; row >= 0; row--) {
+      this.#first[faceOf[row]] = row;
+      this.#count[faceOf[row]] += 1;
     }
   }
 
-  /** Frees the triangles of a face. */
+  /** Frees the rows of a face. */
   release(face: number): void {
     const count = this.count(face);
     if (count === 0) return;
     const first = this.#first[face];
-    this.faceOf.fill(-1, first, first + count);
+    for (let row = first; row < first + count; row++) this.faceOf[row] = -1;
     this.#count[face] = 0;
     this.#unused += count;
     const places = this.#free.get(count);
@@ -73,21 +76,21 @@ export class TriangleSlots {
     else places.push(first);
   }
 
-  /** Gives a face that has none a place for so many triangles; returns the first of them. */
+  /** Gives a face that has none a place for so many rows; returns the first of them. */
   take(face: number, count: number): number {
     const free = this.#free.get(count)?.pop();
     const first = free ?? this.end;
     if (free === undefined) this.end += count;
     else this.#unused -= count;
     if (this.end > this.faceOf.length) this.#grow(Math.ceil(1.25 * this.end));
-    this.faceOf.fill(face, first, first + count);
+    for (let row = first; row < first + count; row++) this.faceOf[row] = face;
     this.#first[face] = first;
     this.#count[face] = count;
     return first;
   }
 
   #grow(capacity: number): void {
-    const grown = newArray('the triangles', Int32Array, capacity).fill(-1);
+    const grown = newArray('a buffer', Int32Array, capacity).fill(-1);
     grown.set(this.faceOf);
     this.faceOf = grown;
   }

@@ -1,6 +1,6 @@
 import type { HalfedgeMesh } from '../mesh.js';
 import { RowBuffer, roomFor } from './rows.js';
-import { TriangleSlots } from './slots.js';
+import { FaceSlots } from './slots.js';
 import type { FaceTriangles } from './triangulate.js';
 
 /** What has become of triangles. */
@@ -17,10 +17,10 @@ export interface Placement {
 export class TriangleIndex {
   /** Three vertices a triangle; those of triangles that show nothing are all 0. */
   readonly buffer = new RowBuffer(new Uint32Array(0), 3, false, 1);
-  #slots = new TriangleSlots(0);
+  #slots = new FaceSlots(0);
 
   /** Where the triangles of each face are. */
-  get slots(): Pick<TriangleSlots, 'first' | 'count' | 'faceOf' | 'end' | 'faces' | 'isWasteful'> {
+  get slots(): Pick<FaceSlots, 'first' | 'count' | 'faceOf' | 'end' | 'faces' | 'isWasteful'> {
     return this.#slots;
   }
 
@@ -46,7 +46,7 @@ export class TriangleIndex {
 
   /** These triangles and no others, side by side. */
   fill(mesh: HalfedgeMesh, { halfedges, faces }: FaceTriangles): void {
-    this.#slots = new TriangleSlots(roomFor(faces.length));
+    this.#slots = new FaceSlots(roomFor(faces.length));
     this.#slots.assign(faces, mesh.faceSlots);
     this.buffer.reserve(this.#slots.capacity);
     const { toVertex } = mesh.connectivity;
