@@ -108,6 +108,10 @@ const MAKERS: Record<string, [weight: number, Maker]> = {
   deleteIsolatedVertices: [0.2, (mesh) => edit(mesh, 'deleteIsolatedVertices', [])],
   keepLargestComponents: [0.1, (mesh) => edit(mesh, 'keepLargestComponents', [3])],
   compact: [0.3, (mesh) => edit(mesh, 'compact', [])],
+  reorder: [
+    0.3,
+    (mesh, next) => edit(mesh, 'reorder', [next() < 0.5 ? 'morton' : 'breadth-first']),
+  ],
   flipEdge: [4, byItem('edges', 'flipEdge')],
   splitEdge: [2, byItem('edges', 'splitEdge', maybePoint)],
   insertVertexOnEdge: [2, byItem('edges', 'insertVertexOnEdge', maybePoint)],
@@ -128,7 +132,7 @@ const MAKERS: Record<string, [weight: number, Maker]> = {
   fillHole: [1, byItem('halfedges', 'fillHole')],
   glue: [2, byItem('halfedges', 'glue', (mesh, h, next) => [acrossGap(mesh, h, next) ?? h])],
   gluePath: [
-    1,
+    3,
     byItem('halfedges', 'gluePath', (mesh, h, next) => [mesh.next(h), 1 + Math.floor(2 * next())]),
   ],
   cut: [2, byItem('halfedges', 'cut')],
