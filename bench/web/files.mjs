@@ -1,106 +1,80 @@
 // `npm run bench:files`: reading files, ours against three.js's loaders, in Node. CPU time, since it
-// must not matter what else the machine does. Prints Markdown. --quick takes a small mesh.
+// must not matter what else the machine does. Prints Markdown.
+//   --quick        a small mesh and few rounds
+//   --collection   without the mesh of a million triangles
+//   --write        keeps the tables in bench/README.md
 
-import { argv, cpuUsage, versions } from 'node:process';
+import { argv, versions } from 'node:process';
 import { HalfedgeMesh, init } from 'halfedge';
-import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
-import { PLYLoader } from 'three/addons/loaders/PLYLoader.js';
-import { STLLoader } from 'three/addons/loaders/STLLoader.js';
-import { mergeVertices } from 'three/addons/utils/BufferGeometryUtils.js';
+import { groupsOfCollection } from './files-collection.mjs';
+import { digits, measure, readersOf } from './files-readers.mjs';
 import { grid } from './meshes.mjs';
+import { keepReport } from './readme.mjs';
 
-/** A contender whose first run takes longer has no other. */
-const HOPELESS = 4000;
-const ROUNDS = argv.includes('--quick') ? 3 : 7;
-const side = argv.includes('--quick') ? 64 : 708;
+const quick = argv.includes('--quick');
+const rounds = quick ? 3 : 7;
+const HEAD = ['read', 'three.js reads', 'read and build', 'three.js reads and welds'];
 
 await init();
-const { positions, triangles } = grid(side);
-const mesh = HalfedgeMesh.fromTriangles(positions, triangles);
-const text = (bytes) => new TextDecoder().decode(bytes);
+console.warn = () => {}; // OBJLoader tells of each line that it doesn't know
+if (!argv.includes('--collection')) tell('grid', gridTable(quick ? 64 : 708));
+tell('collection', collectionTable());
 
-/** Each gets the bytes of a file, and returns the number of its triangles. */
-const read = (options) => (bytes) =>
-  HalfedgeMesh.parseSoup(bytes, options).faces.corners.length / 3;
-const build = (bytes) => {
-  const { mesh: built } = HalfedgeMesh.parse(bytes);
-  const { faceCount } = built;
-  built.dispose();
-  return faceCount;
-};
-const trianglesIn = ({ index, attributes }) => (index ?? attributes.position).count / 3;
-const geometryOf = {
-  stl: (bytes) => new STLLoader().parse(bytes.buffer),
-  ply: (bytes) => new PLYLoader().parse(bytes.buffer),
-  obj: (bytes) => new OBJLoader().parse(text(bytes)).children[0].geometry,
-};
-
-/** With normals three.js would keep apart what lies on edges: positions are welded by themselves. */
-function welded(geometry) {
-  for (const name of Object.keys(geometry.attributes)) {
-    if (name !== 'position') geometry.deleteAttribute(name);
-  }
-  return mergeVertices(geometry);
+function tell(which, report) {
+  console.log(`${report}\n`);
+  if (argv.includes('--write')) keepReport(`npm run bench:files, ${which}`, report);
 }
 
-const FILES = [
-  ['STL, binary', 'stl', 'binary', { weld: false }],
-  ['STL, text', 'stl', 'text', { weld: false }],
-  ['PLY, binary', 'ply', 'binary', {}],
-  ['PLY, text', 'ply', 'text', {}],
-  ['OBJ', 'obj', 'text', {}],
-  ['OFF, text', 'off', 'text', {}],
-  ['OFF, binary', 'off', 'binary', {}],
-];
-
-console.log(`Node ${versions.node}; ${mesh.faceCount.toLocaleString('en-GB')} triangles\n`);
-console.log(
-  '| ms of CPU | MB | read | three.js reads | read and build | three.js reads and welds |',
-);
-console.log('| --- | ---: | ---: | ---: | ---: | ---: |');
-for (const [title, format, encoding, options] of FILES) {
-  const written = mesh.write(format, { encoding });
-  const bytes = typeof written === 'string' ? new TextEncoder().encode(written) : written.slice();
-  const load = geometryOf[format];
-  const run = {
-    read: read(options),
-    ...(load && { load: (file) => trianglesIn(load(file)) }),
-    build,
-    // Those of PLY share their vertices as they are.
-    ...(load && format !== 'ply' && { weld: (file) => trianglesIn(welded(load(file))) }),
-  };
-  const times = measure(run, bytes);
-  const cell = (ours, theirs) =>
-    theirs in times ? `${digits(times[theirs])} (${digits(times[theirs] / times[ours])}×)` : '–';
-  const cells = [
-    ...[title, (bytes.length / 1e6).toFixed(0), digits(times.read), cell('read', 'load')],
-    ...[digits(times.build), cell('build', 'weld' in times ? 'weld' : 'load')],
+/** The same mesh in every format. */
+function gridTable(side) {
+  const { positions, triangles } = grid(side);
+  const mesh = HalfedgeMesh.fromTriangles(positions, triangles);
+  const forms = [
+    ['STL, binary', 'stl', 'binary'],
+    ['STL, text', 'stl', 'text'],
+    ['PLY, binary', 'ply', 'binary'],
+    ['PLY, text', 'ply', 'text'],
+    ['OBJ', 'obj', 'text'],
+    ['OFF, text', 'off', 'text'],
+    ['OFF, binary', 'off', 'binary'],
   ];
-  console.log(`| ${cells.join(' | ')} |`);
+  const rows = forms.map(([title, format, encoding]) => {
+    const written = mesh.write(format, { encoding });
+    const bytes = typeof written === 'string' ? new TextEncoder().encode(written) : written.slice();
+    const times = measure(readersOf(format), [bytes], rounds, mesh.faceCount);
+    return [title, (bytes.length / 1e6).toFixed(0), ...cells(times)];
+  });
+  const count = mesh.faceCount.toLocaleString('en-GB');
+  mesh.dispose();
+  return `Node ${versions.node}; ${count} triangles\n\n${table(['ms of CPU', 'MB', ...HEAD], rows)}`;
 }
 
-/** The median of each, in rounds in which one comes after the other. */
-function measure(run, bytes) {
-  const times = Object.fromEntries(Object.keys(run).map((who) => [who, []]));
-  for (let round = 0; round <= ROUNDS; round++) {
-    for (const [who, use] of Object.entries(run)) {
-      if (times[who][0] > HOPELESS) continue;
-      globalThis.gc?.();
-      const begin = cpuUsage();
-      const count = use(bytes);
-      const { user, system } = cpuUsage(begin);
-      if (count !== triangles.length / 3) throw new Error(`${who} found ${count} triangles.`);
-      times[who].push((user + system) / 1000);
-    }
-  }
-  return Object.fromEntries(
-    Object.entries(times).map(([who, list]) => {
-      const warm = list.length > 1 ? list.slice(1) : list;
-      return [who, warm.sort((a, b) => a - b)[warm.length >> 1]];
-    }),
-  );
+/** The files that users have: all of a format, the largest one, and the mean of small ones. */
+function collectionTable() {
+  const { groups, told } = groupsOfCollection();
+  if (groups.length === 0) return told;
+  const rows = groups.map(({ title, format, files, each }) => {
+    const size = files.reduce((sum, { length }) => sum + length, 0);
+    const share = each ? 1 / files.length : 1;
+    const times = measure(readersOf(format), files, rounds);
+    const scaled = Object.fromEntries(Object.entries(times).map(([who, ms]) => [who, ms * share]));
+    return [title, digits((size * share) / 1e6), ...cells(scaled)];
+  });
+  return `${told}\n\n${table(['ms of CPU', 'MB', ...HEAD], rows)}`;
 }
 
-function digits(value) {
-  return value >= 99.5 ? Math.round(value).toLocaleString('en-GB') : value.toPrecision(2);
+/** Each of ours, and theirs beside it with how many times as long it takes. */
+function cells(times) {
+  const beside = (ours, theirs) =>
+    theirs in times ? `${digits(times[theirs])} (${digits(times[theirs] / times[ours])}×)` : '–';
+  const indexed = 'weld' in times ? 'weld' : 'load';
+  return [
+    ...[digits(times.read), beside('read', 'load')],
+    ...[digits(times.build), beside('build', indexed)],
+  ];
+}
+
+function table(head, rows) {
+  const rule = ['---', ...head.slice(1).map(() => '---:')];
+  return [head, rule, ...rows].map((row) => `| ${row.join(' | ')} |`).join('\n');
 }
