@@ -87,6 +87,23 @@ describe('An exercise', () => {
     expect(await page.sentence()).toMatch(/^2 of 3: v\d$/);
   });
 
+  test('says on a telephone what is wrong between the code and the figure, and brings it into sight', async () => {
+    const page = await exercise('task="vertex-faces"', { width: 390, height: 700, phone: true });
+    await page.page.tap('halfedge-exercise [part~=run]');
+    await page.page.waitForSelector('halfedge-exercise[state=failed]');
+    const boxOf = async (part: string) => {
+      const box = await page.page.locator(`halfedge-exercise ${part}`).boundingBox();
+      return box ?? { y: Number.NaN, height: Number.NaN };
+    };
+    await page.page.waitForTimeout(300);
+    const verdict = await boxOf('[part~=verdict]');
+    expect(verdict.y).toBeGreaterThanOrEqual(0);
+    expect(verdict.y + verdict.height).toBeLessThanOrEqual(701);
+    const [bar, figure] = [await boxOf('[part=bar]'), await boxOf('halfedge-figure')];
+    expect(bar.y).toBeLessThan(verdict.y);
+    expect(figure.y).toBeGreaterThan(verdict.y);
+  });
+
   test('shows also the other meshes that it failed on', async () => {
     const page = await exercise('task="vertex-faces"');
     const { failure, meshes } = await run(page);
