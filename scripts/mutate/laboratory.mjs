@@ -157,11 +157,12 @@ export class Laboratory {
   }
 
   /**
-   * The sources of the library that are compiled anew. Where many include a header, what the tests
-   * instantiate of it has to do: that comes first when they are linked.
+   * The sources of the library that are compiled anew. Where many include a header, those beside it, and
+   * what the tests instantiate of it: that comes first when they are linked.
    */
   #librarySourcesOf(file) {
     const found = this.#library.filter(({ depends }) => depends.has(file));
-    return found.length <= 3 ? found.map(({ path }) => path) : [];
+    const beside = found.filter(({ path }) => dirname(path) === dirname(file));
+    return (found.length <= 3 ? found : beside).map(({ path }) => path);
   }
 }
