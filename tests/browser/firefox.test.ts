@@ -82,16 +82,24 @@ describe('In Firefox, the explorer', () => {
   });
 });
 
-test('In Firefox, a figure is drawn and played', async () => {
+/** Opens a page with an element of the package, as one file brings it. */
+async function openElement(file: 'figure' | 'exercise', element: string) {
   const page = `<!doctype html>
 <link rel="icon" href="data:,">
-<script type="module" src="figure/standalone.js"></script>
-<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>`;
+<script type="module" src="${file}/standalone.js"></script>
+${element}`;
   const server = await serve(join(root, 'dist'), {
-    answers: { '/page.html': { body: page, type: 'text/html' } },
+    answers: { '/page.html': { body: page, type: 'text/html; charset=utf-8' } },
   });
+  return { server, tab: await firefox.open(`${server.address}page.html`) };
+}
+
+test('In Firefox, a figure is drawn and played', async () => {
+  const { server, tab } = await openElement(
+    'figure',
+    '<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>',
+  );
   try {
-    const tab = await firefox.open(`${server.address}page.html`);
     await tab.page.waitForSelector('halfedge-figure[state=ready]');
     await tab.page.evaluate(() => {
       (
@@ -104,4 +112,53 @@ test('In Firefox, a figure is drawn and played', async () => {
   } finally {
     await server.close();
   }
+});
+
+describe('In Firefox, an exercise', () => {
+  let opened: Awaited<ReturnType<typeof openElement>>;
+  beforeAll(async () => {
+    opened = await openElement(
+      'exercise',
+      '<halfedge-exercise task="valence" seed="5"></halfedge-exercise>',
+    );
+    await opened.tab.page.waitForSelector('halfedge-exercise >>> .cm-content');
+  });
+  afterAll(() => opened?.server.close());
+
+  /** Types a program over the one that is there, runs it by the keyboard, and waits for what is told. */
+  async function run(code: string, state: 'passed' | 'failed'): Promise<string> {
+    const { page } = opened.tab;
+    await page.click('halfedge-exercise >>> .cm-content');
+    await page.keyboard.down('Control');
+    await page.keyboard.press('a');
+    await page.keyboard.up('Control');
+    await page.keyboard.type(code);
+    const told = page.evaluate(
+      () =>
+        new Promise<void>((done) =>
+          document.addEventListener('halfedge-result', () => done(), { once: true }),
+        ),
+    );
+    await page.keyboard.down('Control');
+    await page.keyboard.press('Enter');
+    await page.keyboard.up('Control');
+    await told;
+    await page.waitForSelector(`halfedge-exercise[state=${state}]`);
+    return page.$eval('halfedge-exercise >>> .headline', (it) => it.textContent ?? '');
+  }
+
+  test('is typed, run, told what is wrong, and solved', async () => {
+    expect(await run('const valence = (mesh, v) => 2;', 'failed')).toBe('It counts one too few.');
+    expect(await run('const valence = (mesh, v) => { for (;;); }', 'failed')).toBe(
+      'The loop in line 1 does not end.',
+    );
+    expect(await run('const valence = (mesh, v) => 3 +;', 'failed')).toMatch(
+      /^Line 1, column \d+: /,
+    );
+    const right =
+      'const valence = (mesh, v) => { let n = 0, h = mesh.vertexHalfedge(v); const first = h; if (h === NONE) return 0; do { n++; h = mesh.next(mesh.opposite(h)); } while (h !== first); return n; }';
+    expect(await run(right, 'passed')).toBe('Right.');
+    await screenshot(opened.tab, 'exercise');
+    expect(opened.tab.complaints).toEqual([]);
+  });
 });
