@@ -4,6 +4,8 @@
 // loaded as what they are, ES modules (node --experimental-vm-modules), so that the shipped files are
 // tested unchanged.
 
+import { availableParallelism } from 'node:os';
+
 const suite = (name) => ({
   displayName: name,
   testMatch: [`<rootDir>/tests/${name}/**/*.test.ts`],
@@ -63,5 +65,7 @@ export default {
       globalTeardown: '<rootDir>/tests/package/support/teardown.mjs',
     },
   ],
+  // By itself Jest leaves a processor idle, which is half of two.
+  maxWorkers: Math.min(availableParallelism(), 4),
   testTimeout: 180_000,
 };

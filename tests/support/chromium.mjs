@@ -1,15 +1,30 @@
-// The browser that the suites share: Debian's, driven by playwright-core.
+// The browsers that the suites drive by playwright-core: Debian's Chromium, one for each of Jest's workers.
+// In one browser the pages of two test files would wait for the same process that draws, and share a
+// clipboard.
 
 import { chromium } from 'playwright-core';
 import { which } from '../../scripts/lib/run.mjs';
 
-/** Starts Chromium as a server that test files connect to. */
-export function launchChromium() {
+let browsers = [];
+
+/** Starts so many browsers, for connection.ts to connect to. */
+export async function startChromium(workers) {
   const executablePath = which('chromium') ?? which('chromium-browser');
   if (!executablePath) throw new Error('There is no Chromium on PATH: `npm run setup tests`.');
   const quiet = ['background-networking', 'component-update', 'sync', 'quic'];
   const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
   // WebGL in software: it runs where there is no graphics card.
   args.push('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
-  return chromium.launchServer({ executablePath, args });
+  for (let i = 0; i < workers; ++i) {
+    browsers.push(await chromium.launchServer({ executablePath, args }));
+  }
+  // Tests run in other realms, or processes: the environment is what they share with this one.
+  const endpoints = browsers.map((browser) => browser.wsEndpoint());
+  process.env.HALFEDGE_CHROMIUM = JSON.stringify(endpoints);
+}
+
+/** Ends those that were started. */
+export async function stopChromium() {
+  await Promise.all(browsers.map((browser) => browser.close()));
+  browsers = [];
 }

@@ -1,15 +1,15 @@
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh } from 'halfedge';
-import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+import type { BrowserContext, Page } from 'playwright-core';
+import { connect } from '../../support/connection.js';
+
+export { disconnect } from '../../support/connection.js';
 
 const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
   address: string;
-  browser: string;
   screenshots: string;
 };
-
-let connection: Promise<Browser> | undefined;
 
 export interface Settings {
   readonly width?: number;
@@ -47,9 +47,8 @@ export class ExplorerPage {
 
   /** Opens the page and waits until the first mesh is drawn. */
   static async open(settings: Settings = {}): Promise<ExplorerPage> {
-    connection ??= chromium.connect(shared.browser);
     const { width = 1280, height = 800, dark = false, phone = false, motion = false } = settings;
-    const context = await (await connection).newContext({
+    const context = await (await connect()).newContext({
       viewport: { width, height },
       colorScheme: dark ? 'dark' : 'light',
       reducedMotion: motion ? 'no-preference' : 'reduce',
@@ -183,12 +182,6 @@ export class ExplorerPage {
     await this.page.dispatchEvent('main.stage', 'dragenter', { dataTransfer: transfer });
     await this.page.dispatchEvent('main.stage', 'drop', { dataTransfer: transfer });
   }
-}
-
-/** To be called after all tests of a file. */
-export async function disconnect(): Promise<void> {
-  await (await connection)?.close();
-  connection = undefined;
 }
 
 /** The mesh of a sample file, as the package reads it here. */

@@ -1,16 +1,16 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import type { FigureEvents, HalfedgeFigure } from 'halfedge/figure';
-import { type Browser, type BrowserContext, chromium, type Page } from 'playwright-core';
+import type { BrowserContext, Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
 import { serve } from '../../package/support/server.js';
+import { connect } from '../../support/connection.js';
+
+export { disconnect } from '../../support/connection.js';
 
 const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
-  browser: string;
   screenshots: string;
 };
-
-let connection: Promise<Browser> | undefined;
 
 export interface FigurePageSettings {
   readonly width?: number;
@@ -54,7 +54,6 @@ export class FigurePage {
 
   /** Opens a page with this body, and waits for the element to be defined. */
   static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
-    connection ??= chromium.connect(shared.browser);
     const { width = 900, height = 700, dark = false, motion = false, phone = false } = settings;
     const { policy, webgl = true, path = 'figures.html', script = 'figure' } = settings;
     const html = `<!doctype html><html lang="en"><meta charset="utf-8">
@@ -66,7 +65,7 @@ export class FigurePage {
       answers: { 'figures.html': { body: html, type }, 'favicon.ico': { body: '' } },
       ...(policy ? { policy } : {}),
     });
-    const context = await (await connection).newContext({
+    const context = await (await connect()).newContext({
       viewport: { width, height },
       colorScheme: dark ? 'dark' : 'light',
       reducedMotion: motion ? 'no-preference' : 'reduce',
@@ -179,10 +178,4 @@ async function watch(context: BrowserContext, webgl: boolean): Promise<void> {
       });
     }
   }, webgl);
-}
-
-/** To be called after all tests of a file. */
-export async function disconnect(): Promise<void> {
-  await (await connection)?.close();
-  connection = undefined;
 }

@@ -1,11 +1,11 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
-import { type Browser, chromium, type Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
-import { packed } from './project.js';
+import { connect } from '../../support/connection.js';
 
-let connection: Promise<Browser> | undefined;
+export { disconnect } from '../../support/connection.js';
 
 /** A page, and what the browser tells of it as it goes. */
 interface Watched {
@@ -35,8 +35,7 @@ export async function withPage<T>(
   address: string,
   use: (watched: Watched) => Promise<T>,
 ): Promise<T> {
-  connection ??= chromium.connect(packed.browser);
-  const context = await (await connection).newContext();
+  const context = await (await connect()).newContext();
   try {
     const page = await context.newPage();
     const complaints: string[] = [];
@@ -72,10 +71,4 @@ export async function screenshots(page: Page, name: string): Promise<void> {
       await page.screenshot({ path: join(folder, `${name}-${width}-${colorScheme}.png`) });
     }
   }
-}
-
-/** To be called after all tests of a file. */
-export async function disconnect(): Promise<void> {
-  await (await connection)?.close();
-  connection = undefined;
 }

@@ -9,8 +9,6 @@ interface Packed {
   tarball: string;
   /** The paths in the tarball, sorted. */
   files: string[];
-  /** Where Chromium listens. */
-  browser: string;
 }
 
 export const packed: Packed = JSON.parse(process.env.HALFEDGE_PACKED ?? '{}');

@@ -6,24 +6,21 @@ import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { capture } from '../../../scripts/lib/run.mjs';
-import { launchChromium } from '../../support/chromium.mjs';
+import { startChromium, stopChromium } from '../../support/chromium.mjs';
 
 let folder;
-let browser;
 
-export default async function setup() {
+export default async function setup({ maxWorkers }) {
   try {
     folder = mkdtempSync(join(tmpdir(), 'halfedge-package-'));
     const { filename, files } = await pack();
     const tarball = join(folder, filename);
     await install(tarball);
-    browser = await launchChromium();
-    // Tests run in other realms, or processes: the environment is what they share with this one.
+    await startChromium(maxWorkers);
     process.env.HALFEDGE_PACKED = JSON.stringify({
       folder,
       tarball,
       files: files.map((file) => file.path).sort(),
-      browser: browser.wsEndpoint(),
     });
   } catch (error) {
     await cleanUp();
@@ -32,7 +29,7 @@ export default async function setup() {
 }
 
 export async function cleanUp() {
-  await browser?.close();
+  await stopChromium();
   if (folder) rmSync(folder, { recursive: true, force: true });
 }
 
