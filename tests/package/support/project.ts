@@ -1,4 +1,4 @@
-import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { capture, root } from '../../../scripts/lib/run.mjs';
 
@@ -30,6 +30,19 @@ export function project(name: string, files: Record<string, string>): string {
 
 /** The path of a tool among the repository's own packages: projects have none of their own. */
 export const tool = (path: string) => join(root, 'node_modules', path);
+
+/** Installs packages in a project beside ours: links to those of the repository, `others` for some of them. */
+export function install(
+  folder: string,
+  names: readonly string[],
+  others: Record<string, string> = {},
+): void {
+  for (const name of names) {
+    const path = join(folder, 'node_modules', name);
+    mkdirSync(dirname(path), { recursive: true });
+    symlinkSync(tool(others[name] ?? name), path);
+  }
+}
 
 /** Jest's own settings are not those of somebody's project. */
 export const environment = {
