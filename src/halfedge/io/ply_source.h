@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/build/sentence.h>
+#include <halfedge/inlining.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/copy_numbers.h>
 #include <halfedge/io/ply_columns.h>
@@ -37,30 +38,33 @@ class PlyText {
   [[nodiscard]] const void* position() const { return text_.position(); }
   /// Returns where the row starts.
   const char* begin_row() {
-    if (text_.position() != data_.position()) end_row();
+    text_.skip_blanks();
+    if (!text_.at_line_end() && text_.position() != data_.position()) end_row();
     text_.skip_to_token();
     return text_.position();
   }
   /// Each reads or skips the next value of the row; false, at that value, if it is none.
-  [[nodiscard]] bool read(PlyType, float& value) {
+  [[nodiscard]] bool read(PlyType type, float& value) {
     text_.skip_blanks();
-    return text_.read_float(value) || (next_line() && text_.read_float(value));
+    if (text_.read_float(value)) return true;
+    return goes_on() && read(type, value);
   }
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     text_.skip_blanks();
-    if (text_.at_line_end() && !next_line()) return false;
     const char* const start = text_.position();
     if (text_.read_integer(value) && text_.at_token_end()) return true;
     text_.move_to(start);
+    if (goes_on()) return read(type, value);
     return !is_integer(type) && read_whole_float(value);
   }
   [[nodiscard]] bool read(PlyType type, std::byte* value) {
-    return read_number(text_, type, value) || (next_line() && read_number(text_, type, value));
+    if (read_number(text_, type, value)) return true;
+    return goes_on() && read(type, value);
   }
   [[nodiscard]] bool skip(PlyType, std::uint64_t count) {
     for (; count > 0; --count) {
       text_.skip_blanks();
-      if (text_.at_line_end() && !next_line()) return false;
+      if (text_.at_line_end() && !goes_on()) return false;
       text_.skip_token();
     }
     return true;
@@ -69,7 +73,7 @@ class PlyText {
   /// The place of the next value, to go back to it.
   [[nodiscard]] const char* mark() {
     text_.skip_blanks();
-    (void)next_line();
+    if (text_.at_line_end()) (void)goes_on();
     return text_.position();
   }
   void move_to(const char* mark) { text_.move_to(mark); }
@@ -99,15 +103,15 @@ class PlyText {
 
  private:
   /// Past what a row has behind its last value, unless that is another row.
-  void end_row() {
+  HALFEDGE_NOINLINE void end_row() {
     text_.skip_blanks();
     if (text_.at_line_end() || lines() < rows_) return;
     ++long_rows_;
     text_.skip_line();
   }
   /// From the end of a line to the next value, where rows are broken over lines. False, without
-  /// moving, if that is not so.
-  [[nodiscard]] bool next_line() {
+  /// moving, if that is not so. Asked last, where a value is missing: most rows have all of theirs.
+  [[nodiscard]] HALFEDGE_NOINLINE bool goes_on() {
     if (!text_.at_line_end() || text_.at_end() || lines() <= rows_) return false;
     text_.skip_to_token();
     return true;

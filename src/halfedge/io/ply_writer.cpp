@@ -36,7 +36,7 @@ std::vector<std::string> property_names(const Attribute& attribute) {
   return names;
 }
 
-bool is_word(std::string_view name) {
+bool is_one_word(std::string_view name) {
   return std::all_of(name.begin(), name.end(),
                      [](char c) { return class_of(c) == CharClass::kOther && c != '\0'; });
 }
@@ -119,7 +119,7 @@ class PlyWriter {
     for (const Attribute* column : mesh_.attributes(kind)) {
       const std::vector<std::string> own = property_names(*column);
       const auto taken = std::find_first_of(own.begin(), own.end(), names.begin(), names.end());
-      if (!is_word(column->name())) {
+      if (!is_one_word(column->name())) {
         mesh_.leave_out(*column, "a name in PLY is one word");
       } else if (taken != own.end()) {
         mesh_.leave_out(*column, sentence::of("there is another property {}", quoted(*taken)));

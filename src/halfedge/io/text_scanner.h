@@ -1,5 +1,7 @@
 #pragma once
 
+#include <halfedge/inlining.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -176,7 +178,7 @@ class TextScanner {
       skip('\n');
     }
   }
-  bool skip_continuation() {
+  HALFEDGE_NOINLINE bool skip_continuation() {
     const char* next = at_ + 1;
     while (next != end_ && class_of(*next) == CharClass::kBlank) ++next;
     if (next != end_ && class_of(*next) != CharClass::kNewline) return false;
