@@ -62,7 +62,7 @@ describe('The page', () => {
     }
     expect(explorer.complaints).toEqual([]);
     await explorer.close();
-  });
+  }, 360_000);
 
   test('follows the theme of the system, and keeps the one that is chosen', async () => {
     const explorer = await ExplorerPage.open({ dark: true });
