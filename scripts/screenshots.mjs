@@ -31,9 +31,9 @@ await asProgram(async () => {
   }
   const names = chosen(Object.keys(all), asked);
   mkdirSync(folder, { recursive: true });
-  await setup();
+  await setup({ maxWorkers: 1 });
   const shared = JSON.parse(process.env.HALFEDGE_EXPLORER);
-  const browser = await chromium.connect(shared.browser);
+  const browser = await chromium.connect(JSON.parse(process.env.HALFEDGE_CHROMIUM)[0]);
   try {
     for (const window of chosen(Object.keys(WINDOWS), asked)) {
       await photographExplorer(
