@@ -35,6 +35,21 @@ class Circulated {
 /// its mesh is edited as well.
 class Contender : public Circulated {
  public:
+  // ---- geometry ----------------------------------------------------------------------------
+
+  /// Moves the mean of the vertices to the origin.
+  virtual void centre() = 0;
+
+  /// Unit normals of the faces, from three vertices; of each vertex the sum of those of its faces,
+  /// of unit length. Kept until the next call.
+  virtual void compute_normals() = 0;
+
+  /// Each vertex that isn't on the boundary goes to the mean of its one-ring, in place.
+  virtual void smooth() = 0;
+
+  /// All positions, and then the normals of all vertices.
+  virtual std::vector<float> geometry() = 0;
+
   // ---- operations, each on the mesh as it was when `keep` was called ------------------------
 
   /// Keeps a copy of the mesh; `restore` goes back to it.

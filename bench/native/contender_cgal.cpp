@@ -2,6 +2,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -49,6 +50,58 @@ class Cgal final : public Contender {
       }
     }
     return sum;
+  }
+
+  void centre() override {
+    double sum[3] = {};
+    for (const auto v : mesh_.vertices()) {
+      const Point& p = mesh_.point(v);
+      sum[0] += double(p.x()), sum[1] += double(p.y()), sum[2] += double(p.z());
+    }
+    const auto count = double(mesh_.number_of_vertices());
+    const Vector mean(float(sum[0] / count), float(sum[1] / count), float(sum[2] / count));
+    for (const auto v : mesh_.vertices()) mesh_.point(v) = mesh_.point(v) - mean;
+  }
+
+  void compute_normals() override {
+    of_faces_.resize(mesh_.num_faces());
+    of_vertices_.resize(mesh_.num_vertices());
+    for (const auto f : mesh_.faces()) {
+      const auto h = mesh_.halfedge(f);
+      const Point& p = mesh_.point(mesh_.source(h));
+      of_faces_[f] = unit(CGAL::cross_product(mesh_.point(mesh_.target(h)) - p,
+                                              mesh_.point(mesh_.target(mesh_.next(h))) - p));
+    }
+    for (const auto v : mesh_.vertices()) {
+      Vector sum(0, 0, 0);
+      for (const auto f : CGAL::faces_around_target(mesh_.halfedge(v), mesh_)) {
+        if (f != Mesh::null_face()) sum += of_faces_[f];
+      }
+      of_vertices_[v] = unit(sum);
+    }
+  }
+
+  void smooth() override {
+    for (const auto v : mesh_.vertices()) {
+      if (mesh_.is_border(v)) continue;
+      Vector sum(0, 0, 0);
+      float valence = 0;
+      for (const auto w : CGAL::vertices_around_target(mesh_.halfedge(v), mesh_)) {
+        sum += mesh_.point(w) - CGAL::ORIGIN;
+        ++valence;
+      }
+      mesh_.point(v) = CGAL::ORIGIN + sum / valence;
+    }
+  }
+
+  std::vector<float> geometry() override {
+    std::vector<float> all;
+    for (const auto v : mesh_.vertices()) {
+      const Point& p = mesh_.point(v);
+      all.insert(all.end(), {p.x(), p.y(), p.z()});
+    }
+    for (const Vector& n : of_vertices_) all.insert(all.end(), {n.x(), n.y(), n.z()});
+    return all;
   }
 
   void keep() override { kept_ = mesh_; }
@@ -110,7 +163,10 @@ class Cgal final : public Contender {
 
  private:
   using Point = CGAL::Simple_cartesian<float>::Point_3;
+  using Vector = CGAL::Simple_cartesian<float>::Vector_3;
   using Mesh = CGAL::Surface_mesh<Point>;
+
+  static Vector unit(const Vector& v) { return v / std::sqrt(v.squared_length()); }
 
   void split(Mesh::Face_index f) {
     const auto h = mesh_.halfedge(f);
@@ -125,6 +181,8 @@ class Cgal final : public Contender {
 
   Mesh mesh_;
   Mesh kept_;
+  std::vector<Vector> of_faces_;
+  std::vector<Vector> of_vertices_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "contender.h"
@@ -95,6 +96,65 @@ class Flat final : public Contender {
       } while (h != first);
     }
     return sum;
+  }
+
+  void centre() override {
+    double sum[3] = {};
+    for (std::size_t x = 0; x < positions_.size(); x += 3) {
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += double(positions_[x + i]);
+    }
+    float mean[3];
+    for (int i = 0; i < 3; ++i) mean[i] = float(sum[i] / double(vertex_halfedge_.size()));
+    for (std::size_t x = 0; x < positions_.size(); x += 3) {
+      for (std::size_t i = 0; i < 3; ++i) positions_[x + i] -= mean[i];
+    }
+  }
+
+  void compute_normals() override {
+    of_faces_.resize(3 * face_halfedge_.size());
+    of_vertices_.resize(positions_.size());
+    for (std::size_t f = 0; f < face_halfedge_.size(); ++f) {
+      const std::uint32_t h = face_halfedge_[f];
+      const float* p = &positions_[3 * std::size_t{to_[h ^ 1U]}];
+      const float* q = &positions_[3 * std::size_t{to_[h]}];
+      const float* r = &positions_[3 * std::size_t{to_[next_[h]]}];
+      const float a[3] = {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+      const float b[3] = {r[0] - p[0], r[1] - p[1], r[2] - p[2]};
+      const float normal[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                               a[0] * b[1] - a[1] * b[0]};
+      store_unit(normal, &of_faces_[3 * f]);
+    }
+    for (std::size_t v = 0; v < vertex_halfedge_.size(); ++v) {
+      float sum[3] = {};
+      std::uint32_t h = vertex_halfedge_[v];
+      do {
+        const float* n = &of_faces_[3 * std::size_t{face_[h]}];
+        sum[0] += n[0], sum[1] += n[1], sum[2] += n[2];
+        h = next_[h ^ 1U];
+      } while (h != vertex_halfedge_[v]);
+      store_unit(sum, &of_vertices_[3 * v]);
+    }
+  }
+
+  void smooth() override {
+    for (std::size_t v = 0; v < vertex_halfedge_.size(); ++v) {
+      float sum[3] = {};
+      float valence = 0;
+      std::uint32_t h = vertex_halfedge_[v];
+      do {
+        const float* p = &positions_[3 * std::size_t{to_[h]}];
+        sum[0] += p[0], sum[1] += p[1], sum[2] += p[2];
+        ++valence;
+        h = next_[h ^ 1U];
+      } while (h != vertex_halfedge_[v]);
+      for (std::size_t i = 0; i < 3; ++i) positions_[3 * v + i] = sum[i] / valence;
+    }
+  }
+
+  std::vector<float> geometry() override {
+    std::vector<float> all = positions_;
+    all.insert(all.end(), of_vertices_.begin(), of_vertices_.end());
+    return all;
   }
 
   void keep() override { kept_ = links_of_this(); }
@@ -197,6 +257,11 @@ class Flat final : public Contender {
 
   [[nodiscard]] Arrays links_of_this() const {
     return {positions_, next_, prev_, to_, face_, vertex_halfedge_, face_halfedge_};
+  }
+
+  static void store_unit(const float (&v)[3], float* out) {
+    const float scale = 1 / std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    for (int i = 0; i < 3; ++i) out[i] = scale * v[i];
   }
 
   void resize(std::size_t vertices, std::size_t edges, std::size_t faces) {
@@ -313,6 +378,7 @@ class Flat final : public Contender {
   std::vector<float> positions_;
   std::vector<std::uint32_t> next_, prev_, to_, face_, vertex_halfedge_, face_halfedge_;
   std::vector<std::uint32_t> marks_;
+  std::vector<float> of_faces_, of_vertices_;  // normals
   Arrays kept_;
   std::vector<std::uint32_t> leaving_begin_, fill_, leaving_, halfedge_of_corner_;
 };

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include "contender.h"
 #include "workloads.h"
@@ -25,6 +26,16 @@ class Halfedges final : public Contender {
 
   std::int64_t circulate() override { return workloads::circulate(mesh_); }
   std::uint64_t one_ring_sum() override { return workloads::one_ring_sum(mesh_); }
+
+  void centre() override { workloads::centre(mesh_); }
+  void compute_normals() override { workloads::normals(mesh_, of_faces_, of_vertices_); }
+  void smooth() override { workloads::smooth(mesh_); }
+
+  std::vector<float> geometry() override {
+    std::vector<float> all(mesh_.positions().begin(), mesh_.positions().end());
+    for (const halfedge::Point n : of_vertices_) all.insert(all.end(), {n.x, n.y, n.z});
+    return all;
+  }
 
   void keep() override { require(kept_.assign(mesh_)); }
   void restore() override { require(mesh_.assign(kept_)); }
@@ -54,6 +65,8 @@ class Halfedges final : public Contender {
  private:
   halfedge::Mesh mesh_;
   halfedge::Mesh kept_;
+  std::vector<halfedge::Point> of_faces_;
+  std::vector<halfedge::Point> of_vertices_;
 };
 
 }  // namespace

@@ -51,6 +51,52 @@ class OpenMeshes final : public Contender {
     return sum;
   }
 
+  void centre() override {
+    double sum[3] = {};
+    for (const auto v : mesh_.vertices()) {
+      const Mesh::Point& p = mesh_.point(v);
+      for (int i = 0; i < 3; ++i) sum[i] += double(p[i]);
+    }
+    const auto count = double(mesh_.n_vertices());
+    const Mesh::Point mean(float(sum[0] / count), float(sum[1] / count), float(sum[2] / count));
+    for (const auto v : mesh_.vertices()) mesh_.set_point(v, mesh_.point(v) - mean);
+  }
+
+  void compute_normals() override {
+    of_faces_.resize(mesh_.n_faces());
+    of_vertices_.resize(mesh_.n_vertices());
+    for (const auto f : mesh_.faces()) {
+      const auto h = mesh_.halfedge_handle(f);
+      const Mesh::Point& p = mesh_.point(mesh_.from_vertex_handle(h));
+      const Mesh::Point a = mesh_.point(mesh_.to_vertex_handle(h)) - p;
+      const Mesh::Point b = mesh_.point(mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h))) - p;
+      of_faces_[std::size_t(f.idx())] = OpenMesh::cross(a, b).normalized();
+    }
+    for (const auto v : mesh_.vertices()) {
+      Mesh::Point sum(0, 0, 0);
+      for (auto it = mesh_.cvf_iter(v); it.is_valid(); ++it)
+        sum += of_faces_[std::size_t(it->idx())];
+      of_vertices_[std::size_t(v.idx())] = sum.normalized();
+    }
+  }
+
+  void smooth() override {
+    for (const auto v : mesh_.vertices()) {
+      if (mesh_.is_boundary(v)) continue;
+      Mesh::Point sum(0, 0, 0);
+      float valence = 0;
+      for (auto it = mesh_.cvv_iter(v); it.is_valid(); ++it, ++valence) sum += mesh_.point(*it);
+      mesh_.set_point(v, sum / valence);
+    }
+  }
+
+  std::vector<float> geometry() override {
+    std::vector<float> all;
+    for (const auto v : mesh_.vertices()) append(all, mesh_.point(v));
+    for (const Mesh::Point& n : of_vertices_) append(all, n);
+    return all;
+  }
+
   void keep() override { kept_ = mesh_; }
   void restore() override { mesh_ = kept_; }
 
@@ -110,10 +156,16 @@ class OpenMeshes final : public Contender {
     return OpenMesh::FaceHandle(static_cast<int>(index));
   }
 
+  static void append(std::vector<float>& all, const Mesh::Point& p) {
+    all.insert(all.end(), {p[0], p[1], p[2]});
+  }
+
   void split(OpenMesh::FaceHandle f) { mesh_.split(f, mesh_.calc_face_centroid(f)); }
 
   Mesh mesh_;
   Mesh kept_;
+  std::vector<Mesh::Point> of_faces_;
+  std::vector<Mesh::Point> of_vertices_;
 };
 
 }  // namespace

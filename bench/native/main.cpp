@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -38,6 +39,21 @@ void must_agree(const std::string& what, std::uint64_t ours, std::uint64_t their
   if (ours == theirs) return;
   std::fprintf(stderr, "%s: %s gives %llu, halfedge %llu\n", what.c_str(), name.c_str(),
                static_cast<unsigned long long>(theirs), static_cast<unsigned long long>(ours));
+  std::exit(1);
+}
+
+// Sums in another order differ in their last bits, and normals of slivers in more than those: all
+// numbers together have to be near.
+void must_be_near(const char* what, const std::vector<float>& ours,
+                  const std::vector<float>& theirs, const char* name) {
+  double size = 0;
+  double difference = 0;
+  for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
+    size += std::abs(double(ours[i]));
+    difference += std::abs(double(ours[i]) - double(theirs[i]));
+  }
+  if (ours.size() == theirs.size() && difference <= 1e-5 * size) return;
+  std::fprintf(stderr, "%s: %s differs from halfedge by %g of %g\n", what, name, difference, size);
   std::exit(1);
 }
 
@@ -85,10 +101,19 @@ void check_operations(Contender& ours, Contender& theirs, const char* name) {
   compare("the mesh itself", [](Contender&) {});
 }
 
+// After all of the geometry, of which each step sees what the ones before left.
+std::vector<float> geometry_of(Contender& contender) {
+  contender.centre();
+  contender.smooth();
+  contender.compute_normals();
+  return contender.geometry();
+}
+
 void compare_libraries(const std::string& label, const TriangleMesh& input) {
-  constexpr std::array kWorkloads = {"build",        "circulator",         "one-ring sum",
-                                     "sqrt(3) step", "split and collapse", "compaction"};
+  constexpr std::array kWorkloads = {"build",      "circulator", "one-ring sum",
+                                     "barycentre", "normals",    "smoothing"};
   std::vector<std::unique_ptr<Contender>> contenders;
+  std::vector<float> geometry;
   std::vector<Job> jobs;
   for (const Entry& entry : kEntries) {
     contenders.push_back(entry.make());
@@ -96,12 +121,18 @@ void compare_libraries(const std::string& label, const TriangleMesh& input) {
     contender.build(input);
     must_agree("circulator", 0, static_cast<std::uint64_t>(contender.circulate()), entry.name);
     must_agree("one-ring sum", contenders[0]->one_ring_sum(), contender.one_ring_sum(), entry.name);
+    const std::vector<float> after = geometry_of(contender);
+    if (geometry.empty()) geometry = after;
+    must_be_near("geometry", geometry, after, entry.name);
     jobs.push_back(
         {job_name(kWorkloads[0], entry), [&contender, &input] { contender.build(input); }});
     jobs.push_back({job_name(kWorkloads[1], entry),
                     [&contender] { benchmark::DoNotOptimize(contender.circulate()); }});
     jobs.push_back({job_name(kWorkloads[2], entry),
                     [&contender] { benchmark::DoNotOptimize(contender.one_ring_sum()); }});
+    jobs.push_back({job_name(kWorkloads[3], entry), [&contender] { contender.centre(); }});
+    jobs.push_back({job_name(kWorkloads[4], entry), [&contender] { contender.compute_normals(); }});
+    jobs.push_back({job_name(kWorkloads[5], entry), [&contender] { contender.smooth(); }});
   }
   print_rows(label, kWorkloads, measure(jobs));
 }

@@ -50,6 +50,18 @@ inline halfedge::Point unit(halfedge::Point p) {
   return 1 / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) * p;
 }
 
+/// The mean of the vertices goes to the origin.
+inline void centre(halfedge::Mesh& mesh) {
+  double sum[3] = {};
+  for (const halfedge::Vertex v : mesh.vertices()) {
+    const halfedge::Point p = mesh.position(v);
+    sum[0] += double(p.x), sum[1] += double(p.y), sum[2] += double(p.z);
+  }
+  const double count = mesh.vertex_count();
+  const halfedge::Point mean{float(sum[0] / count), float(sum[1] / count), float(sum[2] / count)};
+  for (const halfedge::Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) - mean);
+}
+
 /// Unit normals of the faces, from three vertices; of each vertex the sum of those around it, of
 /// unit length.
 inline void normals(const halfedge::Mesh& mesh, std::vector<halfedge::Point>& of_faces,
