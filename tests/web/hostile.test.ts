@@ -85,7 +85,7 @@ const inputs: [name: string, data: string | Uint8Array, outcome: string][] = [
   [
     '4 billion triangles',
     Buffer.from(`${' '.repeat(80)}\xff\xff\xff\xff${'\0'.repeat(50)}`, 'latin1'),
-    'not-text',
+    'unknown-format',
   ],
   ['an index of 65 bits', `${obj}f 1 2 18446744073709551617\n`, '4 vertices, 4 faces'],
   ['nan', obj.replace('v 0 0 0', 'v nan 0 0'), '3 vertices, 1 faces'],
