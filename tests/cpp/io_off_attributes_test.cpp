@@ -133,7 +133,8 @@ TEST(OffAttributes, WritesBytesUpToOneAsTheNumbersTheyStandFor) {
   color.set(3, 2, 200, nullptr);
   expect_round_trip(mesh, Format::kOff, Encoding::kText);
 
-  ASSERT_TRUE(operations::delete_face(mesh, Face(3)));  // what is left of it in its slot isn't written
+  ASSERT_TRUE(
+      operations::delete_face(mesh, Face(3)));  // what is left of it in its slot isn't written
   Strings notes;
   const auto bytes = write(mesh, Format::kOff, {.notes = &notes});
   EXPECT_EQ(notes, Strings{"wrote the face attribute \"color\" as numbers from 0 to 1"});

@@ -14,7 +14,9 @@ namespace {
 
 using decorator::internal::refusal;
 
-Failure no_room_for_triangles() { return decorator::internal::no_memory("the triangles of a hole"); }
+Failure no_room_for_triangles() {
+  return decorator::internal::no_memory("the triangles of a hole");
+}
 
 Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
   return refusal("",
