@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <ctime>
 #include <numeric>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -38,23 +37,6 @@ void expect_no_quadratic_step(const MakeShape& make, bool builds, Index large_si
   const double small = fastest_of_two(make(large_size / 10), builds);
   const double large = fastest_of_two(make(large_size), builds);
   EXPECT_LT(large, kFarFromQuadratic * small) << small << " s, " << large << " s";
-}
-
-Shape in_random_order(Shape shape) {
-  std::shuffle(shape.faces.begin(), shape.faces.end(), std::mt19937(1));
-  return {shape.name, shape.vertices, shape.faces};
-}
-
-// Two vertices of high valence; the last vertex is one of them.
-Shape bipyramid(Index valence) {
-  std::vector<std::vector<Index>> faces;
-  for (Index i = 0; i < valence; ++i) {
-    const Index a = 1 + i;
-    const Index b = 1 + (i + 1) % valence;
-    faces.push_back({0, a, b});
-    faces.push_back({valence + 1, b, a});
-  }
-  return {"bipyramid", valence + 2, std::move(faces)};
 }
 
 Shape faces_on_one_edge(Index count) {

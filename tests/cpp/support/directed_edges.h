@@ -6,9 +6,6 @@
 #include <halfedge/directed_edges/build.h>
 #include <halfedge/validate/validate.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,23 +21,6 @@ inline Shape triangulated(const Shape& shape) {
     for (std::size_t i = 2; i < face.size(); ++i) faces.push_back({face[0], face[i - 1], face[i]});
   }
   return {shape.name, shape.vertices, std::move(faces)};
-}
-
-inline Shape in_random_order(Shape shape, std::uint32_t seed = 1) {
-  std::shuffle(shape.faces.begin(), shape.faces.end(), std::mt19937(seed));
-  return {shape.name, shape.vertices, shape.faces};
-}
-
-/// Two vertices of high valence; the last vertex is one of them.
-inline Shape bipyramid(Index valence) {
-  std::vector<std::vector<Index>> faces;
-  for (Index i = 0; i < valence; ++i) {
-    const Index a = 1 + i;
-    const Index b = 1 + (i + 1) % valence;
-    faces.push_back({0, a, b});
-    faces.push_back({valence + 1, b, a});
-  }
-  return {"bipyramid", valence + 2, std::move(faces)};
 }
 
 /// The mesh of these triangles.

@@ -3,9 +3,12 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/handle.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +39,24 @@ struct Shape {
 
   [[nodiscard]] Polygons polygons() const { return {positions, sizes, corners}; }
 };
+
+/// The same faces, in an order of chance.
+inline Shape in_random_order(Shape shape, std::uint32_t seed = 1) {
+  std::shuffle(shape.faces.begin(), shape.faces.end(), std::mt19937(seed));
+  return {shape.name, shape.vertices, shape.faces};
+}
+
+/// Two vertices of high valence; the last vertex is one of them.
+inline Shape bipyramid(Index valence) {
+  std::vector<std::vector<Index>> faces;
+  for (Index i = 0; i < valence; ++i) {
+    const Index a = 1 + i;
+    const Index b = 1 + (i + 1) % valence;
+    faces.push_back({0, a, b});
+    faces.push_back({valence + 1, b, a});
+  }
+  return {"bipyramid", valence + 2, std::move(faces)};
+}
 
 /// (columns + 1) * (rows + 1) vertices row by row; `quad` tells whether a cell stays a quad or is
 /// cut into two triangles.
