@@ -58,6 +58,13 @@ class BasicMesh : public BasicConnectivity<kStored> {
     return v;
   }
 
+  /// As the connectivity's, at a position that the caller sets.
+  [[nodiscard]] Vertex append_vertex() {
+    const Vertex v = Base::append_vertex();
+    positions_.grow_to(3 * (std::size_t{v.index()} + 1));
+    return v;
+  }
+
   /// As the connectivity's, at the origin.
   [[nodiscard]] Vertex new_vertex() { return add_vertex({}); }
 

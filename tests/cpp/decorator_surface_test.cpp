@@ -46,6 +46,36 @@ TEST(DecoratorCenter, MakesTrianglesAroundANewVertex) {
   expect_valid_complex(mesh);
 }
 
+TEST(DecoratorCenter, IsTheSameInRoomThatIsThere) {
+  // A triangle takes a shorter way there, unless history or free slots have to be looked after.
+  for (const auto& [name, mesh] : all_complexes()) {
+    for (const Halfedge h : mesh.halfedges()) {
+      if (mesh.is_boundary(h)) continue;
+      SCOPED_TRACE(name + ", halfedge " + std::to_string(h.index()));
+      Mesh tight = copy_of(mesh);
+      const Halfedge k = create_center_vertex(tight, h).value();
+
+      Mesh roomy = copy_of(mesh);
+      ASSERT_TRUE(
+          roomy.reserve(mesh.vertex_slots() + 9, mesh.edge_slots() + 9, mesh.face_slots() + 9));
+      const std::uint64_t version = roomy.version();
+      EXPECT_EQ(create_center_vertex(roomy, h).value(), k);
+      EXPECT_TRUE(Snapshot(roomy) == Snapshot(tight));
+      EXPECT_NE(roomy.version(), version);
+
+      Mesh noted = copy_of(roomy);
+      ASSERT_TRUE(noted.enable_history());
+      ASSERT_TRUE(erase_center_vertex(noted, k).ok());
+      noted.end_step();
+      EXPECT_EQ(create_center_vertex(noted, h).value(), k);  // in the slots that became free
+      EXPECT_TRUE(LiveItems(noted) == LiveItems(tight));
+      noted.end_step();
+      ASSERT_TRUE(noted.undo() && noted.undo());
+      EXPECT_TRUE(Snapshot(noted) == Snapshot(roomy));
+    }
+  }
+}
+
 TEST(DecoratorCenter, WorksInFacesOfOneAndTwoCorners) {
   Mesh loop = loop_complex();
   const Halfedge k = create_center_vertex(loop, Halfedge(0)).value();

@@ -370,9 +370,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// operations that would write each of them twice.
   [[nodiscard]] Halfedge new_unlinked_edge(Vertex from, Vertex to);
 
-  /// So many edges or faces in a row behind the last one, and the first of them; deleted slots are
-  /// left alone. The caller sets all their links. For operations that add several at once.
+  /// A vertex, or so many edges or faces in a row, behind the last one, and the first of them;
+  /// deleted slots are left alone. The caller sets all their links. For operations that add several
+  /// at once.
   /// pre: there is room for them
+  [[nodiscard]] Vertex append_vertex();
   [[nodiscard]] Edge append_edges(Index count);
   [[nodiscard]] Face append_faces(Index count);
 

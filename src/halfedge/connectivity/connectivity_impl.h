@@ -193,6 +193,20 @@ Halfedge BasicConnectivity<kStored>::add_edge_slot() {
 }
 
 template <Storage kStored>
+Vertex BasicConnectivity<kStored>::append_vertex() {
+  const Vertex v(vertex_slots());
+  note_new(Field::kNewVertices, v.index());
+  if constexpr (kStorage.vertex_halfedge) {
+    links_.vertex_halfedge.grow_to(std::size_t{v.index()} + 1);
+  } else {
+    ++bare_vertices_;
+  }
+  attributes_.resize(ItemKind::kVertex, v.index() + 1, journal_.get());
+  ++version_;
+  return v;
+}
+
+template <Storage kStored>
 Edge BasicConnectivity<kStored>::append_edges(Index count) {
   const Edge first(edge_slots());
   const std::size_t halfedges = halfedge_slots() + 2 * std::size_t{count};

@@ -48,9 +48,12 @@ void turn_edge(Mesh& mesh, Halfedge h) {
   replace_anchor(mesh, v2, o, h23);
   replace_in_face(mesh, left, h23, h);
   replace_in_face(mesh, right, h01, o);
-  const auto writer = mesh.writer();
-  writer.set_to_vertex(h, v3);
-  writer.set_to_vertex(o, v1);
+  mesh.set_to_vertex(h, v3);
+  mesh.set_to_vertex(o, v1);
+  if (mesh.history() != nullptr) [[unlikely]] {
+    for (const Halfedge side : {h, h30, h01, o, h12, h23}) mesh.note_loop_links(side);
+  }
+  const auto writer = mesh.unnoted_writer();
   writer.set_face(h01, left);
   writer.set_face(h23, right);
   const Halfedge loops[2][3] = {{h, h30, h01}, {o, h12, h23}};
