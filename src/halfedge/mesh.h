@@ -58,10 +58,14 @@ class BasicMesh : public BasicConnectivity<kStored> {
     return v;
   }
 
-  /// As the connectivity's, at a position that the caller sets.
-  [[nodiscard]] Vertex append_vertex() {
+  /// As the connectivity's, at `p`.
+  [[nodiscard]] Vertex append_vertex(Point p) {
     const Vertex v = Base::append_vertex();
-    positions_.grow_to(3 * (std::size_t{v.index()} + 1));
+    const std::size_t x = 3 * std::size_t{v.index()};
+    positions_.grow_to(x + 3);
+    positions_[x] = p.x;
+    positions_[x + 1] = p.y;
+    positions_[x + 2] = p.z;
     return v;
   }
 

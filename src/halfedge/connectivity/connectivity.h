@@ -451,6 +451,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     void set_face_halfedge([[maybe_unused]] Face f, [[maybe_unused]] Halfedge h) const {
       if constexpr (kStorage.face_halfedge) links_.face_halfedge[f.index()] = h.index();
     }
+    /// Does nothing where there are no anchors.
+    void set_vertex_halfedge([[maybe_unused]] Vertex v, [[maybe_unused]] Halfedge h) const {
+      if constexpr (kStorage.vertex_halfedge) links_.vertex_halfedge[v.index()] = h.index();
+    }
 
    private:
     Links& links_;

@@ -22,16 +22,21 @@ template <HasPositions Mesh>
   return {float(sum[0] / corners), float(sum[1] / corners), float(sum[2] / corners)};
 }
 
-/// The mean of three vertices.
-template <HasPositions Mesh>
-[[nodiscard]] Point centroid(const Mesh& mesh, const Vertex (&corners)[3]) {
-  const Point p = mesh.position(corners[0]);
-  const Point q = mesh.position(corners[1]);
-  const Point r = mesh.position(corners[2]);
-  const auto mean = [](float x, float y, float z) {
-    return float((double{x} + double{y} + double{z}) / 3);
-  };
-  return {mean(p.x, q.x, r.x), mean(p.y, q.y, r.y), mean(p.z, q.z, r.z)};
+/// A vertex behind the last one, at the mean of three. pre: there is room for it
+template <class Mesh>
+[[nodiscard]] Vertex append_vertex_between(Mesh& mesh,
+                                           [[maybe_unused]] const Vertex (&corners)[3]) {
+  if constexpr (HasPositions<Mesh>) {
+    const Point p = mesh.position(corners[0]);
+    const Point q = mesh.position(corners[1]);
+    const Point r = mesh.position(corners[2]);
+    const auto mean = [](float x, float y, float z) {
+      return float((double{x} + double{y} + double{z}) / 3);
+    };
+    return mesh.append_vertex({mean(p.x, q.x, r.x), mean(p.y, q.y, r.y), mean(p.z, q.z, r.z)});
+  } else {
+    return mesh.append_vertex();
+  }
 }
 
 /// The edges and faces that an operation adds, behind all others.
@@ -128,14 +133,14 @@ template <class Mesh, class Items>
   return k;
 }
 
-/// Whether nothing but the mesh itself has to know of new items, and they go behind all others, in
-/// room that is there: the usual case, where a step has little to decide.
+/// Whether new items go behind all others, in room that is there, and have no attributes: the usual
+/// case, where a step has little to decide.
 template <class Mesh>
 [[nodiscard]] bool can_just_append(Mesh& mesh, Index vertices, Index edges, Index faces) {
   const auto fit = [](std::size_t slots, std::size_t capacity) { return slots <= capacity; };
   const Index deleted =
       mesh.free_vertices().count | mesh.free_edges().count | mesh.free_faces().count;
-  return mesh.history() == nullptr && !mesh.attributes().has_any() && deleted == 0 &&
+  return !mesh.attributes().has_any() && deleted == 0 &&
          fit(std::size_t{mesh.vertex_slots()} + vertices, vertex_capacity(mesh)) &&
          fit(mesh.halfedge_slots() + 2 * std::size_t{edges}, halfedge_capacity(mesh)) &&
          fit(std::size_t{mesh.face_slots()} + faces, mesh.links().face_halfedge.capacity());
@@ -148,12 +153,12 @@ template <class Mesh>
   const Vertex corners[3] = {mesh.to_vertex(sides[0]), mesh.to_vertex(sides[1]),
                              mesh.to_vertex(sides[2])};
   const Face f = mesh.face(sides[0]);
-  const Vertex c = mesh.append_vertex();
-  if constexpr (HasPositions<Mesh>) mesh.set_position(c, centroid(mesh, corners));
+  const Vertex c = append_vertex_between(mesh, corners);
   const Halfedge to_c = Mesh::edge_halfedge(mesh.append_edges(3));
   const Halfedge spokes[3] = {to_c, Halfedge(to_c.index() + 2), Halfedge(to_c.index() + 4)};
   const Face added = mesh.append_faces(2);
   const Face faces[3] = {f, added, Face(added.index() + 1)};
+  for (const Halfedge side : sides) mesh.note_loop_links(side);
   const auto writer = mesh.unnoted_writer();
   for (const int i : {0, 1, 2}) {
     const Halfedge spoke = spokes[i];
@@ -166,7 +171,7 @@ template <class Mesh>
     for (const Halfedge h : {sides[i], spoke, back}) writer.set_face(h, faces[i]);
     if (i > 0) writer.set_face_halfedge(faces[i], sides[i]);
   }
-  set_anchor(mesh, c, Mesh::opposite(to_c));
+  writer.set_vertex_halfedge(c, Mesh::opposite(to_c));
   mend_face(mesh, f, sides[0]);
   return to_c;
 }
