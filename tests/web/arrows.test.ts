@@ -1,4 +1,11 @@
-import { ARROW_FLOATS, ArrowTracer, arrowSizes, CAP_SHARE, LineBatch } from 'halfedge/three';
+import {
+  ARROW_FLOATS,
+  ArrowTracer,
+  arrowSizes,
+  CAP_SHARE,
+  CappedMitre,
+  LineBatch,
+} from 'halfedge/three';
 import { Color } from 'three';
 import { arrowsOf, faults, randomPlane } from './support/flat-arrows.js';
 import {
@@ -157,6 +164,42 @@ describe('arrows of a face', () => {
     const out = new Float32Array(4 * ARROW_FLOATS);
     new ArrowTracer().traceFace(corners, 4, arrowSizes(0.01), out, 0);
     expect(Array.from(out).every(Number.isFinite)).toBe(true);
+  });
+
+  test('of a triangle are those of a polygon of three corners', () => {
+    const seed = 23;
+    const next = random(seed);
+    const mitre = new CappedMitre();
+    const placed = (sizes: ReturnType<typeof arrowSizes>) => {
+      const out = new Float32Array(3 * ARROW_FLOATS);
+      mitre.place(sizes, out, 0);
+      return [mitre.degree, mitre.cap, ...out];
+    };
+    for (let run = 0; run < 300; run++) {
+      const { x, y } = randomPlane(next);
+      const triangle =
+        run % 2 === 0 ? randomSliver(next) : leaningSliver(10 + 100 * next(), next());
+      const corners = triangle.flatMap(([u, v]) => x.map((_, k) => u * x[k] + v * y[k]));
+      const sizes = arrowSizes(10 ** (-4 * next()));
+      mitre.measurePolygon(corners, 3);
+      const expected = placed(sizes);
+      mitre.measureTriangle([0, ...corners], 1, 4, 7);
+      const off = placed(sizes).map((number, i) => Math.abs(number - expected[i]));
+      expect({ seed, run, off: Math.max(...off) < 1e-6 }).toEqual({ seed, run, off: true });
+    }
+  });
+
+  test.each([
+    ['on a line', [0, 0, 0, 1, 0, 0, 3, 0, 0]],
+    ['two corners of which are one', [0, 0, 0, 1, 0, 0, 1, 0, 0]],
+    ['that is a point', [2, 2, 2, 2, 2, 2, 2, 2, 2]],
+  ])('shrink to the edges of a triangle %s, and stay finite', (_name, corners) => {
+    const out = new Float32Array(3 * ARROW_FLOATS);
+    new ArrowTracer().traceFace(corners, 3, arrowSizes(0.01), out, 0);
+    const low = [0, 1, 2].map((k) => Math.min(corners[k], corners[3 + k], corners[6 + k]));
+    const high = [0, 1, 2].map((k) => Math.max(corners[k], corners[3 + k], corners[6 + k]));
+    const beyond = [...out].filter((x, i) => !(x >= low[i % 3] && x <= high[i % 3]));
+    expect(beyond).toEqual([]);
   });
 
   test('have the inradius of a triangle as their cap', () => {

@@ -1,11 +1,11 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { ARROW_FLOATS, arrowSizes } from 'halfedge/three';
+import { ARROW_FLOATS, ArrowTracer, arrowSizes } from 'halfedge/three';
 import { Color } from 'three';
+import { BoundaryArrows } from '../../dist/scene/boundary-arrows.js';
 import { FaceArrows } from '../../dist/scene/face-arrows.js';
-import { FaceRows } from '../../dist/scene/face-rows.js';
 import { Surface } from '../../dist/scene/surface.js';
 import { Card } from './support/card.js';
-import { describeArrow, drawnArrows } from './support/drawn-arrows.js';
+import { describeArrow, drawnArrows, linesInSight } from './support/drawn-arrows.js';
 import { drawLines } from './support/lines-on-card.js';
 import { random } from './support/random.js';
 import { randomEdit, refusalOf } from './support/random-edits.js';
@@ -29,13 +29,11 @@ class Picture {
   readonly card = new Card();
   readonly arrows = new FaceArrows();
   readonly surface: Surface;
-  readonly #rows: FaceRows;
 
   constructor(mesh: HalfedgeMesh) {
     this.surface = new Surface(mesh as never);
-    this.#rows = new FaceRows(this.surface);
     this.arrows.setColors(FAINT, STRONG);
-    this.arrows.reset(this.#rows, mesh.faceSlots);
+    this.arrows.reset(this.surface);
   }
 
   /** Shows these faces and no others; returns how many bytes the card is sent. */
@@ -44,31 +42,30 @@ class Picture {
     for (const [face, { pixel, strength }] of wishes) this.arrows.show(face, pixel, strength);
     this.arrows.end();
     this.card.bytes = 0;
-    drawLines(this.card, this.arrows.lines.geometry);
+    for (const geometry of this.arrows.lines.geometries) drawLines(this.card, geometry);
     return this.card.bytes;
   }
 
   /** Takes up an edit. */
   update(): void {
     const change = this.surface.update();
-    const faces = change?.faces ?? null;
-    this.#rows.forget(faces);
-    this.arrows.forget(faces, this.surface.mesh.faceSlots);
+    this.arrows.forget(change?.faces ?? null);
   }
 
   get drawn(): string[] {
-    return drawnArrows(this.card, this.arrows.lines.geometry);
+    return drawnArrows(this.card, this.arrows.lines.geometries);
   }
 
   /** What is to be drawn, measured anew. */
   expected(wishes: ReadonlyMap<number, Wish>): string[] {
-    const rows = new FaceRows(this.surface);
+    const tracer = new ArrowTracer();
     const arrows: string[] = [];
     for (const [face, { pixel, strength }] of wishes) {
       const color = FAINT.clone().lerp(STRONG, strength).toArray();
-      const at = rows.at(face);
-      const out = new Float32Array(rows.rows.degree(at) * ARROW_FLOATS);
-      rows.rows.place(at, arrowSizes(pixel), out, 0);
+      const corners: number[] = [];
+      const degree = this.surface.corners(face, corners);
+      const out = new Float32Array(degree * ARROW_FLOATS);
+      tracer.traceFace(corners, degree, arrowSizes(pixel), out, 0);
       for (let i = 0; i < out.length; i += ARROW_FLOATS) {
         arrows.push(describeArrow(out.subarray(i, i + ARROW_FLOATS), color));
       }
@@ -142,8 +139,8 @@ describe('The arrows of faces', () => {
     const mesh = HalfedgeMesh.grid(40, 40);
     const picture = new Picture(mesh);
     const all = [...mesh.faces()];
-    const block = 64 * 9 * 4;
-    expect(picture.show(wishes(all))).toBeGreaterThan(4 * 2 * all.length * 9 * 4 - 1);
+    const block = 64 * (ARROW_FLOATS + 3) * 4;
+    expect(picture.show(wishes(all))).toBeGreaterThan(4 * all.length * (ARROW_FLOATS + 3) * 4 - 1);
     expect(picture.show(wishes(all))).toBe(0);
     // A camera that moves by less than a step, and a pointer.
     expect(picture.show(wishes(all, 1.005 * PIXEL))).toBe(0);
@@ -152,9 +149,9 @@ describe('The arrows of faces', () => {
     // Faces that leave, and others that take their places.
     expect(picture.show(wishes(all))).toBe(block);
     expect(picture.show(wishes(all.filter((f) => f !== 100)))).toBe(block);
-    const { instanceCount } = picture.arrows.lines.geometry;
+    const { instanceCount } = picture.arrows.lines.geometries[0];
     expect(picture.show(wishes(all))).toBe(block);
-    expect(picture.arrows.lines.geometry.instanceCount).toBe(instanceCount);
+    expect(picture.arrows.lines.geometries[0].instanceCount).toBe(instanceCount);
     mesh.dispose();
   });
 
@@ -164,7 +161,7 @@ describe('The arrows of faces', () => {
     picture.show(wishes(mesh.faces()));
     const few = wishes([5, 700, 1500]);
     picture.show(few);
-    expect(picture.arrows.lines.geometry.instanceCount).toBe(2 * 4 * few.size);
+    expect(picture.arrows.lines.geometries[0].instanceCount).toBe(4 * few.size);
     expect(picture.drawn).toEqual(picture.expected(few));
     picture.show(new Map());
     expect(picture.drawn).toEqual([]);
@@ -184,6 +181,39 @@ describe('The arrows of faces', () => {
     picture.arrows.setColors(FAINT, STRONG);
     picture.show(all);
     expect(picture.drawn).toEqual(before);
+    mesh.dispose();
+  });
+});
+
+describe('The arrows of boundary halfedges', () => {
+  test('stay as they are on the card while little changes', () => {
+    const mesh = HalfedgeMesh.grid(6, 6);
+    const card = new Card();
+    const arrows = new BoundaryArrows();
+    const show = (faces: Iterable<number>, pixel: number) => {
+      arrows.begin();
+      for (const face of faces) arrows.show(face, pixel);
+      arrows.end();
+      card.bytes = 0;
+      return linesInSight(card, arrows.lines.geometries[0]);
+    };
+    const beside = [...mesh.faces()].filter((f) => [...mesh.faceFaces(f)].length < 4);
+    arrows.reset(new Surface(mesh as never));
+    arrows.setColor(STRONG);
+    const whole = show(beside, PIXEL);
+    expect(whole.length).toBeGreaterThan(2 * 24);
+    expect(whole.every((segment) => segment[8] === STRONG.b)).toBe(true);
+    // A camera that moves by less than a step.
+    expect([show(beside, 1.005 * PIXEL), card.bytes]).toEqual([whole, 0]);
+    // Fewer dashes, and as many as before again.
+    expect(show(beside, 4 * PIXEL).length).toBeLessThan(whole.length);
+    expect(show(beside, PIXEL).sort()).toEqual(whole.sort());
+    const alone = show([beside[3]], PIXEL);
+    expect(alone.every((segment) => whole.some((one) => String(one) === String(segment)))).toBe(
+      true,
+    );
+    arrows.setColor(FAINT);
+    expect(show([beside[3]], PIXEL).map((segment) => segment[8])).toEqual(alone.map(() => FAINT.b));
     mesh.dispose();
   });
 });

@@ -15,16 +15,15 @@ export function describeArrow(floats: ArrayLike<number>, color: ArrayLike<number
   return [...Array.from(floats), '|', ...Array.from(color, Math.fround)].join(' ');
 }
 
-/** The arrows of two segments each that a card draws, sorted. */
-export function drawnArrows(card: Card, geometry: LineSegmentsGeometry): string[] {
-  const lines = linesInSight(card, geometry);
-  const drawn: string[] = [];
-  for (let i = 0; i < lines.length; i += 2) {
-    const [shaft, barb] = [lines[i], lines[i + 1]];
+/** The arrows that a card draws, sorted: the first geometry has their shafts, the second their barbs. */
+export function drawnArrows(card: Card, geometries: readonly LineSegmentsGeometry[]): string[] {
+  const [shafts, barbs] = geometries.map((geometry) => linesInSight(card, geometry));
+  const drawn = shafts.map((shaft, i) => {
+    const barb = barbs[i];
     const arrow = describeArrow([...shaft.slice(0, 6), ...barb.slice(3, 6)], shaft.slice(6));
     const again = describeArrow([...shaft.slice(0, 3), ...barb.slice(0, 6)], barb.slice(6));
     // A barb begins where its shaft ends, in the colour of it.
-    drawn.push(arrow === again ? arrow : `${arrow} is not ${again}`);
-  }
+    return arrow === again ? arrow : `${arrow} is not ${again}`;
+  });
   return drawn.sort();
 }

@@ -1,12 +1,11 @@
-import { Color } from 'three';
+import type { Color } from 'three';
 import type { ConnectivityViews } from '../api.js';
-import { ARROWS_FROM, LineBatch, lineMaterial, lines } from '../three/index.js';
+import { ARROWS_FROM, lineMaterial, lines } from '../three/index.js';
 import { roomFor } from '../three/rows.js';
+import { BoundaryArrows } from './boundary-arrows.js';
 import { FaceArrows } from './face-arrows.js';
-import { FaceRows } from './face-rows.js';
 import { FaceSight } from './face-sight.js';
 import type { FaceFrames } from './faces.js';
-import { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
@@ -23,20 +22,20 @@ const FACE_CAP = 8000;
 export class ArrowLayer {
   readonly #stage: Stage;
   readonly #arrows = new FaceArrows();
-  readonly #batch = new LineBatch();
+  readonly #boundaryArrows = new BoundaryArrows();
   readonly #material = lineMaterial(1.5, 2);
   readonly #sight = new FaceSight();
   #surface: Surface | null = null;
   #frames: FaceFrames | null = null;
-  #rows: FaceRows | null = null;
-  #glyphs: Glyphs | null = null;
   /** The links of the mesh, in the frame that is drawn. */
   #links: ConnectivityViews | null = null;
-  #closed = true;
+  /** By face: 1 if a boundary halfedge is across one of its edges. */
+  #isBeside = new Uint8Array(0);
   #stamp = 0;
   #seen = new Uint32Array(0);
-  readonly #queue: number[] = [];
-  #boundaryColor = new Color();
+  /** The faces that may be drawn, in their order, and how many these are. */
+  #queue = new Int32Array(0);
+  #end = 0;
   /** Whether any arrows are drawn. */
   visible = true;
   /** Faces that show no arrows, while they are changing. */
@@ -48,32 +47,39 @@ export class ArrowLayer {
 
   constructor(stage: Stage) {
     this.#stage = stage;
-    for (const segments of [this.#arrows.lines, this.#batch]) {
-      stage.scene.add(lines(segments, this.#material, 3));
+    for (const { lines: drawn } of [this.#arrows, this.#boundaryArrows]) {
+      for (const geometry of drawn.geometries) {
+        stage.scene.add(lines({ geometry }, this.#material, 3));
+      }
     }
   }
 
   show(surface: Surface, frames: FaceFrames): void {
     this.#surface = surface;
     this.#frames = frames;
-    this.#rows = new FaceRows(surface);
-    this.#glyphs = new Glyphs(surface, frames, this.#stage);
-    this.#arrows.reset(this.#rows, surface.mesh.faceSlots);
+    this.#arrows.reset(surface);
+    this.#boundaryArrows.reset(surface);
     this.change(null);
   }
 
   /** Takes over faces of the surface that have changed; null: all of them may have. */
   change(faces: Iterable<number> | null): void {
     const { mesh, boundary } = this.#surface as Surface;
-    this.#rows?.forget(faces);
-    this.#arrows.forget(faces, mesh.faceSlots);
-    if (mesh.faceSlots > this.#seen.length) this.#seen = new Uint32Array(roomFor(mesh.faceSlots));
-    this.#closed = boundary.length === 0;
+    this.#arrows.forget(faces);
+    this.#boundaryArrows.forget(null);
+    if (mesh.faceSlots > this.#seen.length) {
+      this.#seen = new Uint32Array(roomFor(mesh.faceSlots));
+      this.#queue = new Int32Array(this.#seen.length);
+      this.#isBeside = new Uint8Array(this.#seen.length);
+    }
+    this.#isBeside.fill(0);
+    const { face } = mesh.connectivity;
+    for (const h of boundary) this.#isBeside[face[h ^ 1]] = 1;
   }
 
   setColors(faded: Color, arrow: Color, boundary: Color): void {
     this.#arrows.setColors(faded, arrow);
-    this.#boundaryColor = boundary;
+    this.#boundaryArrows.setColor(boundary);
   }
 
   /**
@@ -85,46 +91,62 @@ export class ArrowLayer {
     const surface = this.#surface;
     if (!surface) return;
     this.#arrows.begin();
-    this.#batch.clear();
+    this.#boundaryArrows.begin();
     this.boundary.length = 0;
     this.large.length = 0;
     if (this.visible) this.#drawAll(surface, near, middle);
     this.#arrows.end();
-    this.#batch.upload();
+    this.#boundaryArrows.end();
   }
 
-  #drawAll({ mesh }: Surface, near: readonly number[], middle: number | null): void {
-    this.#sight.aim(this.#stage, this.#closed);
+  #drawAll({ mesh, boundary }: Surface, near: readonly number[], middle: number | null): void {
+    this.#sight.aim(this.#stage, boundary.length === 0);
     this.#links = mesh.connectivity;
     this.#stamp += 1;
-    const queue = this.#queue;
-    queue.length = 0;
+    this.#end = 0;
     const { faceHalfedge } = this.#links;
     for (const f of near) this.#push(f);
     let at = 0;
-    for (let ring = 0; ring < NEAR_RINGS; ring++) {
-      for (const end = queue.length; at < end && at < FACE_CAP; at++) {
-        this.#draw(queue[at], 1);
-        this.#pushNeighbours(queue[at]);
-      }
-    }
-    if (faceHalfedge.length > FACE_CAP) {
-      if (middle !== null) this.#push(middle);
-      for (; at < queue.length && at < FACE_CAP; at++) {
-        if (this.#draw(queue[at], 0)) this.#pushNeighbours(queue[at]);
-      }
+    for (let ring = 0; ring < NEAR_RINGS; ring++) at = this.#drawQueued(at, 1, 'all');
+    if (faceHalfedge.length <= FACE_CAP) {
+      this.#pushAll(faceHalfedge);
+      this.#drawQueued(at, 0, 'none');
       return;
     }
-    for (; at < queue.length; at++) this.#draw(queue[at], 0);
+    if (middle !== null) this.#push(middle);
+    while (at < Math.min(this.#end, FACE_CAP)) at = this.#drawQueued(at, 0, 'drawn');
+  }
+
+  #pushAll(faceHalfedge: Int32Array): void {
+    const queue = this.#queue;
+    const seen = this.#seen;
+    const stamp = this.#stamp;
+    let end = this.#end;
     for (let f = 0; f < faceHalfedge.length; f++) {
-      if (faceHalfedge[f] >= 0 && this.#seen[f] !== this.#stamp) this.#draw(f, 0);
+      if (faceHalfedge[f] >= 0 && seen[f] !== stamp) queue[end++] = f;
     }
+    this.#end = end;
   }
 
   #push(f: number): void {
     if (f < 0 || this.#seen[f] === this.#stamp) return;
     this.#seen[f] = this.#stamp;
-    this.#queue.push(f);
+    this.#queue[this.#end++] = f;
+  }
+
+  /**
+   * Draws the faces of the queue from place `from` on, as far as the cap, and queues the neighbours of all of them, of
+   * none, or of those that could be drawn. Returns where those stand.
+   */
+  #drawQueued(from: number, strength: number, spreading: 'all' | 'none' | 'drawn'): number {
+    const end = Math.min(this.#end, FACE_CAP);
+    const queue = this.#queue;
+    this.#sight.measure(queue, from, end, this.#frames as FaceFrames);
+    for (let i = from; i < end; i++) {
+      const isDrawn = this.#draw(i, strength);
+      if (spreading === 'all' || (isDrawn && spreading === 'drawn')) this.#pushNeighbours(queue[i]);
+    }
+    return end;
   }
 
   #pushNeighbours(f: number): void {
@@ -138,41 +160,32 @@ export class ArrowLayer {
   }
 
   /**
-   * Draws the arrows of a face, at least as strongly as `strength`, unless it is too small or out
-   * of sight; says whether it did.
+   * Draws the arrows of the face at a place of the queue, which was measured, at least as strongly as `strength`, unless
+   * it is too small or out of sight; says whether it did.
    */
-  #draw(f: number, strength: number): boolean {
+  #draw(i: number, strength: number): boolean {
+    const f = this.#queue[i];
     if (this.hidden.size > 0 && this.hidden.has(f)) return true;
-    const sight = this.#sight;
-    const pixels = sight.edgeOf(f, this.#frames as FaceFrames);
-    if (pixels < ARROWS_FROM) return false;
-    if (pixels >= LABELS_FROM_PX) this.large.push(f);
-    const faded = (pixels - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
+    const edge = this.#sight.edges[i];
+    if (edge < ARROWS_FROM) return false;
+    if (edge >= LABELS_FROM_PX) this.large.push(f);
+    const faded = (edge - FADE_PX[0]) / (FADE_PX[1] - FADE_PX[0]);
     const shown = Math.min(1, Math.max(faded, strength));
-    if (shown > 0) this.#arrows.show(f, sight.pixel, shown);
-    if (!this.#closed) this.#writeBoundaries(f);
+    const pixel = this.#sight.pixels[i];
+    if (shown > 0) this.#arrows.show(f, pixel, shown);
+    if (this.#isBeside[f] === 1) this.#showBoundaries(f, pixel);
     return true;
   }
 
   /** The boundary halfedges across the edges of a face: never faded, never hidden. */
-  #writeBoundaries(f: number): void {
+  #showBoundaries(f: number, pixel: number): void {
     const { next, face, faceHalfedge } = this.#links as ConnectivityViews;
     const first = faceHalfedge[f];
     let h = first;
     do {
-      if (face[h ^ 1] < 0) this.#writeBoundary(h ^ 1);
+      if (face[h ^ 1] < 0) this.boundary.push(h ^ 1);
       h = next[h];
     } while (h !== first);
-  }
-
-  #writeBoundary(h: number): void {
-    const glyphs = this.#glyphs as Glyphs;
-    glyphs.boundary(h);
-    const pixel = this.#stage.pixelAt(
-      this.#stage.depthOf(glyphs.arrows[0], glyphs.arrows[1], glyphs.arrows[2]),
-    );
-    this.#batch.addDashed(glyphs.arrows, 0, 3, this.#boundaryColor, 5 * pixel, 0.4);
-    this.#batch.add(glyphs.arrows, 3, 6, this.#boundaryColor);
-    this.boundary.push(h);
+    this.#boundaryArrows.show(f, pixel);
   }
 }

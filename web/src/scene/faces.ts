@@ -47,17 +47,22 @@ export class FaceFrames {
     const degree = this.#surface.corners(face, corners);
     const normal = newellNormal(corners, degree, this.#normal);
     const data = this.#data;
+    let centreX = 0;
+    let centreY = 0;
+    let centreZ = 0;
     let perimeter = 0;
-    for (let k = 0; k < 3; k++) data[at + k] = 0;
-    for (let i = 0; i < degree; i++) {
-      const a = 3 * i;
-      const b = 3 * ((i + 1) % degree);
+    for (let a = 3 * (degree - 1), b = 0; b < 3 * degree; a = b, b += 3) {
       const x = corners[b] - corners[a];
       const y = corners[b + 1] - corners[a + 1];
       const z = corners[b + 2] - corners[a + 2];
       perimeter += Math.sqrt(x * x + y * y + z * z);
-      for (let k = 0; k < 3; k++) data[at + k] += corners[a + k] / degree;
+      centreX += corners[b];
+      centreY += corners[b + 1];
+      centreZ += corners[b + 2];
     }
+    data[at] = centreX / degree;
+    data[at + 1] = centreY / degree;
+    data[at + 2] = centreZ / degree;
     for (let k = 0; k < 3; k++) data[at + 3 + k] = normal[k];
     data[at + 6] = perimeter / degree;
   }

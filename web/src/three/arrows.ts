@@ -1,4 +1,4 @@
-import { ArrowRows } from './arrow-rows.js';
+import { CappedMitre } from './mitre.js';
 
 /**
  * Where the half-arrow of a halfedge is drawn: a shaft inside the face, parallel to the edge, and
@@ -41,7 +41,7 @@ export function arrowSizes(
 
 /** Computes arrows of whole faces and of boundary halfedges; reuses its scratch memory. */
 export class ArrowTracer {
-  readonly #rows = new ArrowRows();
+  readonly #mitre = new CappedMitre();
 
   /**
    * Writes the arrows of a face to `out`: arrow i runs along the edge from corner i to corner
@@ -54,9 +54,10 @@ export class ArrowTracer {
     out: Float32Array,
     offset: number,
   ): number {
-    this.#rows.measureFace(0, corners, degree);
-    this.#rows.place(0, sizes, out, offset);
-    return this.#rows.cap(0);
+    if (degree === 3) this.#mitre.measureTriangle(corners, 0, 3, 6);
+    else this.#mitre.measurePolygon(corners, degree);
+    this.#mitre.place(sizes, out, offset);
+    return this.#mitre.cap;
   }
 
   /**
@@ -71,7 +72,7 @@ export class ArrowTracer {
     out: Float32Array,
     offset: number,
   ): void {
-    this.#rows.measureBoundary(0, path, normal);
-    this.#rows.placeOne(0, 1, sizes, out, offset);
+    this.#mitre.measureBoundary(path, normal);
+    this.#mitre.placeOne(1, sizes, out, offset);
   }
 }

@@ -1,6 +1,6 @@
 import type { HalfedgeMesh } from '../mesh.js';
-import { ARROW_FLOATS } from './arrow-rows.js';
 import { type ArrowSizes, ArrowTracer } from './arrows.js';
+import { ARROW_FLOATS } from './mitre.js';
 import { newellNormal } from './polygon.js';
 
 /** A mesh, and where its vertices are drawn: its positions, or others. */

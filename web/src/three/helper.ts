@@ -1,11 +1,11 @@
 import { Color, type ColorRepresentation, Group } from 'three';
 import { checkOptions, describe } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { ARROW_FLOATS } from './arrow-rows.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { LineBatch, lineMaterial, lines } from './lines.js';
+import { ARROW_FLOATS } from './mitre.js';
 
 /** What all helpers can be told. */
 export interface HelperOptions {

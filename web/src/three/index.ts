@@ -1,8 +1,8 @@
 // Between meshes and three.js, which is a peer dependency of this entry.
 
-export { ARROW_FLOATS, ArrowRows, CAP_SHARE, rowLength, SEGMENTS_OF_ARROW } from './arrow-rows.js';
 export { ARROWS_FROM, type ArrowSizes, ArrowTracer, arrowSizes } from './arrows.js';
 export type { GeometryOptions, NormalOption } from './columns.js';
+export { dashCount, placeDashes } from './dashes.js';
 export { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 export { type HelperOptions, MeshHelper } from './helper.js';
 export {
@@ -18,6 +18,7 @@ export { IndexLabelsHelper, type LabelsOptions } from './labels-helper.js';
 export { LineBuffers, SEGMENT_FLOATS } from './line-buffers.js';
 export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
 export { type ChangeListener, type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
+export { ARROW_FLOATS, CAP_SHARE, CappedMitre } from './mitre.js';
 export { newellNormal, squaredDistanceToSegment } from './polygon.js';
 export {
   type FromGeometryOptions,

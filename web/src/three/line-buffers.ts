@@ -1,52 +1,67 @@
 import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
-/** Segments are uploaded in blocks of so many, those of which one has changed. */
+/** Lines are uploaded in blocks of so many, those of which one has changed. */
 const BLOCK = 64;
 /** With more ranges than this, of an object that isn't drawn, the whole buffer waits to be uploaded. */
 const MOST_RANGES = 1000;
+/** Where nothing is ever in sight. */
+const NOWHERE = 1e9;
 
 /** xyz of both ends of a segment. */
 export const SEGMENT_FLOATS = 6;
 
 /**
- * The buffers of coloured line segments; memory grows and is kept. The graphics card is sent the blocks of them that
- * were touched since it was sent them last.
+ * The buffers of coloured lines, each through the same number of points; memory grows and is kept. The graphics card is
+ * sent the blocks of them that were touched since it was sent them last.
  */
 export class LineBuffers {
-  readonly geometry = new LineSegmentsGeometry();
-  /** xyz of both ends by segment; another array when there was not room enough. */
+  /** The first one draws the first segment of each line, and so on: they share the buffers. */
+  readonly geometries: readonly LineSegmentsGeometry[];
+  /** xyz of all points by line; another array when there was not room enough. */
   positions = new Float32Array(0);
-  /** One colour for both ends. */
+  /** One colour for all of a line. */
   colors = new Float32Array(0);
+  /** How many numbers of `positions` a line has. */
+  readonly stride: number;
   readonly #buffers: InstancedInterleavedBuffer[] = [];
-  /** By block: whether a segment of it is other than what was uploaded. */
+  /** By block: whether a line of it is other than what was uploaded. */
   #isStale = new Uint8Array(0);
 
-  constructor(capacity = BLOCK) {
-    this.geometry.instanceCount = 0;
+  constructor(points = 2, capacity = BLOCK) {
+    this.stride = 3 * points;
+    this.geometries = Array.from({ length: points - 1 }, () => new LineSegmentsGeometry());
+    for (const geometry of this.geometries) geometry.instanceCount = 0;
     this.#grow(capacity);
   }
 
-  /** Makes room for so many segments; those that are there stay. */
+  /** Makes room for so many lines; those that are there stay. */
   reserve(count: number): void {
-    if (count * SEGMENT_FLOATS > this.positions.length) this.#grow(2 * count);
+    if (count * this.stride > this.positions.length) this.#grow(2 * count);
   }
 
-  /** Whether a segment is uploaded anyhow. */
-  isStale(segment: number): boolean {
-    return this.#isStale[(segment / BLOCK) | 0] === 1;
+  /** Whether a line is uploaded anyhow. */
+  isStale(line: number): boolean {
+    return this.#isStale[(line / BLOCK) | 0] === 1;
   }
 
-  /** Notes that the segments from `first` on, before `end`, are others now. */
+  /** Notes that the lines from `first` on, before `end`, are others now. */
   touch(first: number, end: number): void {
     const last = ((end - 1) / BLOCK) | 0;
     for (let block = (first / BLOCK) | 0; block <= last; block++) this.#isStale[block] = 1;
   }
 
-  /** Draws the first segments, so many, and hands the graphics card those of them that it doesn't have. */
+  /** Takes the lines from `first` on, before `end`, out of sight. */
+  hide(first: number, end: number): void {
+    const { positions, stride } = this;
+    // No segment is without length, which has no direction.
+    for (let p = stride * first; p < stride * end; p++) positions[p] = NOWHERE + (p % 2) * NOWHERE;
+    this.touch(first, end);
+  }
+
+  /** Draws the first lines, so many, and hands the graphics card those of them that it doesn't have. */
   upload(count: number): void {
-    this.geometry.instanceCount = count;
+    for (const geometry of this.geometries) geometry.instanceCount = count;
     const blocks = Math.ceil(count / BLOCK);
     for (let from = 0; from < blocks; from++) {
       if (this.#isStale[from] === 0) continue;
@@ -69,21 +84,24 @@ export class LineBuffers {
   }
 
   #grow(capacity: number): void {
-    this.positions = grown(this.positions, SEGMENT_FLOATS * capacity);
+    this.positions = grown(this.positions, this.stride * capacity);
     this.colors = grown(this.colors, 3 * capacity);
     // Other buffers are uploaded whole.
     this.#isStale = new Uint8Array(Math.ceil(capacity / BLOCK));
-    const positions = new InstancedInterleavedBuffer(this.positions, SEGMENT_FLOATS, 1);
+    const positions = new InstancedInterleavedBuffer(this.positions, this.stride, 1);
     const colors = new InstancedInterleavedBuffer(this.colors, 3, 1);
     this.#buffers.splice(0, 2, positions, colors);
     for (const buffer of this.#buffers) buffer.setUsage(DynamicDrawUsage);
-    const { geometry } = this;
-    geometry.dispose();
-    const both = new InterleavedBufferAttribute(colors, 3, 0);
-    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(positions, 3, 0));
-    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(positions, 3, 3));
-    geometry.setAttribute('instanceColorStart', both);
-    geometry.setAttribute('instanceColorEnd', both);
+    const color = new InterleavedBufferAttribute(colors, 3, 0);
+    this.geometries.forEach((geometry, segment) => {
+      geometry.dispose();
+      for (const [end, name] of ['instanceStart', 'instanceEnd'].entries()) {
+        const at = 3 * (segment + end);
+        geometry.setAttribute(name, new InterleavedBufferAttribute(positions, 3, at));
+      }
+      geometry.setAttribute('instanceColorStart', color);
+      geometry.setAttribute('instanceColorEnd', color);
+    });
   }
 }
 

@@ -2,6 +2,7 @@ import { type Color, GreaterDepth, Vector4 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import { dashCount, MOST_DASHES, placeDashes } from './dashes.js';
 import { LineBuffers, SEGMENT_FLOATS } from './line-buffers.js';
 
 /**
@@ -13,11 +14,11 @@ export class LineBatch {
   #count = 0;
 
   constructor(capacity?: number) {
-    this.#lines = new LineBuffers(capacity);
+    this.#lines = new LineBuffers(2, capacity);
   }
 
   get geometry(): LineSegmentsGeometry {
-    return this.#lines.geometry;
+    return this.#lines.geometries[0];
   }
 
   get count(): number {
@@ -51,24 +52,10 @@ export class LineBatch {
     period: number,
     duty: number,
   ): void {
-    const length = Math.hypot(
-      points[b] - points[a],
-      points[b + 1] - points[a + 1],
-      points[b + 2] - points[a + 2],
-    );
-    // The last dash ends where the segment does, so that both ends of it can be seen.
-    const dashes = Math.max(1, Math.min(200, Math.round(length / period - duty) + 1));
-    const pitch = 1 / (dashes - 1 + duty);
-    const part = dashes > 1 ? duty * pitch : 1;
-    const piece = [0, 0, 0, 0, 0, 0];
-    for (let i = 0; i < dashes; i++) {
-      for (let k = 0; k < 3; k++) {
-        const span = points[b + k] - points[a + k];
-        piece[k] = points[a + k] + span * i * pitch;
-        piece[k + 3] = piece[k] + span * part;
-      }
-      this.add(piece, 0, 3, color);
-    }
+    const dashes = dashCount(points, a, b, period, duty);
+    placeDashes(points, a, b, dashes, duty, pieces, 0);
+    for (let i = 0; i < dashes; i++)
+      this.add(pieces, SEGMENT_FLOATS * i, SEGMENT_FLOATS * i + 3, color);
   }
 
   /** Hands what was added to the graphics card, as far as it has something else there. */
@@ -97,6 +84,8 @@ export class LineBatch {
   }
 }
 
+/** The dashes of a segment on their way into a batch. */
+const pieces = new Float64Array(MOST_DASHES * SEGMENT_FLOATS);
 /** One segment and its colour on their way into a batch. */
 const segment = new Float32Array(SEGMENT_FLOATS);
 const tint = new Float32Array(3);
@@ -127,7 +116,7 @@ export function lineMaterial(linewidth: number, bias: number): LineMaterial {
 
 /** Line segments as an object of the scene; drawn in `order` among the overlays. */
 export function lines(
-  { geometry }: LineBatch | LineBuffers,
+  { geometry }: { readonly geometry: LineSegmentsGeometry },
   material: LineMaterial,
   order: number,
 ): LineSegments2 {

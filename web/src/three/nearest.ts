@@ -1,6 +1,6 @@
-import { ARROW_FLOATS } from './arrow-rows.js';
 import { arrowSizes } from './arrows.js';
 import type { DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
+import { ARROW_FLOATS } from './mitre.js';
 import { distanceToLine, type Projection, type ScreenPoint } from './projection.js';
 
 /** The corner, edge and arrow of a face that are nearest to a place on the canvas, in CSS pixels. */

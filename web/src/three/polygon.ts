@@ -10,9 +10,7 @@ export function newellNormal(
   let x = 0;
   let y = 0;
   let z = 0;
-  for (let i = 0; i < degree; i++) {
-    const a = 3 * i;
-    const b = 3 * ((i + 1) % degree);
+  for (let a = 3 * (degree - 1), b = 0; b < 3 * degree; a = b, b += 3) {
     x += (corners[a + 1] - corners[b + 1]) * (corners[a + 2] + corners[b + 2]);
     y += (corners[a + 2] - corners[b + 2]) * (corners[a] + corners[b]);
     z += (corners[a] - corners[b]) * (corners[a + 1] + corners[b + 1]);

@@ -52,6 +52,15 @@ export class FaceSlots {
     this.#count = count;
   }
 
+  /** Frees all rows. */
+  clear(): void {
+    this.faceOf.fill(-1, 0, this.end);
+    this.#count.fill(0);
+    this.#free.clear();
+    this.end = 0;
+    this.#unused = 0;
+  }
+
   /** Gives the rows, from the first on, to the faces that they are of. pre: none has one yet */
   assign(faceOf: ArrayLike<number>, faces: number): void {
     this.resize(faces);
