@@ -26,9 +26,8 @@ describe('A page of figures', () => {
     });
     const page = await figures(`<style>body { columns: 5 }</style>${body.join('')}`);
     expect(await page.ready()).toBe(20);
-    await page.page.waitForTimeout(500);
-    const { contexts, copies } = await page.counts();
-    expect(contexts).toBe(1);
+    const copies = await page.settled();
+    expect((await page.counts()).contexts).toBe(1);
     for (const colours of await page.colours()) expect(colours).toBeGreaterThan(20);
     await page.page.waitForTimeout(500);
     expect((await page.counts()).copies).toBe(copies);
@@ -42,11 +41,9 @@ describe('A page of figures', () => {
     await page.page.evaluate(() => scrollTo(0, 4000));
     await page.page.waitForSelector('halfedge-figure[state=ready]');
     await page.page.evaluate(() => scrollTo(0, 0));
-    await page.page.waitForTimeout(500);
-    const { copies } = await page.counts();
+    const copies = await page.settled();
     await page.figure((figure) => figure.seek(2));
-    await page.page.waitForTimeout(300);
-    expect((await page.counts()).copies).toBe(copies);
+    expect(await page.settled()).toBe(copies);
     await page.page.evaluate(() => scrollTo(0, 4000));
     await page.page.waitForFunction(
       (before) => (window as unknown as { copies: number }).copies > before,

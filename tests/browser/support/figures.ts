@@ -129,6 +129,20 @@ export class FigurePage {
     });
   }
 
+  /** The pictures copied so far, once 30 frames went by without one: however slow the machine is. */
+  settled(): Promise<number> {
+    return this.page.evaluate(async () => {
+      const counts = window as unknown as Counts;
+      for (let before = counts.copies, frames = 0; frames < 30; frames += 1) {
+        await new Promise(requestAnimationFrame);
+        if (counts.copies === before) continue;
+        before = counts.copies;
+        frames = 0;
+      }
+      return counts.copies;
+    });
+  }
+
   /** The events of figures so far, but for ready. */
   events<Name extends keyof FigureEvents>(name: Name): Promise<FigureEvents[Name][]> {
     return this.page.evaluate(
