@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "contender.h"
@@ -50,7 +51,8 @@ inline halfedge::Point unit(halfedge::Point p) {
   return 1 / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) * p;
 }
 
-/// The mean of the vertices goes to the origin.
+/// The mean of the vertices goes to the origin. All of them move, so their coordinates are written
+/// as one array: that of a deleted one may move along.
 inline void centre(halfedge::Mesh& mesh) {
   double sum[3] = {};
   for (const halfedge::Vertex v : mesh.vertices()) {
@@ -58,8 +60,11 @@ inline void centre(halfedge::Mesh& mesh) {
     sum[0] += double(p.x), sum[1] += double(p.y), sum[2] += double(p.z);
   }
   const double count = mesh.vertex_count();
-  const halfedge::Point mean{float(sum[0] / count), float(sum[1] / count), float(sum[2] / count)};
-  for (const halfedge::Vertex v : mesh.vertices()) mesh.set_position(v, mesh.position(v) - mean);
+  const float mean[] = {float(sum[0] / count), float(sum[1] / count), float(sum[2] / count)};
+  const std::span<float> all = mesh.mutable_positions().span();
+  for (std::size_t x = 0; x < all.size(); x += 3) {
+    for (std::size_t axis = 0; axis < 3; ++axis) all[x + axis] -= mean[axis];
+  }
 }
 
 /// Unit normals of the faces, from three vertices; of each vertex the sum of those around it, of

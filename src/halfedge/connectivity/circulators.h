@@ -323,7 +323,7 @@ class LiveRange {
    private:
     void skip_deleted() {
       for (const Index slots = mesh_->slots(Item{}); at_ < slots; ++at_) {
-        if (!mesh_->is_deleted(Item(at_))) return;
+        if (!mesh_->has_deleted(Item{}) || !mesh_->is_deleted(Item(at_))) return;
       }
       at_end_ = true;
     }

@@ -118,6 +118,12 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return is_deleted_link(links_.face_halfedge[f.index()]);
   }
 
+  /// Whether any item of this kind is deleted: without a look at the slots.
+  [[nodiscard]] bool has_deleted(Vertex) const { return free_vertices_.count > 0; }
+  [[nodiscard]] bool has_deleted(Halfedge) const { return free_edges_.count > 0; }
+  [[nodiscard]] bool has_deleted(Edge) const { return free_edges_.count > 0; }
+  [[nodiscard]] bool has_deleted(Face) const { return free_faces_.count > 0; }
+
   /// Whether the handle is not empty, in range and not deleted.
   template <class Item>
   [[nodiscard]] bool is_live(Item item) const {

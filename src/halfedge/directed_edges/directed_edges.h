@@ -96,6 +96,10 @@ class DirectedEdges : public Circulators<DirectedEdges> {
   [[nodiscard]] static constexpr bool is_deleted(Halfedge) { return false; }
   [[nodiscard]] bool is_deleted(Edge e) const { return links_.opposite[e.index()] < e.index(); }
   [[nodiscard]] static constexpr bool is_deleted(Face) { return false; }
+  [[nodiscard]] static constexpr bool has_deleted(Vertex) { return false; }
+  [[nodiscard]] static constexpr bool has_deleted(Halfedge) { return false; }
+  [[nodiscard]] static constexpr bool has_deleted(Edge) { return true; }
+  [[nodiscard]] static constexpr bool has_deleted(Face) { return false; }
 
   /// Whether the handle is not empty and that of an item.
   template <class Item>
