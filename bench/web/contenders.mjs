@@ -10,7 +10,7 @@ const NONE = -1;
  * turns what that returned into the number to agree on, not timed. The builds fill `made` with what
  * the passes run over.
  */
-export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold }, input) {
+export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg }, input) {
   const { positions, triangles, closed } = input;
   const made = {};
   const views = () => made.halfedge.connectivity;
@@ -25,6 +25,7 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold }, in
       halfedge: () => HalfedgeMesh.fromTriangles(positions, triangles),
       flat: () => buildFlat(positions.length / 3, triangles),
       tmh: () => buildTmh(three, threeMeshHalfedge, input),
+      csg: () => buildCsg(three, csg, input),
       ...(closed && { manifold: solid }),
     },
     /** Keeps what was built, for the passes. */
@@ -39,6 +40,11 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold }, in
       if (who === 'halfedge') return oneRingsByHand(views());
       if (who === 'flat') return flatOneRings(made.flat);
       if (who === 'tmh') return tmhOneRings(made.tmh);
+      // It knows neighbours across edges, no vertices.
+      if (who === 'csg')
+        return csgFaceFaces(made.csg) === faceFacesByHand(views())
+          ? oneRingsByHand(views())
+          : Number.NaN;
       // It has no adjacency to ask for: its count of triangles must do.
       return made.manifold.numTri() === triangles.length / 3 ? oneRingsByHand(views()) : Number.NaN;
     },
@@ -106,6 +112,7 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold }, in
         hand: () => faceFacesByHand(views()),
         flat: () => flatFaceFaces(made.flat),
         tmh: () => tmhFaceFaces(made.tmh),
+        csg: () => csgFaceFaces(made.csg),
       },
     },
     {
@@ -310,12 +317,16 @@ function faceFaceRowsByHand({ next, face, faceHalfedge }) {
 
 // ---- three-mesh-halfedge ---------------------------------------------------------------------------
 
-function buildTmh(three, { HalfedgeDS }, { positions, triangles }) {
+function geometryOf(three, { positions, triangles }) {
   const geometry = new three.BufferGeometry();
   geometry.setAttribute('position', new three.BufferAttribute(positions, 3));
   geometry.setIndex(new three.BufferAttribute(triangles, 1));
+  return geometry;
+}
+
+function buildTmh(three, { HalfedgeDS }, input) {
   const structure = new HalfedgeDS();
-  structure.setFromGeometry(geometry);
+  structure.setFromGeometry(geometryOf(three, input));
   return structure;
 }
 
@@ -368,6 +379,26 @@ function tmhFaceFaces({ faces }) {
   for (const face of faces) {
     for (const { twin } of face.halfedge.nextLoop()) {
       if (twin.face) sum = (sum + (twin.face.id ^ face.id)) | 0;
+    }
+  }
+  return sum;
+}
+
+// ---- three-bvh-csg: for each triangle the ones across its edges, no more ---------------------------
+
+function buildCsg(three, { HalfEdgeMap }, input) {
+  const siblings = new HalfEdgeMap();
+  siblings.updateFrom(geometryOf(three, input));
+  return siblings;
+}
+
+function csgFaceFaces(siblings) {
+  let sum = 0;
+  const faces = siblings.data.length / 3;
+  for (let f = 0; f < faces; f++) {
+    for (let side = 0; side < 3; side++) {
+      const g = siblings.getSiblingTriangleIndex(f, side);
+      if (g >= 0) sum = (sum + (g ^ f)) | 0;
     }
   }
   return sum;

@@ -4,6 +4,7 @@ const contenders = {
   hand: 'by hand, same arrays',
   flat: 'flat',
   tmh: 'three-mesh-halfedge',
+  csg: 'three-bvh-csg',
   manifold: 'manifold-3d',
 };
 
