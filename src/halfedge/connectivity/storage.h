@@ -1,5 +1,7 @@
 #pragma once
 
+#include <halfedge/connectivity/links.h>
+
 namespace halfedge {
 
 /// Which links a mesh type stores, beside next and to_vertex, which every mesh has, and opposite
@@ -47,5 +49,16 @@ concept StoresAnchors = Mesh::kStorage.vertex_halfedge;
 /// All but prev, which algorithms do without if they can.
 template <class Mesh>
 concept StoresSurface = StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>;
+
+namespace internal {
+
+/// Whether `each` holds for all arrays by halfedge that are stored; stops at the first that fails.
+template <class Each>
+bool for_halfedge_arrays(Storage stored, Links& links, const Each& each) {
+  return each(links.next) && each(links.to_vertex) && (!stored.prev || each(links.prev)) &&
+         (!stored.face || each(links.face));
+}
+
+}  // namespace internal
 
 }  // namespace halfedge

@@ -1,0 +1,180 @@
+#pragma once
+
+// The parts of BasicConnectivity that history needs: what is noted of links, and how the words
+// noted are exchanged with those of the arrays, to go back and forth.
+
+#include <halfedge/connectivity/connectivity.h>
+
+#include <cstring>
+
+namespace halfedge {
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::note_loop_links_at(Index h) {
+  Index prev = kNone;
+  Index face = kNone;
+  if (stores_prev()) prev = links_.prev[h];
+  if constexpr (kStored.face) face = links_.face[h];
+  journal_->record_loop_links(h, links_.next[h], prev, face);
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
+  const Index h = first.index;
+  Journal::Write& second = (&first)[1];
+  std::swap(links_.next[h], first.word);
+  if (stores_prev()) std::swap(links_.prev[h], second.index);
+  if constexpr (kStored.face) std::swap(links_.face[h], second.word);
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
+  Index words[8] = {};
+  Index* word = words;
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
+    *word++ = array[edge_halfedge(e, 0).index()];
+    *word++ = array[edge_halfedge(e, 1).index()];
+    return true;
+  });
+  journal_->record_freed_edge(e.index(), words, is_taken);
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_freed_edge(Journal::Write& first) {
+  const Index e = first.index;
+  free_edges_.exchange(e, links_.next[2 * std::size_t{e}]);
+  Index words[8] = {};
+  Index* word = words;
+  Journal::for_edge_words(&first, [&word](Index noted) { *word++ = noted; });
+  word = words;
+  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
+    std::swap(array[edge_halfedge(Edge(e), 0).index()], *word++);
+    std::swap(array[edge_halfedge(Edge(e), 1).index()], *word++);
+    return true;
+  });
+  word = words;
+  Journal::for_edge_words(&first, [&word](Index& noted) { noted = *word++; });
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_new(ItemKind kind, bool is_stored, Array<Index>& array,
+                                              Index& bare, Journal::Write& write) {
+  const Index size = slots(kind);
+  attributes_.resize(kind, write.word);
+  if (!is_stored) {
+    bare = write.word;
+  } else if (write.word < size) {
+    journal_->keep_dropped(&array[write.word], size - write.word);
+    array.grow_to(write.word);
+  } else {
+    const Index count = write.word - size;
+    array.grow_to(write.word);
+    std::memcpy(array.begin() + size, journal_->take_dropped(count), count * sizeof(Index));
+  }
+  write.word = size;
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
+  const Index size = halfedge_slots();
+  attributes_.resize(ItemKind::kEdge, write.word / 2);
+  attributes_.resize(ItemKind::kHalfedge, write.word);
+  if (write.word < size) {
+    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
+      journal_->keep_dropped(&array[write.word], size - write.word);
+      array.grow_to(write.word);
+      return true;
+    });
+  } else {
+    const std::size_t count = write.word - size;
+    std::size_t arrays = 0;
+    (void)internal::for_halfedge_arrays(storage(), links_,
+                                        [&](Array<Index>&) { return ++arrays > 0; });
+    const auto* dropped = static_cast<const Index*>(journal_->take_dropped(arrays * count));
+    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
+      array.grow_to(write.word);
+      std::copy_n(dropped, count, array.begin() + size);
+      dropped += count;
+      return true;
+    });
+  }
+  write.word = size;
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
+  const auto exchange_word = [&](Array<Index>& array) {
+    std::swap(array[write.index], write.word);
+  };
+  const auto exchange_free = [&](FreeList& list) {
+    std::swap(write.index == 0 ? list.head : list.count, write.word);
+  };
+  // Shrinks, or grows in room that was there before.
+  const auto exchange_size = [&](ItemKind kind, bool is_stored, Array<Index>& array, Index& bare) {
+    attributes_.resize(kind, write.word);
+    if (!is_stored) return std::swap(bare, write.word);
+    const Index size = Index(array.size());
+    (void)array.resize(write.word, kNone);
+    write.word = size;
+  };
+  switch (write.field) {
+    case Field::kNext:
+      return exchange_word(links_.next);
+    case Field::kPrev:
+      return exchange_word(links_.prev);
+    case Field::kToVertex:
+      return exchange_word(links_.to_vertex);
+    case Field::kFace:
+      return exchange_word(links_.face);
+    case Field::kVertexHalfedge:
+      return exchange_word(links_.vertex_halfedge);
+    case Field::kFaceHalfedge:
+      return exchange_word(links_.face_halfedge);
+    case Field::kVertexSlots:
+      return exchange_size(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
+                           bare_vertices_);
+    case Field::kFaceSlots:
+      return exchange_size(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
+                           bare_faces_);
+    case Field::kHalfedgeSlots: {
+      const Index size = halfedge_slots();
+      (void)internal::for_halfedge_arrays(
+          storage(), links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
+      attributes_.resize(ItemKind::kEdge, write.word / 2);
+      attributes_.resize(ItemKind::kHalfedge, write.word);
+      write.word = size;
+      return;
+    }
+    case Field::kNewVertices:
+      return exchange_new(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
+                          bare_vertices_, write);
+    case Field::kNewFaces:
+      return exchange_new(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
+                          bare_faces_, write);
+    case Field::kNewHalfedges:
+      return exchange_new_halfedges(write);
+    case Field::kFreeVertices:
+      return exchange_free(free_vertices_);
+    case Field::kFreeEdges:
+      return exchange_free(free_edges_);
+    case Field::kFreeFaces:
+      return exchange_free(free_faces_);
+    case Field::kFreedVertex:
+      free_vertices_.exchange(write.index, links_.vertex_halfedge[write.index]);
+      return exchange_word(links_.vertex_halfedge);
+    case Field::kFreedFace:
+      free_faces_.exchange(write.index, links_.face_halfedge[write.index]);
+      return exchange_word(links_.face_halfedge);
+    case Field::kLoopLinks:
+      return exchange_loop_links(write);
+    case Field::kFreedEdge:
+      return exchange_freed_edge(write);
+    case Field::kNothing:
+      return;
+    default:
+      assert(write.field >= Field::kFirstAttribute && "a field of a class built on this one");
+      attributes_.exchange(write);
+  }
+}
+
+}  // namespace halfedge
