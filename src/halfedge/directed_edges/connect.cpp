@@ -1,5 +1,6 @@
 #include <halfedge/build/groups.h>
 #include <halfedge/directed_edges/connect.h>
+#include <halfedge/prefetch.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
@@ -17,15 +18,6 @@ namespace {
 constexpr std::size_t kAhead = 48;
 
 constexpr Index kFacesTogether = 32;
-
-// Always inlined: g++ takes a function that only prefetches for one without effect and drops it.
-[[gnu::always_inline]] inline void prefetch(const Index* address) {
-#if defined(__GNUC__)
-  __builtin_prefetch(address, 1);
-#else
-  (void)address;
-#endif
-}
 
 /// An upward side in its group: where it leads, and its halfedge.
 struct Entry {
