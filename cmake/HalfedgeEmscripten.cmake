@@ -32,7 +32,7 @@ set(halfedge_fast_files
   # every edit
   operation_bindings construction_bindings history/journal
   # whole meshes: rows of all rings, topology, validation, copies, orders
-  algorithms/adjacency algorithms/topology
+  algorithms/adjacency algorithms/topology algorithms/touch_rings
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references
   making_bindings operations/append operations/reorder
 )

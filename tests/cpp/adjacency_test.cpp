@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/adjacency.h>
+#include <halfedge/build/build.h>
 #include <halfedge/mesh.h>
 
 #include <functional>
@@ -162,6 +163,27 @@ TEST(Adjacency, ListsTheRingsOfALargeMeshOfVaryingValences) {
   for (const Kind& kind : kinds()) {
     expect_as_circulators(mesh, kind, Direction::kCcw);
     expect_as_circulators(mesh, kind, Direction::kCw);
+  }
+}
+
+// Large enough for its rings to lie scattered; what is listed must not depend on that.
+TEST(Adjacency, ListsTheRingsOfALargeMeshInNoOrder) {
+  const Shape grid = test::triangle_grid(200, 200);
+  const Shape in_no_order = test::with_random_names(test::in_random_order(grid));
+  Mesh mesh;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(mesh, in_no_order.polygons(), report));
+  for (const Kind& kind : kinds()) {
+    if (kind.ring != Ring::kVertexVertices && kind.ring != Ring::kFaceFaces) continue;
+    for (const Direction direction : {Direction::kCcw, Direction::kCw}) {
+      const auto& circulator = direction == Direction::kCcw ? kind.ccw : kind.cw;
+      Adjacency all;
+      ASSERT_TRUE(adjacency(mesh, kind.ring, direction, all).ok());
+      ASSERT_EQ(all.offsets.size(), slots_of(mesh, kind.centre) + 1);
+      for (Index i = 0; i < slots_of(mesh, kind.centre); ++i) {
+        ASSERT_EQ(row_of(all, i), circulator(mesh, i)) << kind.name << " around " << i;
+      }
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 import { HalfedgeError, HalfedgeMesh, init, type Rows } from 'halfedge';
 import { quadGrid, randomPolygons, triangleAndIsolatedVertex } from './support/meshes.js';
+import { random, shuffle } from './support/random.js';
 import { Reference } from './support/reference.js';
 
 beforeAll(() => init());
@@ -8,6 +9,9 @@ const rowsOf = ({ offsets, items }: Rows): number[][] =>
   Array.from({ length: offsets.length - 1 }, (_, i) =>
     Array.from(items.subarray(offsets[i], offsets[i + 1])),
   );
+/** The rows that are not what is expected; for so many that `toEqual` would take seconds. */
+const differing = (rows: Rows, expected: (i: number) => Iterable<number>): number[] =>
+  rowsOf(rows).flatMap((row, i) => (row.join() === [...expected(i)].join() ? [] : [i]));
 const reversed = <T>(rows: T[][]): T[][] => rows.map((row) => [...row].reverse());
 
 describe('All rings in one call', () => {
@@ -150,5 +154,34 @@ describe('Rings of a list of items', () => {
       new RangeError(`direction is "up"; expected 'ccw' or 'cw'.`),
     );
     expect(() => mesh.allFaceFaces(1 as unknown as 'cw')).toThrow(TypeError);
+  });
+});
+
+// Vertices and faces in no order, and so many that builds and rings touch their memory in blocks.
+describe('A large mesh in no order', () => {
+  const side = 200;
+  const { faces: quads } = quadGrid(side, side);
+  const triangles = quads.flatMap(([a, b, c, d]) => [
+    [a, b, c],
+    [a, c, d],
+  ]);
+  test.each([
+    ['triangles', triangles],
+    ['quads', quads],
+  ])('of %s is what its faces say', (_, faces) => {
+    const next = random(1);
+    const names = shuffle(
+      Array.from({ length: side * side }, (_, v) => v),
+      next,
+    );
+    const renamed = shuffle([...faces], next).map((face) => face.map((v) => names[v]));
+    const positions = Float32Array.from({ length: 3 * side * side }, next);
+    using mesh = HalfedgeMesh.fromPolygons(positions, renamed);
+
+    expect(mesh.validate()).toEqual([]);
+    expect(mesh.edgeCount).toBe(side * side + faces.length - 1); // Euler: a disk
+    expect(differing(mesh.allFaceVertices(), (f) => renamed[f])).toEqual([]);
+    expect(differing(mesh.allVertexVertices(), (v) => mesh.vertexVertices(v))).toEqual([]);
+    expect(differing(mesh.allFaceFaces('cw'), (f) => mesh.faceFaces(f, 'cw'))).toEqual([]);
   });
 });

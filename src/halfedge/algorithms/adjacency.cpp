@@ -1,5 +1,6 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/rings.h>
+#include <halfedge/algorithms/touch_rings.h>
 #include <halfedge/build/sentence.h>
 
 #include <algorithm>
@@ -65,23 +66,26 @@ bool write_ring_at(const RawLinks& links, Halfedge first, Index*& at, const Inde
   }
 }
 
-// Writes the whole mesh's rings to arrays with room for them; the orbits of a valid mesh don't
-// overlap, so all of them together have no more items than there are halfedges. Returns the first
-// item whose ring is broken, or kNone.
-template <class Ring, bool kTryShort = false>
-Index write_all(const RawLinks& of_mesh, Adjacency& out) {
+// Where the rings of a whole mesh are written, and how far they are.
+struct Written {
+  Index* const offsets;
+  Index* const items;
+  const Index* const end;
+  Index* at;
+  Index steps;  // that are left
+};
+
+// Writes the rings of `begin` to `stop` to arrays with room for them; the orbits of a valid mesh
+// don't overlap, so all of them together have no more items than there are halfedges. Returns the
+// first item whose ring is broken, or kNone.
+template <class Ring, bool kTryShort>
+Index write_rows(const RawLinks& of_mesh, Index begin, Index stop, Written& written) {
   using Centre = typename Ring::Centre;
-  if constexpr (std::is_same_v<Centre, Vertex> && !kTryShort) {
-    if (valences_vary(of_mesh)) return write_all<Ring, true>(of_mesh, out);
-  }
   const RawLinks links = of_mesh;  // a local, which no write of an item can change
-  const Index slots = links.slots(Centre{});
-  Index steps = links.halfedge_slots();
-  Index* const items = out.items.data();
-  const Index* const end = items + links.halfedge_slots();
-  Index* const offsets = out.offsets.data();
-  Index* at = items;
-  for (Index i = 0; i < slots; ++i) {
+  const auto [offsets, items, end, place, steps_left] = written;
+  Index* at = place;
+  Index steps = steps_left;
+  for (Index i = begin; i < stop; ++i) {
     offsets[i] = Index(at - items);
     if (!has_ring(links, Centre(i))) continue;
     const Halfedge first = first_of<Ring>(links, Centre(i));
@@ -95,8 +99,8 @@ Index write_all(const RawLinks& of_mesh, Adjacency& out) {
     }
     if (!write_ring_at<Ring>(links, first, at, end, steps)) return i;
   }
-  offsets[slots] = Index(at - items);
-  (void)out.items.resize(offsets[slots]);  // shrinks
+  written.at = at;
+  written.steps = steps;
   return kNone;
 }
 
@@ -121,16 +125,20 @@ struct RingFunctions {
   ItemKind kind;  // of the centre
   Index (*slots)(const RawLinks&);
   bool (*is_live)(const RawLinks&, Index);
-  Index (*write_all)(const RawLinks&, Adjacency&);
+  Index (*write_rows)(const RawLinks&, Index, Index, Written&);
+  Index (*write_short_rows)(const RawLinks&, Index, Index, Written&);
   Index (*write_one)(const RawLinks&, Index, Index, Index*, Index);
 };
 
 template <class Ring>
 constexpr RingFunctions functions() {
   using Centre = typename Ring::Centre;
-  return {kind_of(Centre{}), [](const RawLinks& links) { return links.slots(Centre{}); },
+  return {kind_of(Centre{}),
+          [](const RawLinks& links) { return links.slots(Centre{}); },
           [](const RawLinks& links, Index centre) { return links.is_live(Centre(centre)); },
-          &write_all<Ring>, &write_one<Ring>};
+          &write_rows<Ring, false>,
+          &write_rows<Ring, std::is_same_v<Centre, Vertex>>,
+          &write_one<Ring>};
 }
 
 template <class View>
@@ -176,6 +184,29 @@ RingFunctions functions_of(Ring ring, Direction direction) {
       return across_edge<view::ItsFace>();
   }
   return across_edge<view::Self>();
+}
+
+// Writes the rings of the whole mesh, in blocks where it pays to touch those first. Returns what
+// write_rows does.
+Index write_all(const RawLinks& links, const RingFunctions& functions, const RingLayout& rings,
+                Adjacency& out) {
+  const bool vary = functions.kind == ItemKind::kVertex && valences_vary(links);
+  const auto write = vary ? functions.write_short_rows : functions.write_rows;
+  const bool scattered = are_scattered(rings);
+  const Index slots = functions.slots(links);
+  const Index together = scattered ? kRingsTouched : slots;
+  Index* const items = out.items.data();
+  Written written{out.offsets.data(), items, items + links.halfedge_slots(), items,
+                  links.halfedge_slots()};
+  for (Index begin = 0; begin < slots; begin += together) {
+    if (scattered) touch_rings(rings, begin);
+    const Index broken = write(links, begin, begin + std::min(together, slots - begin), written);
+    if (broken != kNone) return broken;
+  }
+  const Index count = Index(written.at - items);
+  out.offsets[slots] = count;
+  (void)out.items.resize(count);  // shrinks
+  return kNone;
 }
 
 // `where` says which of several it is, as in " at position 3".
@@ -244,7 +275,8 @@ Result<void> adjacency(const RawLinks& links, Ring ring, Direction direction, Ad
       !out.items.recreate(std::size_t{links.halfedge_slots()} + kShortRing)) {
     return finish(no_room_for_lists(), out);
   }
-  const Index broken = functions.write_all(links, out);
+  const RingLayout rings = layout_of(links, ring, walkable.direction);
+  const Index broken = write_all(links, functions, rings, out);
   if (broken != kNone) return finish(corrupt(functions.kind, broken), out);
   walkable.turn_rows(out);
   return {};

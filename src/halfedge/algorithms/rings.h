@@ -61,6 +61,14 @@ class RawLinks {
     return item.index() < slots(Item{}) && !is_deleted(item);
   }
 
+  /// The arrays, by halfedge, and by vertex or face.
+  [[nodiscard]] const Index* all_next() const { return next_; }
+  [[nodiscard]] const Index* all_prev() const { return prev_; }
+  [[nodiscard]] const Index* all_to_vertex() const { return to_vertex_; }
+  [[nodiscard]] const Index* all_face() const { return face_; }
+  [[nodiscard]] const Index* all_stored_halfedges(Vertex) const { return vertex_halfedge_; }
+  [[nodiscard]] const Index* all_stored_halfedges(Face) const { return face_halfedge_; }
+
   [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(next_[h.index()]); }
   /// pre: store_prev()
   [[nodiscard]] Halfedge prev(Halfedge h) const { return Halfedge(prev_[h.index()]); }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <numeric>
 #include <random>
 #include <string>
 #include <utility>
@@ -43,6 +44,17 @@ struct Shape {
 /// The same faces, in an order of chance.
 inline Shape in_random_order(Shape shape, std::uint32_t seed = 1) {
   std::shuffle(shape.faces.begin(), shape.faces.end(), std::mt19937(seed));
+  return {shape.name, shape.vertices, shape.faces};
+}
+
+/// The same, with the numbers of the vertices exchanged by chance.
+inline Shape with_random_names(Shape shape, std::uint32_t seed = 1) {
+  std::vector<Index> names(shape.vertices);
+  std::iota(names.begin(), names.end(), 0U);
+  std::shuffle(names.begin(), names.end(), std::mt19937(seed));
+  for (std::vector<Index>& face : shape.faces) {
+    for (Index& v : face) v = names[v];
+  }
   return {shape.name, shape.vertices, shape.faces};
 }
 
