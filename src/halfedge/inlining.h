@@ -10,6 +10,13 @@
 #define HALFEDGE_NOINLINE
 #endif
 
+/// The same where it gains nothing but size: in WebAssembly alone.
+#if defined(__wasm__)
+#define HALFEDGE_NOINLINE_IN_WASM HALFEDGE_NOINLINE
+#else
+#define HALFEDGE_NOINLINE_IN_WASM
+#endif
+
 /// Before a function that is called seldom, as where something is refused: compiled for size.
 #if defined(__GNUC__)
 #define HALFEDGE_COLD [[gnu::cold, gnu::noinline]]

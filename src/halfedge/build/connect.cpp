@@ -44,8 +44,9 @@ class FaceConnector {
         used_(groups.end()),
         links_(links) {}
 
-  // Not inlined: clang then lays out all instances of it in two thirds of the code.
-  HALFEDGE_NOINLINE ConnectResult run() {
+  // Inlined, all instances of it take half as much code again; not inlined, g++ takes 3 % more
+  // instructions.
+  HALFEDGE_NOINLINE_IN_WASM ConnectResult run() {
     if (certain_halfedges() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!reserve()) return ConnectResult::kOutOfMemory;
     std::fill(to_, to_ + groups_end_, kNone);
