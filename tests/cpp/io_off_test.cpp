@@ -156,15 +156,16 @@ TEST(Off, RefusesAnotherDimension) {
 }
 
 TEST(Off, RefusesCountsThatTheFileIsTooShortFor) {
-  EXPECT_EQ(off_error("OFF\n4000000000 2 0\n0 0 0\n"),
-            "truncated: line 2: the header promises 4000000000 vertices and 2 faces, but only 7 "
-            "bytes follow");
+  EXPECT_EQ(
+      off_error("OFF\n4000000000 2 0\n0 0 0\n"),
+      "truncated: line 2: the header promises 4000000000 vertices and 2 faces, but is followed "
+      "by only 7 bytes");
   EXPECT_EQ(off_error("OFF\n1 4000000000 0\n0 0 0\n"),
-            "truncated: line 2: the header promises 1 vertices and 4000000000 faces, but only 7 "
-            "bytes follow");
+            "truncated: line 2: the header promises 1 vertex and 4000000000 faces, but is followed "
+            "by only 7 bytes");
   EXPECT_EQ(off_error("OFF\n99999999999999999999 9223372036854775807 0\n"),
             "truncated: line 2: the header promises 9223372036854775807 vertices and "
-            "9223372036854775807 faces, but only 1 bytes follow");
+            "9223372036854775807 faces, but is followed by only 1 byte");
   EXPECT_EQ(off_error("OFF\n1 2\n0 0 0\n0\n0"), "");  // as short as it gets
 }
 
@@ -317,9 +318,10 @@ TEST(OffBinary, ExplainsWrongBytes) {
   EXPECT_EQ(off_error(header + "1234"),
             "truncated: byte 11: expected the numbers of vertices, faces and edges, found the end "
             "of the file in 4 bytes");
-  EXPECT_EQ(off_error(header + Words(true).ints({2000000000, 5, 0}).bytes()),
-            "truncated: byte 11: the header promises 2000000000 vertices and 5 faces, but only 0 "
-            "bytes follow");
+  EXPECT_EQ(
+      off_error(header + Words(true).ints({2000000000, 5, 0}).bytes()),
+      "truncated: byte 11: the header promises 2000000000 vertices and 5 faces, but is followed "
+      "by only 0 bytes");
   const std::string start = header + Words(true).ints({1, 1, 0}).floats({0, 0, 0}).bytes();
   EXPECT_EQ(off_error(start + Words(true).ints({1, 1, 0}).bytes()),
             "index-out-of-range: byte 39: corner 0 of face 0 is 1, expected a vertex from 0 to 0");

@@ -77,8 +77,8 @@ TEST(Ply, ReadsBothByteOrdersAndEveryType) {
     EXPECT_EQ(file.error, "");
     EXPECT_EQ(file.positions, (std::vector<float>{-300, 60000, -70000, 1, 2, 3}));
     EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 0, 1, 1}}));
-    EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the 1 elements \"odd\"",
-                                                    "ignored the 1 elements \"more\""}));
+    EXPECT_EQ(file.notes, (std::vector<std::string>{"ignored the 1 element \"odd\"",
+                                                    "ignored the 1 element \"more\""}));
   }
 }
 
@@ -256,7 +256,8 @@ TEST(Ply, RefusesCountsBeyondTheFile) {
                                "element vertex 4000000000\nproperty float x\nproperty float y\n"
                                "property float z\n")),
               "truncated: line " + std::string("7") +
-                  ": the header promises 4000000000 elements \"vertex\", but only 0 bytes follow");
+                  ": the header promises 4000000000 elements \"vertex\", but is followed by only 0 "
+                  "bytes");
   }
   EXPECT_EQ(ply_error(header("ascii", kVertices + "element face 99999999999999999999\n"
                                                   "property list uchar int vertex_index\n") +
@@ -265,9 +266,9 @@ TEST(Ply, RefusesCountsBeyondTheFile) {
             "truncated: ");
   // Each of the two would fit alone.
   const std::string faces = "element face 30\nproperty list uchar int vertex_index\n";
-  EXPECT_EQ(
-      ply_error(header("binary_little_endian", kVertices + faces) + std::string(40, '\0')),
-      "truncated: line 9: the header promises 30 elements \"face\", but only 40 bytes follow");
+  EXPECT_EQ(ply_error(header("binary_little_endian", kVertices + faces) + std::string(40, '\0')),
+            "truncated: line 9: the header promises 30 elements \"face\", but is followed by only "
+            "40 bytes");
 }
 
 TEST(Ply, ExplainsAWrongRow) {

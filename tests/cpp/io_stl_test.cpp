@@ -145,7 +145,7 @@ TEST(Stl, NotesAnOddEnd) {
   const std::string longer = binary({kFirst}, "\0"s) + "xyz";
   EXPECT_EQ(parse_stl(longer).faces.size(), 1U);
   EXPECT_EQ(parse_stl(longer).notes,
-            std::vector<std::string>{"ignored the 3 bytes behind the last of the 1 triangles that "
+            std::vector<std::string>{"ignored the 3 bytes behind the 1 triangle that "
                                      "the header promises"});
 }
 
@@ -274,10 +274,9 @@ TEST(Stl, TellsABinaryFileOfTheWrongSize) {
   const Result<ParsedFile> longer = parse(bytes_of(whole + "\0end"s));
   ASSERT_TRUE(longer) << longer.error().message;
   EXPECT_EQ(longer.value().soup.view().face_count(), 2U);
-  EXPECT_EQ(
-      longer.value().notes,
-      (std::vector<std::string>{
-          "ignored the 4 bytes behind the last of the 2 triangles that the header promises"}));
+  EXPECT_EQ(longer.value().notes,
+            (std::vector<std::string>{
+                "ignored the 4 bytes behind the 2 triangles that the header promises"}));
   // Whose numbers are none of triangles, or too few to tell.
   EXPECT_EQ(error_of(std::string(80, ' ') + raw(std::uint32_t{1}) + std::string(90, '\1') + "\0"s)
                 .substr(0, 15),

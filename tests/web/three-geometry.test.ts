@@ -272,7 +272,7 @@ describe('fromBufferGeometry', () => {
     [
       'half a triangle',
       'truncated',
-      /geometry\.index has 5 elements that are drawn; expected a multiple of 3/,
+      /geometry\.index has 5 elements to be drawn; expected a multiple of 3/,
       (g) => g.setIndex([0, 1, 2, 0, 2]),
     ],
     [

@@ -1,3 +1,4 @@
+import { counted } from './counted.js';
 import { HalfedgeError } from './errors.js';
 
 /** A short name for any value, for the sentence of an error. Never throws, never long. */
@@ -23,9 +24,9 @@ export function describe(value: unknown): string {
 function describeObject(value: object): string {
   const typed = typedArrayName(value);
   if (typed !== undefined)
-    return `${withArticle(typed)} of ${(value as Uint8Array).length} elements`;
+    return `${withArticle(typed)} of ${counted((value as Uint8Array).length, 'element')}`;
   try {
-    if (Array.isArray(value)) return `an array of ${value.length} elements`;
+    if (Array.isArray(value)) return `an array of ${counted(value.length, 'element')}`;
     return withArticle(Object.prototype.toString.call(value).slice(8, -1));
   } catch {
     return 'an object'; // a revoked proxy, or a getter that throws

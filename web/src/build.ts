@@ -14,6 +14,7 @@ import {
 } from './arguments.js';
 import { checkFlag } from './checks.js';
 import type { RawFailure } from './core.mjs';
+import { counted } from './counted.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { type Block, withInputs } from './memory.js';
@@ -76,7 +77,7 @@ function triangleArrays(
   const count = lengthOf(corners);
   if (count % 3 !== 0) {
     throw new RangeError(
-      `indices has ${count} elements; expected a multiple of 3, three vertices for each triangle.`,
+      `indices has ${counted(count, 'element')}; expected a multiple of 3, three vertices for each triangle.`,
     );
   }
   return { points, corners };
@@ -166,7 +167,7 @@ function positionArray(positions: unknown): NumberArray {
   const count = lengthOf(array);
   if (count % 3 !== 0) {
     throw new RangeError(
-      `positions has ${count} elements; expected a multiple of 3, x, y and z of each vertex.`,
+      `positions has ${counted(count, 'element')}; expected a multiple of 3, x, y and z of each vertex.`,
     );
   }
   return array;
@@ -181,7 +182,7 @@ function polygonArrays(faces: Polygons): { sizes: NumberArray; corners: NumberAr
   const corners = indices('faces.corners', faces.corners);
   if (lengthOf(sizes) === 0 && lengthOf(corners) > 0) {
     throw new RangeError(
-      `faces.sizes is empty, but faces.corners has ${lengthOf(corners)} elements; expected a size for each face.`,
+      `faces.sizes is empty, but faces.corners has ${counted(lengthOf(corners), 'element')}; expected a size for each face.`,
     );
   }
   return { sizes, corners };

@@ -12,6 +12,7 @@ import {
 import { type Polygons, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
+import { counted } from './counted.js';
 import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { type Core, core } from './loader.js';
@@ -125,7 +126,7 @@ export function soupArrays(positions: unknown, faces: unknown): SoupArrays {
   const points = numbers('positions', positions);
   if (lengthOf(points) % 3 !== 0) {
     throw new RangeError(
-      `positions has ${lengthOf(points)} elements; expected a multiple of 3, x, y and z of each vertex.`,
+      `positions has ${counted(lengthOf(points), 'element')}; expected a multiple of 3, x, y and z of each vertex.`,
     );
   }
   return { points, ...faceArrays(faces) };
@@ -224,7 +225,7 @@ function faceArrays(faces: unknown): { sizes?: NumberArray; corners: NumberArray
     const vertices = anyIntegers('faces.corners', corners);
     if (lengthOf(lengths) === 0 && lengthOf(vertices) > 0) {
       throw new RangeError(
-        `faces.sizes is empty, but faces.corners has ${lengthOf(vertices)} elements; expected a size for each face.`,
+        `faces.sizes is empty, but faces.corners has ${counted(lengthOf(vertices), 'element')}; expected a size for each face.`,
       );
     }
     return { sizes: lengths, corners: vertices };
@@ -236,7 +237,7 @@ function faceArrays(faces: unknown): { sizes?: NumberArray; corners: NumberArray
   }
   if (count % 3 !== 0) {
     throw new RangeError(
-      `faces has ${count} numbers; expected a multiple of 3, three vertices for each triangle.`,
+      `faces has ${counted(count, 'number')}; expected a multiple of 3, three vertices for each triangle.`,
     );
   }
   return { corners: anyIntegers('faces', faces) };

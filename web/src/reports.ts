@@ -1,4 +1,5 @@
 import type { RawFailure, RawProblem } from './core.mjs';
+import { counted } from './counted.js';
 import { HalfedgeError, NO_WITNESS, type Problem, type Witness } from './errors.js';
 
 /** The result of a call into the core; throws what it failed of. */
@@ -61,11 +62,6 @@ export function fileReport<Found extends FoundInFile>(
 interface FoundInFile {
   readonly problems: readonly Problem[];
   readonly summary: string;
-}
-
-/** "1 face", "12 faces". */
-export function counted(count: number, one: string, many: string): string {
-  return `${count} ${count === 1 ? one : many}`;
 }
 
 /** As a whole sentence: some parts of the core leave out the capital and the full stop. */

@@ -26,10 +26,10 @@ void report_other_faces(const Polygons& polygons, BuildReport& report) {
     first += size;
     if (size == 3) continue;
     problems.add([&] {
-      return Error{
-          "not-a-triangle",
-          sentence::of("Face {} has {} corners; Directed Edges hold triangles only.", f, size),
-          {.vertices = corners, .faces = {Index(f)}}};
+      return Error{"not-a-triangle",
+                   sentence::of("Face {} has {}; Directed Edges hold triangles only.", f,
+                                sentence::count_of(size, "corner")),
+                   {.vertices = corners, .faces = {Index(f)}}};
     });
   }
 }

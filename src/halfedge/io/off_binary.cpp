@@ -27,8 +27,8 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
   if (bytes.left() < kCounts) {
     return error_at_byte(start, "truncated",
                          sentence::of("expected the numbers of vertices, faces and edges, found "
-                                      "the end of the file in {} bytes",
-                                      bytes.left()));
+                                      "the end of the file in {}",
+                                      sentence::count_of(bytes.left(), "byte")));
   }
   header.vertices = bytes.take<std::uint32_t, kOrder>();
   header.faces = bytes.take<std::uint32_t, kOrder>();
@@ -40,8 +40,9 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
   }
   return error_at_byte(
       start, "truncated",
-      sentence::of("the header promises {} vertices and {} faces, but only {} bytes follow",
-                   header.vertices, header.faces, left));
+      sentence::of("the header promises {} and {}, but is followed by only {}",
+                   sentence::count_of(header.vertices, "vertex"),
+                   sentence::count_of(header.faces, "face"), sentence::count_of(left, "byte")));
 }
 
 /// How many faces can be walked over as they stand, and whether they end where the file does.
@@ -131,7 +132,8 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
   ParsedFile file{Format::kOff, std::move(out_.soup()), {}, true};
   if (!attributes_.finish(vertices, faces, file)) return no_memory_for_attributes();
   if (bytes_.left() > 0) {
-    file.notes.push_back(sentence::of("ignored the {} bytes behind the last face", bytes_.left()));
+    file.notes.push_back(sentence::of("ignored the {} behind the last face",
+                                      sentence::count_of(bytes_.left(), "byte")));
   }
   return file;
 }

@@ -102,10 +102,11 @@ std::optional<Error> check_counts(const TextScanner& text, const OffHeader& head
       header.faces <= (bytes - header.vertices * vertex_bytes) / 2) {
     return std::nullopt;
   }
-  return error_at(
-      text, "truncated",
-      sentence::of("the header promises {} vertices and {} faces, but only {} bytes follow",
-                   header.vertices, header.faces, text.rest().size()));
+  return error_at(text, "truncated",
+                  sentence::of("the header promises {} and {}, but is followed by only {}",
+                               sentence::count_of(header.vertices, "vertex"),
+                               sentence::count_of(header.faces, "face"),
+                               sentence::count_of(text.rest().size(), "byte")));
 }
 
 }  // namespace

@@ -214,10 +214,10 @@ bool HeaderReader::check_counts() {
     }
     if (row == 0) continue;
     if (element.count > room / row) {
-      return fail(
-          error_at(text_, "truncated",
-                   sentence::of("the header promises {} elements {}, but only {} bytes follow",
-                                element.count, quoted(element.name), left)));
+      return fail(error_at(text_, "truncated",
+                           sentence::of("the header promises {} {}, but is followed by only {}",
+                                        sentence::count_of(element.count, "element"),
+                                        quoted(element.name), sentence::count_of(left, "byte"))));
     }
     room -= element.count * row;
   }

@@ -170,8 +170,8 @@ bool PlyReader<Source>::skip_values(const PlyElement& element, const PlyProperty
 template <class Source>
 bool PlyReader<Source>::skip_rows(const PlyElement& element) {
   if (element.count > 0) {
-    notes_.push_back(
-        sentence::of("ignored the {} elements {}", element.count, quoted(element.name)));
+    notes_.push_back(sentence::of("ignored the {} {}", sentence::count_of(element.count, "element"),
+                                  quoted(element.name)));
   }
   if (element.properties.empty()) return true;
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {

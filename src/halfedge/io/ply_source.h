@@ -202,8 +202,8 @@ class PlyBinary {
     if (bytes_.left() >= sizeof(double)) {
       return error("parse-error", sentence::of("expected {}, found no whole number", expected));
     }
-    return error("truncated", sentence::of("expected {}, found the end of the file in {} bytes",
-                                           expected, bytes_.left()));
+    return error("truncated", sentence::of("expected {}, found the end of the file in {}", expected,
+                                           sentence::count_of(bytes_.left(), "byte")));
   }
   [[nodiscard]] Error error(const char* code, const std::string& message) const {
     return error_at_byte(bytes_.offset(), code, message);
@@ -216,7 +216,8 @@ class PlyBinary {
   }
   void add_notes(std::vector<std::string>& notes) const {
     if (bytes_.left() == 0) return;
-    notes.push_back(sentence::of("ignored the {} bytes behind the last element", bytes_.left()));
+    notes.push_back(sentence::of("ignored the {} behind the last element",
+                                 sentence::count_of(bytes_.left(), "byte")));
   }
 
  private:

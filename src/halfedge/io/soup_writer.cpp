@@ -44,7 +44,8 @@ std::optional<Error> check_size(SoupWriter& out) {
   out.soup() = {};
   if (out.cancelled()) return Error{"cancelled", "reading was cancelled"};
   const std::string counts =
-      sentence::of("{} vertices, {} faces and {} corners of faces", vertices, faces, corners);
+      sentence::of("{}, {} and {} of faces", sentence::count_of(vertices, "vertex"),
+                   sentence::count_of(faces, "face"), sentence::count_of(corners, "corner"));
   if (out.out_of_memory()) {
     return Error{"out-of-memory",
                  sentence::of("memory was exhausted after {} had been read", counts)};

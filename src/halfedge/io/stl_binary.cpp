@@ -89,9 +89,8 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
   if (bytes.size() < kStlStart) {
     return Error{
         "truncated",
-        sentence::of(
-            "the file has {} bytes, expected at least the {} bytes that start a binary STL file",
-            bytes.size(), kStlStart)};
+        sentence::of("the file has {}, expected at least the {} bytes that start a binary STL file",
+                     sentence::count_of(bytes.size(), "byte"), kStlStart)};
   }
   const std::uint64_t count = triangles_of(bytes);
   const std::uint64_t room = (bytes.size() - kStlStart) / kStlTriangle;
@@ -99,9 +98,10 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
     const std::size_t rest = (bytes.size() - kStlStart) % kStlTriangle;
     return error_at_byte(
         bytes.size(), "truncated",
-        sentence::of("the bytes of this binary STL file of {} triangles end after {} of them{}",
-                     count, room,
-                     (rest == 0 ? "" : " and " + std::to_string(rest) + " bytes of the next one")));
+        sentence::of(
+            "the bytes of this binary STL file of {} end after {} of them{}",
+            sentence::count_of(count, "triangle"), room,
+            (rest == 0 ? "" : " and " + sentence::count_of(rest, "byte") + " of the next one")));
   }
 
   TriangleWriter writer(bytes, {options});
@@ -135,15 +135,15 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
   const std::uint64_t announced = announced_triangles(bytes);
   if (announced != count) {
     file.notes.push_back(
-        sentence::of("the header promises {} triangles, but the file has {}, which were read",
-                     announced, count));
+        sentence::of("the header promises {}, but the file has {}, which were read",
+                     sentence::count_of(announced, "triangle"), count));
   }
   const std::size_t rest =
       bytes.size() - kStlStart - static_cast<std::size_t>(count) * kStlTriangle;
   if (rest > 0) {
-    file.notes.push_back(sentence::of(
-        "ignored the {} bytes behind the last of the {} triangles that the header promises", rest,
-        count));
+    file.notes.push_back(sentence::of("ignored the {} behind the {} that the header promises",
+                                      sentence::count_of(rest, "byte"),
+                                      sentence::count_of(count, "triangle")));
   }
   return file;
 }

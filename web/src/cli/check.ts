@@ -1,10 +1,11 @@
+import { counted } from '../counted.js';
 import type { Problem } from '../index.js';
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { orComplain } from './complaint.js';
 import { faultsOf } from './faults.js';
 import { forEachFile, inputsOf, load, nameOf } from './input.js';
-import { counted, print } from './output.js';
+import { print } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {

@@ -1,10 +1,11 @@
+import { counted } from '../counted.js';
 import type { HalfedgeMesh, RepairReport } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { orComplain } from './complaint.js';
 import { faultsOf, repairCount } from './faults.js';
 import { forEachFile, inputsOf, type Loaded, load, nameOf } from './input.js';
-import { counted, print, table } from './output.js';
+import { print, table } from './output.js';
 import { Progress } from './progress.js';
 
 export const info: Command = {

@@ -1,7 +1,7 @@
+import { counted } from '../counted.js';
 import type { HalfedgeMesh, Problem } from '../index.js';
 import type { Arguments, Options } from './arguments.js';
 import { Complaint } from './complaint.js';
-import { counted } from './output.js';
 
 /** What a step did, in numbers and in a sentence, and what it had to leave. */
 export interface Done {

@@ -24,11 +24,6 @@ export function table(rows: readonly (readonly [string, string])[]): string {
   return rows.map(([name, value]) => `${name.padEnd(width)}${value}`.trimEnd()).join('\n');
 }
 
-/** "1 face", "12 faces". */
-export function counted(count: number, one: string, many = `${one}s`): string {
-  return `${count} ${count === 1 ? one : many}`;
-}
-
 /**
  * Writes a mesh, and the names that its report has, to a file or to standard output (`-`). Returns a
  * sentence for each thing that is not in it.

@@ -1,10 +1,11 @@
+import { counted } from '../counted.js';
 import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { Complaint, orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
 import { inputsOf, load, nameOf } from './input.js';
 import { type Done, MENDING, plan } from './mend.js';
-import { adaptTextures, counted, nameOfOutput, print, printError, save } from './output.js';
+import { adaptTextures, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {

@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../api.js';
+import { counted } from '../counted.js';
 import { PLURALS } from '../items.js';
 import { circulators } from '../teaching/circulators.js';
 import { type Item, isLive, itemName, linksOf, sameItem, type WalkKey } from '../teaching/items.js';
@@ -64,7 +65,7 @@ export class FigureModel {
     if (story) return story.words;
     if (!mesh) return '';
     if (selected) return linkWords(mesh, selected);
-    return `${mesh.vertexCount} vertices, ${mesh.edgeCount} edges, ${mesh.faceCount} faces.`;
+    return `${counted(mesh.vertexCount, 'vertex', 'vertices')}, ${counted(mesh.edgeCount, 'edge')}, ${counted(mesh.faceCount, 'face')}.`;
   }
 
   /** Shows another mesh, or none; the one before is disposed of. */

@@ -1,4 +1,5 @@
 import { bytesOf, describe } from '../arguments.js';
+import { counted } from '../counted.js';
 import { messageOf } from '../loader.js';
 import { fileError, type GltfFile } from './container.js';
 import type { GltfDocument, GltfView } from './document.js';
@@ -30,7 +31,7 @@ export async function joinBuffers(
     if (bytes.length < byteLength) {
       throw fileError(
         'truncated',
-        `glTF: buffers[${i}] has ${bytes.length} bytes, expected ${byteLength} as the document says.`,
+        `glTF: buffers[${i}] has ${counted(bytes.length, 'byte')}, expected ${byteLength} as the document says.`,
       );
     }
     parts.push(bytes.subarray(0, byteLength));

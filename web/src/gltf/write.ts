@@ -1,10 +1,10 @@
 import { checkOptions } from '../arguments.js';
 import { checkCallback, indexOfChoice, refuse } from '../checks.js';
+import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
-import { counted } from '../reports.js';
 import { type Buffers, buffersOf, columnsOf, type Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 
@@ -55,7 +55,7 @@ function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
   try {
     triangles.triangulate();
     const faces = counted(mesh.faceCount, 'face', 'faces');
-    note(`Cut ${faces} into ${triangles.faceCount} triangles: glTF has no polygons.`);
+    note(`Cut ${faces} into ${counted(triangles.faceCount, 'triangle')}: glTF has no polygons.`);
     return buffersOf(triangles, columnsOf(triangles, note));
   } finally {
     triangles.dispose();

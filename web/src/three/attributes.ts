@@ -7,6 +7,7 @@ import {
   MathUtils,
 } from 'three';
 import { describe, newArray } from '../arguments.js';
+import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
 import type { CornerAttribute, CornerValues } from '../gltf/corners.js';
 import { GETTERS } from '../gltf/geometry.js';
@@ -41,7 +42,7 @@ export function checkAttribute(name: string, attribute: unknown, rows?: number):
   if (rows !== undefined && count < rows) {
     throw geometryError(
       'truncated',
-      `geometry.attributes.${name} has ${count} rows; expected ${rows}, one for each position.`,
+      `geometry.attributes.${name} has ${counted(count, 'row')}; expected ${rows}, one for each position.`,
     );
   }
   if (!(itemSize >= 1 && itemSize <= 16)) {
@@ -123,7 +124,7 @@ export function morphColumns(
         if (base?.components !== attribute.itemSize) {
           throw geometryError(
             'unsupported-attribute',
-            `geometry.morphAttributes.${name}[${i}] has ${attribute.itemSize} components; expected those of geometry.attributes.${name}, ${base?.components ?? 'which is missing'}.`,
+            `geometry.morphAttributes.${name}[${i}] has ${counted(attribute.itemSize, 'component')}; expected those of geometry.attributes.${name}, ${base?.components ?? 'which is missing'}.`,
           );
         }
         const scale =

@@ -1,6 +1,7 @@
 import type { BufferGeometry } from 'three';
 import { checkOptions, describe, newArray } from '../arguments.js';
 import { checkFlag } from '../checks.js';
+import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
 import { addAttributes, type CornerAttribute, cornersOf } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
@@ -87,7 +88,7 @@ export function fromBufferGeometry(
   if (position.itemSize !== 3) {
     throw geometryError(
       'no-positions',
-      `geometry.attributes.position has ${position.itemSize} components; expected 3, x, y and z.`,
+      `geometry.attributes.position has ${counted(position.itemSize, 'component')}; expected 3, x, y and z.`,
     );
   }
   const positions = floatsOf('position', position);
@@ -140,7 +141,7 @@ function trianglesOf(
   if (count % 3 !== 0) {
     throw geometryError(
       'truncated',
-      `${index === null ? 'geometry.attributes.position' : 'geometry.index'} has ${count} elements that are drawn; expected a multiple of 3, three for each triangle.`,
+      `${index === null ? 'geometry.attributes.position' : 'geometry.index'} has ${counted(count, 'element')} to be drawn; expected a multiple of 3, three for each triangle.`,
     );
   }
   const indices = newArray('the index', Uint32Array, count);
