@@ -48,6 +48,25 @@ test('Items have their names at the selection, wherever there is room, or nowher
   await explorer.close();
 });
 
+test('A window without room for names says to zoom in', async () => {
+  const link = 'sample=grid&select=nothing&labels=all:vf';
+  const explorer = await ExplorerPage.open({ width: 390, height: 844, link, mesh: 'Open grid' });
+  const hint = () => explorer.page.textContent('.names-hint');
+  await explorer.rest();
+  expect([await names(explorer), await hint()]).toEqual([[], 'Zoom in to read the names']);
+  expect(await explorer.page.isVisible('.names-hint')).toBe(true);
+  await explorer.page.focus('main.stage canvas');
+  await explorer.press('+', '+', '+');
+  await explorer.rest();
+  expect((await names(explorer)).length).toBeGreaterThan(4);
+  expect(await explorer.page.isVisible('.names-hint')).toBe(false);
+  await explorer.press('0', 'l'); // far away again, but no names are asked for
+  await explorer.rest();
+  expect([await names(explorer), await hint()]).toEqual([[], '']);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});
+
 test('No more than 300 names are shown, and none of items that are out of sight', async () => {
   const link = 'sample=bunny&select=nothing&labels=all:vehf';
   const explorer = await ExplorerPage.open({ link });

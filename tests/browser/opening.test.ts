@@ -62,6 +62,31 @@ describe('A text that is pasted', () => {
   });
 });
 
+test('What an empty mesh says gives way to what is being opened', async () => {
+  await paste('OFF\n0 0 0\n');
+  await explorer.ready('Pasted mesh.off');
+  expect(await explorer.page.isVisible('.empty-state')).toBe(true);
+  let goOn = () => {};
+  const held = new Promise<void>((resolve) => {
+    goOn = resolve;
+  });
+  await explorer.page.route('**/suzanne*', async (route) => {
+    await held;
+    await route.continue();
+  });
+  await explorer.page.click('.mesh-button');
+  await explorer.page.click('[data-sample=suzanne]');
+  await explorer.page.waitForSelector('.busy');
+  expect(await explorer.page.isVisible('.empty-state')).toBe(false);
+  await explorer.page.click('[data-cancel]');
+  await explorer.page.waitForSelector('.empty-state');
+  expect(await explorer.page.isVisible('.busy')).toBe(false);
+  // What was given up arrives all the same, and is not shown.
+  await Promise.all([explorer.page.waitForResponse('**/suzanne*'), goOn()]);
+  await explorer.page.unroute('**/suzanne*');
+  expect(await explorer.page.isVisible('.empty-state')).toBe(true);
+});
+
 describe('glTF', () => {
   test('opens as GLB, welded', async () => {
     const glb = await writeGltf(HalfedgeMesh.torus(12, 6, { triangles: true }));

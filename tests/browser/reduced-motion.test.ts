@@ -61,6 +61,26 @@ describe('Where less motion is asked for, the explorer', () => {
     expect(await explorer.state('position')).toBe('3');
   });
 
+  test('shows the mesh after an operation, and before it again, at once', async () => {
+    await open(true);
+    const { page } = explorer;
+    await page.clock.install();
+    await page.clock.pauseAt(Date.now() + 60_000);
+    const drawn = async (keys: string, undo: string) => {
+      const before = Number(await explorer.state('frames'));
+      await explorer.press(keys);
+      await page.clock.runFor(600);
+      expect(await explorer.state('undo')).toBe(undo);
+      return Number(await explorer.state('frames')) - before;
+    };
+    await page.click('[data-tab-button=edit]');
+    expect(await drawn('Shift+F', '1')).toBeGreaterThan(10);
+    expect(await drawn('Control+z', '0')).toBeGreaterThan(10);
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    expect(await drawn('Shift+F', '1')).toBeLessThanOrEqual(4);
+    expect(await drawn('Control+z', '0')).toBeLessThanOrEqual(4);
+  });
+
   test('follows a choice that is made while it is open', async () => {
     await open(true);
     const { page } = explorer;

@@ -61,6 +61,26 @@ describe('Fingers on the explorer', () => {
     expect(await explorer.state('selected')).toBe(null);
   });
 
+  test('reach further than a mouse', async () => {
+    const { positions } = mesh();
+    const project = await explorer.projection();
+    const { direction } = await sight();
+    const depth = (v: number) => dot([...positions.subarray(3 * v, 3 * v + 3)], direction);
+    const [front] = [...mesh().vertices()].sort((a, b) => depth(a) - depth(b));
+    const [x, y] = project(positions.subarray(3 * front, 3 * front + 3));
+    const beside = (pixels: number): Point => [x + 0.6 * pixels, y + 0.8 * pixels];
+    await fingers.tap(beside(18));
+    expect(await explorer.state('selected')).toBe(`v${front}`);
+    await fingers.tap(beside(26));
+    expect(await explorer.state('selected')).not.toBe(`v${front}`);
+    await fingers.tap(beside(18));
+    expect(await explorer.state('selected')).toBe(`v${front}`);
+    await explorer.page.mouse.click(...beside(18));
+    expect(await explorer.state('selected')).not.toBe(`v${front}`);
+    await explorer.page.mouse.click(...beside(9));
+    expect(await explorer.state('selected')).toBe(`v${front}`);
+  });
+
   test('one finger turns the mesh, and picks nothing', async () => {
     const before = await sight();
     await fingers.move(

@@ -24,7 +24,14 @@ import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { emptyState } from './ui/empty-state.js';
 import { listenToKeys } from './ui/keyboard.js';
-import { busyNotice, dropTarget, failureNotice, helpDialog, listenToPaste } from './ui/notices.js';
+import {
+  busyNotice,
+  dropTarget,
+  failureNotice,
+  helpDialog,
+  listenToPaste,
+  namesHint,
+} from './ui/notices.js';
 import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
@@ -63,6 +70,7 @@ async function start(): Promise<void> {
   app.append(
     topBar(explorer, theme, share.button, openHelp),
     pickBar(explorer, () => view.focus()),
+    namesHint(view.lacksRoomForNames),
     pictureSwitch(explorer),
     side,
     emptyState(explorer),

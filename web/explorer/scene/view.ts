@@ -20,6 +20,7 @@ import { newPickingWorker } from 'halfedge/three/picking';
 import { Vector3 } from 'three';
 import type { MeshDocument } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
+import { Signal } from '../app/signal.js';
 import { pngOf, svgOf } from './export.js';
 import type { Place } from './soup-shape.js';
 import { SoupView } from './soup-view.js';
@@ -29,6 +30,8 @@ import { WitnessView } from './witness-view.js';
 export class View {
   readonly stage: Stage;
   readonly travel: Travel;
+  /** Whether names of all items are asked for, and there is no room for any. */
+  readonly lacksRoomForNames = new Signal(false);
   readonly #explorer: Explorer;
   readonly #picture: MeshPicture;
   readonly #labelHost: HTMLElement;
@@ -55,6 +58,9 @@ export class View {
     this.#soup = new SoupView(this.stage, this.#picture.look);
     this.#witness = new WitnessView(this.stage);
     this.applyTheme();
+    this.stage.onFrame(() => {
+      this.lacksRoomForNames.value = this.#namesNeedRoom() && !this.#picture.hasRoomForNames;
+    });
     explorer.document.subscribe((opened) => this.#show(opened));
     explorer.editor.edit.subscribe((edit) => {
       if (edit) this.#picture.change(edit);
@@ -188,6 +194,14 @@ export class View {
       kinds: scope === 'off' || showsFile.value ? [] : kinds,
       around: scope === 'all' ? 'large' : item ? [item] : [],
     };
+  }
+
+  /** Whether the names of items are to be where there is room for them, and there are faces that could have it. */
+  #namesNeedRoom(): boolean {
+    const { kinds, around } = this.#captions();
+    return (
+      around === 'large' && kinds.length > 0 && !!this.#explorer.document.value?.mesh.faceCount
+    );
   }
 
   /** Lights a problem of the file, or none. */

@@ -1,5 +1,6 @@
 import { EXTENSIONS } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
+import type { Signal } from '../app/signal.js';
 import { h, icon } from './dom.js';
 
 /** The sentence about a file that could not be opened. */
@@ -71,6 +72,15 @@ export function busyNotice(explorer: Explorer): HTMLElement {
     bar.value = progress.fraction;
   });
   return notice;
+}
+
+/** Why there are no names in the picture, where all are asked for and no face is large enough. */
+export function namesHint(lacksRoom: Signal<boolean>): HTMLElement {
+  const hint = h('div', { class: 'names-hint card', role: 'status' });
+  lacksRoom.subscribe((lacks) => {
+    hint.textContent = lacks ? 'Zoom in to read the names' : '';
+  });
+  return hint;
 }
 
 /** Takes files that are dropped anywhere on the page, and shows that it would. */

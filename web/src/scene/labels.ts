@@ -48,7 +48,7 @@ export interface Label {
 }
 
 /** How wide a label is, in CSS pixels, as its style has it: to ask the page would cost a layout in every frame. */
-function widthOf({ look, text: { length } }: Label): number {
+export function widthOf({ look, text: { length } }: Pick<Label, 'look' | 'text'>): number {
   switch (look) {
     case 'index':
       return 4 + 6.6 * length;

@@ -121,6 +121,11 @@ export class MeshPicture {
     this.mark();
   }
 
+  /** Whether a face is large enough in sight for the names of its items, in the frame that was drawn last. */
+  get hasRoomForNames(): boolean {
+    return this.#arrows.large.length > 0;
+  }
+
   /** Shows another mesh, or none. The camera is for the caller to move. */
   show(mesh: HalfedgeMesh | null): void {
     this.#morph.stop();

@@ -1,10 +1,10 @@
 import { type Color, Vector3 } from 'three';
-import { type Item, type Link, linksOf } from '../teaching/items.js';
+import { type Item, itemName, type Link, linksOf } from '../teaching/items.js';
 import { LineBatch, lineMaterial, lines } from '../three/lines.js';
 import { anchorOf, sideOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';
-import type { Label } from './labels.js';
+import { type Label, widthOf } from './labels.js';
 import { ROLE_COLORS } from './marks.js';
 import type { Palette } from './palette.js';
 import type { Stage } from './stage.js';
@@ -42,7 +42,7 @@ const PIECES = 24;
 const HEAD_PX = 9;
 /** How far from the middle of a vertex its arrow ends: at the rim of its disc. */
 const DISC_PX = 8;
-/** Arrows leave the middle of a face to its name. */
+/** Half of the height of the name in the middle of a face, which arrows don't go under, and some air. */
 const NAME_PX = 13;
 /** On shorter ways the number stands beside the arrow. */
 const SHORT_PX = 54;
@@ -108,10 +108,10 @@ export class Pointers {
     const control = middle.addScaledVector(left, bend.share * way.length() + bend.pixels * pixel);
     const arrives = end.clone().sub(control).normalize();
     if (target.kind === 'vertex') end.addScaledVector(arrives, -DISC_PX * pixel);
-    if (target.kind === 'face') end.addScaledVector(arrives, -NAME_PX * pixel);
-    if (item.kind === 'face') {
-      start.addScaledVector(control.clone().sub(start).normalize(), NAME_PX * pixel);
-    }
+    if (target.kind === 'face')
+      this.#leaveName(end, control, { text: itemName(target), look: 'index' });
+    if (item.kind === 'face')
+      this.#leaveName(start, control, { text: itemName(item), look: 'self' });
     const color = palette[ROLE_COLORS[role]];
     const at = (t: number) => bezier(start, control, end, t);
     for (let i = 0; i < PIECES; i++) {
@@ -123,7 +123,7 @@ export class Pointers {
       const barb = end.clone().addScaledVector(arrives, -HEAD_PX * pixel);
       this.#segment(end, barb.addScaledVector(across, side * HEAD_PX * pixel), color);
     }
-    const lift = way.length() / pixel < SHORT_PX ? 11 : 0;
+    const lift = start.distanceTo(end) / pixel < SHORT_PX ? 14 : 0;
     return {
       text: `${number}`,
       look: 'link',
@@ -133,6 +133,19 @@ export class Pointers {
       lift,
       yields: true,
     };
+  }
+
+  /** Moves the middle of a face towards a point, out from under its name. */
+  #leaveName(middle: Vector3, towards: Vector3, name: Pick<Label, 'text' | 'look'>): void {
+    const way = towards.clone().sub(middle);
+    const [right, up] = [0, 1].map((axis) =>
+      Math.abs(way.dot(new Vector3().setFromMatrixColumn(this.#stage.camera.matrixWorld, axis))),
+    );
+    const pixel = this.#pixelAt(middle);
+    const width = widthOf(name) / 2 + 3;
+    // However small the face is, some of the way is left for the arrow.
+    const share = Math.min((width * pixel) / right, (NAME_PX * pixel) / up, 0.75);
+    middle.addScaledVector(way, share);
   }
 
   /** A link that leads nowhere is told beside the item. */
