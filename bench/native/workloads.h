@@ -132,12 +132,16 @@ inline void subdivide(halfedge::Mesh& mesh) {
     const float weight = sqrt3_weight(valence);
     moved[v.index()] = (1 - weight) * mesh.position(v) + weight / float(valence) * sum;
   }
-  const Index edges = mesh.edge_slots();
-  const Index faces = mesh.face_slots();
-  require(mesh.reserve(mesh.vertex_slots() + faces, edges + 3 * faces, 3 * faces));
-  for (const Face f : faces_as_stored(mesh)) require(bool(operations::split_face(mesh, f)));
+  std::vector<Edge> old_edges(mesh.edge_slots());
+  for (Index e = 0; e < old_edges.size(); ++e) old_edges[e] = Edge(e);
+  const std::vector<Face> faces = faces_as_stored(mesh);
+  require(mesh.reserve(mesh.vertex_slots() + mesh.face_slots(),
+                       mesh.edge_slots() + 3 * mesh.face_slots(), 3 * mesh.face_slots()));
+  operations::for_each(mesh, std::span<const Face>(faces),
+                       [&](Face f) { require(bool(operations::split_face(mesh, f))); });
   for (Index v = 0; v < moved.size(); ++v) mesh.set_position(Vertex(v), moved[v]);
-  for (Index e = 0; e < edges; ++e) (void)operations::flip_edge(mesh, Edge(e));
+  operations::for_each(mesh, std::span<const Edge>(old_edges),
+                       [&](Edge e) { (void)operations::flip_edge(mesh, e); });
 }
 
 }  // namespace workloads

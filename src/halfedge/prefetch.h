@@ -18,7 +18,7 @@ inline constexpr bool kCanPrefetch = false;
 
 /// Asks for the line of a word that will be written. The address need not be one of an array.
 /// Always inlined: g++ takes a function that only prefetches for one without effect and drops it.
-[[gnu::always_inline]] inline void prefetch([[maybe_unused]] const Index* address) {
+[[gnu::always_inline]] inline void prefetch([[maybe_unused]] const void* address) {
 #if defined(__GNUC__)
   __builtin_prefetch(address, 1);
 #endif

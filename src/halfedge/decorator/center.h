@@ -180,7 +180,10 @@ template <class Mesh>
 template <class Mesh>
 [[nodiscard]] Result<Halfedge> add_center_vertex(Mesh& mesh, Halfedge h) {
   if constexpr (StoresSurface<Mesh>) {
-    const Halfedge sides[3] = {h, mesh.next(h), mesh.next(mesh.next(h))};
+    const Halfedge second = mesh.next(h);
+    fetch_links(mesh, second);
+    const Halfedge sides[3] = {h, second, mesh.next(second)};
+    fetch_links(mesh, sides[2]);
     const bool is_triangle = sides[1] != h && mesh.next(sides[2]) == h;
     if (is_triangle && can_just_append(mesh, 1, 3, 2)) {
       return add_center_vertex_to_triangle(mesh, sides);

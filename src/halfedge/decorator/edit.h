@@ -4,6 +4,7 @@
 #include <halfedge/connectivity/connectivity.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mesh.h>
+#include <halfedge/prefetch.h>
 #include <halfedge/result.h>
 
 #include <algorithm>
@@ -114,6 +115,37 @@ template <class Mesh>
   return mesh.reserve(with_slack(v, vertex_room), std::min(with_slack(e, edge_room), kMaxSlots / 2),
                       with_slack(f, face_room)) ||
          mesh.reserve(Index(v), Index(e), Index(f));
+}
+
+// ---- cache ----------------------------------------------------------------------------------
+// Always inlined, for the reason that `prefetch` is.
+
+/// Asks for the lines of memory where the links of `h` are, to have them on their way while others
+/// are waited for.
+template <class Mesh>
+[[gnu::always_inline]] inline void fetch_links(const Mesh& mesh, Halfedge h) {
+  const Links& links = mesh.links();
+  prefetch(links.next.data() + h.index());
+  prefetch(links.to_vertex.data() + h.index());
+  if (mesh.stores_prev()) prefetch(links.prev.data() + h.index());
+  if constexpr (StoresFaces<Mesh>) prefetch(links.face.data() + h.index());
+}
+
+/// The same for the halfedges that a vertex and a face know. Either may be empty.
+template <class Mesh>
+[[gnu::always_inline]] inline void fetch_halfedges_of(const Mesh& mesh, Vertex v, Face f) {
+  const Links& links = mesh.links();
+  if (StoresAnchors<Mesh> && v.valid()) prefetch(links.vertex_halfedge.data() + v.index());
+  if (StoresFaceHalfedges<Mesh> && f.valid()) prefetch(links.face_halfedge.data() + f.index());
+}
+
+/// The same for a position, where there are any.
+template <class Mesh>
+[[gnu::always_inline]] inline void fetch_position([[maybe_unused]] const Mesh& mesh,
+                                                  [[maybe_unused]] Vertex v) {
+  if constexpr (HasPositions<Mesh>) {
+    prefetch(mesh.positions().data() + 3 * std::size_t{v.index()});
+  }
 }
 
 // ---- faces ----------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 #include <halfedge/operations/dissolve.h>
 #include <halfedge/operations/extrude.h>
 #include <halfedge/operations/flip.h>
+#include <halfedge/operations/for_each.h>
 #include <halfedge/operations/glue.h>
 #include <halfedge/operations/holes.h>
 #include <halfedge/operations/insert_edge.h>
