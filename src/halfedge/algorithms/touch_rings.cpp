@@ -55,7 +55,7 @@ bool are_scattered(const RingLayout& rings) {
   if (rings.centres < 64 * kSamples) return false;
   Index far = 0;
   for (Index i = 0; i < kSamples; ++i) {
-    const Index h = rings.firsts[i * (rings.centres / kSamples)];
+    const Index h = rings.firsts[std::size_t{i} * (rings.centres / kSamples)];
     if (h >= rings.halfedges) continue;
     far += rings.steps[h ^ rings.before] - h + kFar > 2 * kFar ? 1 : 0;
   }
