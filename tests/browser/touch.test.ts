@@ -47,14 +47,21 @@ describe('Fingers on the explorer', () => {
   }
   const dot = (a: number[], b: number[]) => a.reduce((sum, x, i) => sum + x * b[i], 0);
 
-  test('a tap picks what is under it, and one beside the mesh nothing', async () => {
+  /** The vertex that is nearest to the eye, and where it is in the picture. */
+  async function frontVertex(): Promise<{ front: number; at: Point }> {
     const { positions } = mesh();
     const project = await explorer.projection();
     const { direction } = await sight();
-    // The vertex that is nearest to the eye.
     const depth = (v: number) => dot([...positions.subarray(3 * v, 3 * v + 3)], direction);
     const [front] = [...mesh().vertices()].sort((a, b) => depth(a) - depth(b));
-    const [x, y] = project(positions.subarray(3 * front, 3 * front + 3));
+    return { front, at: project(positions.subarray(3 * front, 3 * front + 3)) };
+  }
+
+  test('a tap picks what is under it, and one beside the mesh nothing', async () => {
+    const {
+      front,
+      at: [x, y],
+    } = await frontVertex();
     await fingers.tap([x + 6, y + 5]); // no finger is exact
     expect(await explorer.state('selected')).toBe(`v${front}`);
     await fingers.tap([30, middle[1]]);
@@ -62,12 +69,10 @@ describe('Fingers on the explorer', () => {
   });
 
   test('reach further than a mouse', async () => {
-    const { positions } = mesh();
-    const project = await explorer.projection();
-    const { direction } = await sight();
-    const depth = (v: number) => dot([...positions.subarray(3 * v, 3 * v + 3)], direction);
-    const [front] = [...mesh().vertices()].sort((a, b) => depth(a) - depth(b));
-    const [x, y] = project(positions.subarray(3 * front, 3 * front + 3));
+    const {
+      front,
+      at: [x, y],
+    } = await frontVertex();
     const beside = (pixels: number): Point => [x + 0.6 * pixels, y + 0.8 * pixels];
     await fingers.tap(beside(18));
     expect(await explorer.state('selected')).toBe(`v${front}`);
