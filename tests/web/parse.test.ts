@@ -5,6 +5,17 @@ import { bytesInUse } from './support/core.js';
 
 beforeAll(() => init());
 
+/** The error that a call throws, which must be one of the library's own. */
+function errorOf(call: () => unknown): HalfedgeError {
+  try {
+    call();
+  } catch (error) {
+    if (error instanceof HalfedgeError) return error;
+    throw error;
+  }
+  throw new Error('no error');
+}
+
 const cube = `# a cube, its faces in all forms
 v 0 0 0
 v 1 0 0
@@ -221,6 +232,50 @@ describe('parse', () => {
   ])('refuses %p as data', (data, message) => {
     expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(TypeError);
     expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(message);
+  });
+
+  test.each([
+    'bunny.obj',
+    './models/part.STL',
+    'C:\\models\\part.ply',
+    'https://example.com/bunny.off?raw=1',
+    'https://example.com/bunny',
+    'blob:https://example.com/5f6b',
+    '/models/scene.glb',
+  ])('tells the name of a file, %s, from what is in it', (name) => {
+    for (const read of [() => HalfedgeMesh.parse(name), () => HalfedgeMesh.parseSoup(name)]) {
+      const { code, message } = errorOf(read);
+      expect(code).toBe('unknown-format');
+      expect(message).toMatch(/^data is .*, the name of a file; expected what is in it, so fetch/);
+    }
+  });
+
+  test('reads a text that names a file', () => {
+    for (const text of ['#bunny.obj', 'o bunny.obj', 'mtllib bunny.obj', 'solid bunny.stl']) {
+      expect(() => HalfedgeMesh.parse(text)).not.toThrow(/the name of a file/);
+    }
+  });
+
+  test.each(['utf8', 'latin1'] as const)(
+    'refuses a binary file that was read as %s',
+    (encoding) => {
+      using mesh = HalfedgeMesh.dodecahedron();
+      for (const format of ['ply', 'stl', 'off'] as const) {
+        const bytes = mesh.write(format, { encoding: 'binary' });
+        const { code, message } = errorOf(() =>
+          HalfedgeMesh.parse(Buffer.from(bytes).toString(encoding)),
+        );
+        expect(code).toBe('not-text');
+        expect(message).toMatch(
+          /^data is a string of \d+ characters, a binary file that was read as text/,
+        );
+      }
+    },
+  );
+
+  test('reads a text of any letters that is filled up with NULs', () => {
+    using mesh = HalfedgeMesh.parse(`# Würfel \uFFFD\n${triangle}\0\0\0\r\n\0`).mesh;
+    expect(mesh.faceCount).toBe(1);
   });
 
   test('refuses wrong options', () => {

@@ -110,6 +110,9 @@ describe('parseInWorker', () => {
       expect(bytes.length).toBe(SQUARE.length);
     }
     expect((await rejection(parseInWorker(7 as never, { worker }))).message).toContain('source is');
+    expect((await rejection(parseInWorker('bunny.obj', { worker }))).message).toContain(
+      'source is "bunny.obj", the name of a file',
+    );
     expect(started).toBe(0);
   });
 

@@ -2,6 +2,7 @@ import { bytesOf, checkOptions } from './arguments.js';
 import { type Polygons, storesPrev } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
+import { checkText } from './file-text.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { owned, transferable } from './ownership.js';
@@ -301,6 +302,7 @@ function checkParse(source: unknown, options: ParseOptions & JobOptions): unknow
   checkCallback('options.onProgress', options.onProgress);
   storesPrev(options);
   checkParseOptions(options);
+  if (typeof source === 'string') checkText('source', source);
   if (typeof source === 'string' || isBlob(source)) return source;
   const bytes = bytesOf('source', source);
   if (bytes !== undefined) return bytes;

@@ -3,6 +3,7 @@ import { bytesOf, checkOptions } from '../arguments.js';
 import { storesPrev } from '../build.js';
 import { checkFlag, refuse } from '../checks.js';
 import { HalfedgeError, type Problem } from '../errors.js';
+import { bytesOfText } from '../file-text.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { type RepairReport, type SoupOptions, soupOptions } from '../repair.js';
@@ -150,7 +151,7 @@ async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: Read
 }
 
 function contentOf(data: unknown): Uint8Array {
-  if (typeof data === 'string') return new TextEncoder().encode(data);
+  if (typeof data === 'string') return bytesOfText('data', data);
   const bytes = bytesOf('data', data);
   if (bytes !== undefined) return bytes;
   refuse(
