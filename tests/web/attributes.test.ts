@@ -287,6 +287,8 @@ describe('Generations', () => {
     expect(mesh.generations.isCurrent(reference)).toBe(false);
     expect(mesh.generations.isCurrent(now)).toBe(true);
     mesh.history.undo();
+    const symbol = { ...now, index: Symbol('x') as never };
+    expect(() => mesh.generations.isCurrent(symbol)).toThrow('reference.index is a symbol;');
     expect(mesh.generations.isCurrent(now)).toBe(false);
     mesh.history.undo();
     expect(mesh.generations.isCurrent(reference)).toBe(true);

@@ -114,6 +114,7 @@ describe('History', () => {
     expect(() => history.limit({ steps: -1 })).toThrow('steps is -1; expected a number from 0.');
     expect(() => history.limit({ bytes: Number.NaN })).toThrow(RangeError);
     expect(() => history.limit({ steps: '3' as never })).toThrow(TypeError);
+    expect(() => history.limit({ steps: Symbol('x') as never })).toThrow('steps is a symbol;');
     expect(() => history.limit(3 as never)).toThrow(TypeError);
   });
 
@@ -199,6 +200,19 @@ describe('A group', () => {
     expect(history.undoCount).toBe(1); // not the step before it
     mesh.flipEdge(mesh.findEdge(1, 5)); // steps end again
     expect(history.undoCount).toBe(2);
+  });
+
+  test('whose function goes on later is refused, and has changed nothing', () => {
+    using mesh = triangles();
+    mesh.history.enabled = true;
+    const before = stateOf(mesh);
+    const edit = async () => void mesh.splitFace(0);
+    expect(() => mesh.history.group(edit)).toThrow(TypeError);
+    expect(() => mesh.history.group(edit)).toThrow(
+      /^edit returned a Promise; expected a function that is done when it returns/,
+    );
+    expect(stateOf(mesh)).toEqual(before);
+    expect(mesh.history.canUndo).toBe(false);
   });
 
   test('keeps what was changed where history is off', () => {

@@ -76,7 +76,7 @@ export class Generations {
     const { kind, index, generation } = reference;
     const i = this.#checkKind(kind);
     const links = this.#links;
-    if (index >= slotCount(links, kind)) return false; // there were more of them: undo, compact() ...
+    if (typeof index === 'number' && index >= slotCount(links, kind)) return false; // there were more of them: undo, compact() ...
     checkIndex(kind, slotCount(links, kind), index, 'reference.index');
     const { core, address } = links;
     return core._generation(address, i, index) >>> 0 === generation && isLive(links, kind, index);

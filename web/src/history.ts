@@ -86,6 +86,7 @@ export class History {
    * changed is taken back, and the error goes on; with history off, what was changed stays.
    *
    * @returns what `edit` returned
+   * @throws TypeError if that is a promise: what comes after an `await` is no part of the group
    */
   group<T>(edit: () => T): T {
     if (typeof edit !== 'function') refuse('edit', edit, 'a function');
@@ -95,6 +96,7 @@ export class History {
     let succeeded = false;
     try {
       const result = edit();
+      checkDone(result);
       succeeded = true;
       return result;
     } finally {
@@ -157,6 +159,14 @@ export class History {
   }
 }
 
+/** Throws if a function that was to be a group goes on later. */
+function checkDone(result: unknown): void {
+  if (Object.prototype.toString.call(result) !== '[object Promise]') return;
+  throw new TypeError(
+    'edit returned a Promise; expected a function that is done when it returns, because edits after an `await` are no part of the group.',
+  );
+}
+
 function checkLimit(name: string, limit: number): void {
-  if (!(limit >= 0) || typeof limit !== 'number') refuse(name, limit, 'a number from 0', 'number');
+  if (typeof limit !== 'number' || !(limit >= 0)) refuse(name, limit, 'a number from 0', 'number');
 }
