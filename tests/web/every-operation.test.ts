@@ -90,6 +90,7 @@ describe('Whatever the operation', () => {
       [{ x: 1 }, TypeError, 'position is an Object; expected three numbers, x, y and z.'],
       [null, TypeError, 'position is null'],
     ];
+    if (name === 'setPosition') bad.push([undefined, TypeError, 'position is undefined; expected']);
     for (const [position, type, message] of bad) {
       const list = name === 'addVertex' ? [position] : [0, position];
       const { run, check } = edit(mesh, name, list);

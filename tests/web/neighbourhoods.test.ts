@@ -108,6 +108,11 @@ describe('Star, closure and link', () => {
     using mesh = HalfedgeMesh.cube();
     const before = bytesInUse();
     expect(() => mesh.star(null as never)).toThrow('items is null; expected an object.');
+    expect(() => mesh.link({ vertex: [0] } as never)).toThrow(
+      new TypeError(
+        'items has "vertex", but neither vertices, edges nor faces; expected lists of them.',
+      ),
+    );
     expect(() => mesh.star({ vertices: 3 as never })).toThrow(
       /^items.vertices is 3; expected an array/,
     );

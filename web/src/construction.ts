@@ -4,6 +4,7 @@ import { Circulation } from './circulation.js';
 import {
   answer,
   CHECK_ONLY,
+  checkGivenPosition,
   checkPosition,
   done,
   kindIndex,
@@ -76,7 +77,7 @@ export abstract class Construction extends Circulation {
   setPosition(v: VertexLike, position: Position): void {
     const links = linksOf(this);
     links.checkVertex(v);
-    const p = checkPosition(position);
+    const p = checkGivenPosition(position);
     done(links, links.core._set_position(links.address, modeOf(links), v, p[0], p[1], p[2]));
   }
 

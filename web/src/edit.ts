@@ -78,7 +78,14 @@ export function checkPosition(
   position: Position | undefined,
   argument = 'position',
 ): [x: number, y: number, z: number] {
-  if (position === undefined) return [0, 0, 0];
+  return position === undefined ? [0, 0, 0] : checkGivenPosition(position, argument);
+}
+
+/** A copy of the position. Throws a sentence for what is none. */
+export function checkGivenPosition(
+  position: Position,
+  argument = 'position',
+): [x: number, y: number, z: number] {
   const expected = 'three numbers, x, y and z';
   if (lengthOfArrayLike(argument, position, expected) !== 3) {
     throw new RangeError(`${argument} is ${describe(position)}; expected ${expected}.`);

@@ -1,4 +1,10 @@
-import { checkNotNegative, checkOptions, indices, type NumberArray } from './arguments.js';
+import {
+  checkNotNegative,
+  checkOptions,
+  describe,
+  indices,
+  type NumberArray,
+} from './arguments.js';
 import { refuse } from './checks.js';
 import { Editing } from './editing.js';
 import type { VertexLike } from './items.js';
@@ -93,10 +99,9 @@ export abstract class Neighbourhoods extends Editing {
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
   links.checkAlive();
   const { core } = links;
-  const { vertices, edges, faces } = checkOptions(items, 'items') as Items;
-  const lists = { vertices, edges, faces };
+  const lists = listsOf(checkOptions(items, 'items'));
   const raw = withInputs(core, (inputs) => {
-    const blocks = Object.entries(lists).flatMap(([name, list = []]) => {
+    const blocks = Object.entries(lists).flatMap(([name, list]) => {
       const { address, count } = inputs.indices(`items.${name}`, itemList(`items.${name}`, list));
       return [address, count];
     }) as [number, number, number, number, number, number];
@@ -104,6 +109,17 @@ function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items:
   });
   const [first, second, third] = take(core, raw.vertices, raw.edges, raw.faces);
   return { vertices: first, edges: second, faces: third };
+}
+
+/** The lists by name. What has others, but none of these, was spelt in another way. */
+function listsOf(items: Items): Required<Items> {
+  const { vertices = [], edges = [], faces = [] } = items;
+  const lists = { vertices, edges, faces };
+  const [other] = Object.keys(items);
+  if (other === undefined || Object.keys(lists).some((name) => name in items)) return lists;
+  throw new TypeError(
+    `items has ${describe(other)}, but neither vertices, edges nor faces; expected lists of them.`,
+  );
 }
 
 function itemList(argument: string, items: unknown): NumberArray {
