@@ -5,6 +5,10 @@ beforeAll(() => init());
 const positions = [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0];
 const indices = [0, 1, 2, 2, 1, 3];
 
+function raise(message: string): never {
+  throw new Error(message);
+}
+
 describe('A wrong argument of a build', () => {
   const typeErrors: [string, () => unknown, string][] = [
     [
@@ -254,6 +258,47 @@ describe('A wrong argument of a build', () => {
     };
     expect(() => HalfedgeMesh.fromTriangles(angry, [])).toThrow('mine');
   });
+});
+
+test.each([
+  [new (class Vector3 {})(), 'a Vector3'],
+  [new Uint8Array(2), 'a Uint8Array of 2 elements'],
+  [new URL('https://example.com'), 'a URL'],
+  [new Error('no'), 'an Error'],
+  [{ x: 1 }, 'an Object'],
+  [Object.create(null), 'an Object'],
+  [{ constructor: 3 }, 'an Object'],
+  [{ constructor: { name: 'no class' } }, 'an Object'],
+  [{ [Symbol.toStringTag]: 'X'.repeat(99) }, `a ${'X'.repeat(37)}...`],
+  [Object.defineProperty({}, 'constructor', { get: () => raise('no') }), 'an object'],
+])('Sentences say of which class an object is: %#', (value, name) => {
+  using mesh = HalfedgeMesh.cube();
+  expect(() => mesh.validate(value as never)).toThrow(
+    `level is ${name}; expected an integer from 0 to 4.`,
+  );
+});
+
+test('A mesh of another copy of the package is told from one of this copy', async () => {
+  class HalfedgeMesh2 {}
+  Object.defineProperty(HalfedgeMesh2, 'name', { value: 'HalfedgeMesh' });
+  using mesh = HalfedgeMesh.cube();
+  expect(() => mesh.append(new HalfedgeMesh2() as never)).toThrow(
+    'other is a HalfedgeMesh; expected a HalfedgeMesh that this copy of the package has made.',
+  );
+});
+
+test('A list is no object with options', () => {
+  using mesh = HalfedgeMesh.cube();
+  for (const list of [[0], new Uint32Array(1)]) {
+    for (const call of [
+      () => mesh.star(list as never),
+      () => mesh.fillHoles(list as never),
+      () => HalfedgeMesh.fromTriangles(positions, indices, list as never),
+    ]) {
+      expect(call).toThrow(TypeError);
+      expect(call).toThrow(/^(items|options) is an? \w+ of 1 element; expected an object\.$/);
+    }
+  }
 });
 
 test('A count that is too large is told how large it may be', () => {

@@ -27,14 +27,22 @@ function describeObject(value: object): string {
     return `${withArticle(typed)} of ${counted((value as Uint8Array).length, 'element')}`;
   try {
     if (Array.isArray(value)) return `an array of ${counted(value.length, 'element')}`;
-    return withArticle(Object.prototype.toString.call(value).slice(8, -1));
+    const tag = Object.prototype.toString.call(value).slice(8, -1);
+    return withArticle((tag === 'Object' && className(value)) || shorten(tag));
   } catch {
     return 'an object'; // a revoked proxy, or a getter that throws
   }
 }
 
+/** "Vector3" and so on for an object that a class has made. */
+function className({ constructor: made }: object): string | undefined {
+  return typeof made === 'function' && /^\w{1,40}$/.test(made.name) ? made.name : undefined;
+}
+
 const shorten = (text: string) => (text.length <= 40 ? text : `${text.slice(0, 37)}...`);
-const withArticle = (name: string) => (/^[AEIOU]/.test(name) ? `an ${name}` : `a ${name}`);
+/** "Uint8Array" and "URL" begin as "you" does. */
+const withArticle = (name: string) =>
+  /^[AEIO]|^U(?!int|RL)/.test(name) ? `an ${name}` : `a ${name}`;
 
 const typedArrayTag = Object.getOwnPropertyDescriptor(
   Object.getPrototypeOf(Int8Array.prototype),
@@ -217,8 +225,10 @@ function isBuffer(source: unknown): boolean {
   return /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(source));
 }
 
-/** Throws unless `options` is an object; returns it. */
+/** Throws unless `options` is an object that can have options: no list; returns it. */
 export function checkOptions(options: unknown, argument = 'options'): object {
-  if (typeof options === 'object' && options !== null) return options;
+  if (typeof options === 'object' && options !== null) {
+    if (!Array.isArray(options) && !ArrayBuffer.isView(options)) return options;
+  }
   throw new TypeError(`${argument} is ${describe(options)}; expected an object.`);
 }

@@ -3,14 +3,19 @@
 
 import { describe } from './arguments.js';
 
-/** Throws what is wrong: a RangeError for a value of the right `type`, else a TypeError. */
+/**
+ * Throws what is wrong: a RangeError for a value of the right `type`, else a TypeError. A page with two copies
+ * of the package can have what it expects of the wrong one.
+ */
 export function refuse(
   argument: string,
   value: unknown,
   expected: string,
   type?: 'number' | 'string',
 ): never {
-  const sentence = `${argument} is ${describe(value)}; expected ${expected}.`;
+  const found = describe(value);
+  const whose = found === expected ? ' that this copy of the package has made' : '';
+  const sentence = `${argument} is ${found}; expected ${expected}${whose}.`;
   throw typeof value === type ? new RangeError(sentence) : new TypeError(sentence);
 }
 
