@@ -6,13 +6,11 @@ import { directionIndex } from './rings.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
-const { ACROSS, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit } = orbit;
-const { ROTATE_CCW, ROTATE_CW, reverse, step } = orbit;
+const { ACROSS, EdgeOrbit, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit } = orbit;
+const { ROTATE_CCW, ROTATE_CW, beginsAtHome, reverse, step } = orbit;
 
-// Where the lap around an item begins, and all checks of what a caller passes. An orbit is told where
-// it *ends*, one step before its first halfedge: around a vertex that is the anchor for the default
-// direction, so that nothing needs to be looked up. The common case of each function is small enough
-// for the JIT to inline; the rest is `lastOf`.
+// Where the lap around an item begins or ends, its home (see orbit.ts), and all checks of what a caller
+// passes. The common case of each function is small enough for the JIT to inline; the rest is `homeOf`.
 
 /** What a lap goes around; a loop is the one through a halfedge. */
 export type Centre = 'vertex' | 'face' | 'edge' | 'loop';
@@ -25,10 +23,6 @@ export const walkAround = (centre: Centre, direction: Direction): number => {
   return ccw ? LOOP_CCW : LOOP_CW;
 };
 
-/** Whether that way around ends at the anchor of the item, rather than begins there. */
-export const endsAtAnchor = (centre: Centre, walk: number): boolean =>
-  walk === ROTATE_CCW || (walk === LOOP_CW && centre === 'face');
-
 /** The halfedge where the lap ends, NONE around an isolated vertex. */
 export const lastAround = (
   links: Links,
@@ -38,35 +32,32 @@ export const lastAround = (
   start: number | undefined,
   view: number,
 ): number => {
-  if (centre === 'vertex') return lastAroundVertex(links, item, walk, start, view);
-  if (centre === 'face') return lastAroundFace(links, item, walk, start);
-  return rest.lastOf(links, centre, item, walk, start, view);
+  const home = homeOf(links, centre, item, walk, start, view);
+  return home !== NONE && beginsAtHome(walk) ? before(links, centre, item, walk, home) : home;
 };
 
-const lastAroundVertex = (
+/** The halfedge one step before `h` on the walk around an item. */
+const before = (links: Links, centre: Centre, item: number, walk: number, h: number): number => {
+  const previous = step(links, reverse(walk), h);
+  if (previous >= 0) return previous;
+  if (centre === 'loop') throw corrupt(`The loop of halfedge ${item} does not close`);
+  throw corrupt(`The halfedges of ${centre} ${item} form no closed orbit`);
+};
+
+const homeAtVertex = (
   links: Links,
   v: number,
   walk: number,
   start: number | undefined,
   view: number,
 ): number => {
-  let last = typeof v === 'number' && start === undefined ? links.vertexHalfedge[v] : -2;
-  if (walk === ROTATE_CW && last >= 0) {
-    const before = links.prev[last];
-    last = before >= 0 ? before ^ 1 : -2;
-  }
-  return last >= NONE ? last : rest.lastOf(links, 'vertex', v, walk, start, view);
+  const home = typeof v === 'number' && start === undefined ? links.vertexHalfedge[v] : -2;
+  return home >= NONE ? home : rest.homeOf(links, 'vertex', v, walk, start, view);
 };
 
-const lastAroundFace = (
-  links: Links,
-  f: number,
-  walk: number,
-  start: number | undefined,
-): number => {
-  let last = typeof f === 'number' && start === undefined ? links.faceHalfedge[f] : NONE;
-  if (walk === LOOP_CCW && last >= 0) last = links.prev[last];
-  return last >= 0 ? last : rest.lastOf(links, 'face', f, walk, start, ITSELF);
+const homeAtFace = (links: Links, f: number, walk: number, start: number | undefined): number => {
+  const home = typeof f === 'number' && start === undefined ? links.faceHalfedge[f] : NONE;
+  return home >= 0 ? home : rest.homeOf(links, 'face', f, walk, start, ITSELF);
 };
 
 /** The halfedges that leave `v`. */
@@ -78,7 +69,7 @@ export const aroundVertex = <Item extends number>(
   view: number,
 ): orbit.Orbit<Item> => {
   const walk = direction === 'ccw' ? ROTATE_CCW : walkAround('vertex', direction);
-  return new Orbit(links, lastAroundVertex(links, v, walk, start, view), walk, view);
+  return new Orbit(links, homeAtVertex(links, v, walk, start, view), walk, view);
 };
 
 /** The halfedges of `f`. */
@@ -90,7 +81,7 @@ export const aroundFace = <Item extends number>(
   view: number,
 ): orbit.Orbit<Item> => {
   const walk = direction === 'ccw' ? LOOP_CCW : walkAround('face', direction);
-  return new Orbit(links, lastAroundFace(links, f, walk, start), walk, view);
+  return new Orbit(links, homeAtFace(links, f, walk, start), walk, view);
 };
 
 /** The loop through `h`, from `h` on. */
@@ -101,7 +92,7 @@ export const aroundLoop = <Item extends number>(
   view: number,
 ): orbit.Orbit<Item> => {
   const walk = walkAround('loop', direction);
-  return new Orbit(links, rest.lastOf(links, 'loop', h, walk, undefined, view), walk, view);
+  return new Orbit(links, rest.homeOf(links, 'loop', h, walk, undefined, view), walk, view);
 };
 
 /** The two halfedges of `e`, side 0 first. */
@@ -111,17 +102,17 @@ export const aroundEdge = <Item extends number>(
   view: number,
 ): orbit.Orbit<Item> => {
   if (!(typeof e === 'number' && (e | 0) === e && links.next[2 * e] >= 0)) links.checkEdge(e);
-  return new Orbit(links, 2 * e + 1, ACROSS, view);
+  return new EdgeOrbit(links, 2 * e + 1, view);
 };
 
 /**
- * Where the lap around an item ends, in all cases: the views are detached, there is a start, an argument
+ * The home of the lap around an item, in all cases: the views are detached, there is a start, an argument
  * is wrong. Circulators that show incoming halfedges take one of those as their start, too.
  *
  * One function on purpose: V8 inlines none that is so long, and so the loops of programs that use it
  * have room left for what they need inlined.
  */
-const lastOf = (
+const homeOf = (
   links: Links,
   centre: Centre,
   item: number,
@@ -166,14 +157,11 @@ const lastOf = (
     }
   } else if (first === NONE && centre === 'vertex') {
     return NONE;
-  } else if (endsAtAnchor(centre, walk)) {
+  } else if (centre !== 'loop') {
     return first;
   }
-  const last = step(links, reverse(walk), first);
-  if (last >= 0) return last;
-  if (centre === 'loop') throw corrupt(`The loop of halfedge ${item} does not close`);
-  throw corrupt(`The halfedges of ${centre} ${item} form no closed orbit`);
+  return beginsAtHome(walk) ? first : before(links, centre, item, walk, first);
 };
 
 /** A method, because V8 compiles no property access that has never happened: see orbit.ts. */
-const rest = { lastOf };
+const rest = { homeOf };

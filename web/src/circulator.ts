@@ -5,8 +5,9 @@ import * as orbit from './orbit.js';
 
 // Constants of this module's own: see orbit.ts.
 const NONE: typeof none = none;
-const { endsAtAnchor, lastAround, walkAround } = around;
-const { ACROSS, SMALL_INDEX: SMALL, TO_VERTEX, recipe, reverse, shown, staleError, step } = orbit;
+const { lastAround, walkAround } = around;
+const { ACROSS, SMALL_INDEX: SMALL, TO_VERTEX, beginsAtHome, recipe } = orbit;
+const { reverse, shown, staleError, step } = orbit;
 type Centre = around.Centre;
 
 /** Nothing to look up: what is read from it, undefined, leads to the slow path. */
@@ -42,7 +43,6 @@ export interface Kind {
 export function kindOf(centre: Centre, view: number): Kind {
   const course = (direction: Direction): Course => {
     const walk = walkAround(centre, direction);
-    const beginsAtAnchor = !endsAtAnchor(centre, walk);
     const { alongNext, before, after, side, shift } = recipe(walk, view);
     return {
       centre,
@@ -53,7 +53,7 @@ export function kindOf(centre: Centre, view: number): Kind {
       after,
       side,
       shift,
-      beginsAtAnchor,
+      beginsAtAnchor: beginsAtHome(walk),
     };
   };
   return { ccw: course('ccw'), cw: course('cw') };

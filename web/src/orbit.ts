@@ -26,6 +26,13 @@ const FOLLOW_NOTHING = 8;
 /** Without any of these a walk follows prev. */
 const NOT_ALONG_PREV = FOLLOW_NEXT | FOLLOW_NOTHING;
 
+/**
+ * A lap has a *home*, for which nothing needs to be looked up: the anchor of its item, as long as nobody
+ * names a start. Walks along next begin there, and show where they are before they step. The others end
+ * there, and step before they show.
+ */
+const SHOW_THEN_STEP = FOLLOW_NEXT;
+
 /** Outgoing halfedges of a vertex. */
 export const ROTATE_CCW = OPPOSITE_AFTER;
 export const ROTATE_CW = FOLLOW_NEXT | OPPOSITE_BEFORE;
@@ -46,6 +53,9 @@ export const EDGE = SHOW_EDGE;
 export const TO_VERTEX = SHOW_VERTEX;
 export const FACE = SHOW_FACE;
 export const OPPOSITE_FACE = SHOW_FACE | SHOW_OPPOSITE;
+
+/** Whether a lap begins at its home, rather than ends there. */
+export const beginsAtHome = (walk: number): boolean => (walk & SHOW_THEN_STEP) !== 0;
 
 /** The walk that undoes `walk`. */
 export function reverse(walk: number): number {
@@ -120,7 +130,7 @@ export type Result = IteratorResult<number, typeof NONE>;
 interface Lap {
   next: () => Result;
   orbit: Orbit<number>;
-  /** The halfedge shown last, NONE when the lap is over; and how many steps there may be left. */
+  /** Where to go on, NONE when the lap is over; and how many steps there may be left. */
   at: number;
   left: number;
 }
@@ -137,18 +147,18 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   declare readonly links: Links;
   /** @internal */
   declare readonly era: Links['era'];
-  /** @internal A lap steps from here to its first halfedge, and ends here; NONE for no lap. */
-  declare readonly last: number;
+  /** @internal The halfedge where a lap begins or ends (see SHOW_THEN_STEP); NONE for no lap. */
+  declare readonly home: number;
   /** @internal */
   declare readonly walk: number;
   /** @internal */
   declare readonly view: number;
 
   /** @internal */
-  constructor(links: Links, last: number, walk: number, view: number) {
+  constructor(links: Links, home: number, walk: number, view: number) {
     this.links = links;
     this.era = links.era;
-    this.last = last;
+    this.home = home;
     this.walk = walk;
     this.view = view;
   }
@@ -157,7 +167,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     const lap: Lap = {
       next: this.view < SHOW_FACE ? nextItem : nextFace,
       orbit: this,
-      at: this.last,
+      at: this.home,
       left: this.links.halfedgeSlots,
     };
     return lap as Iterator<Item, typeof NONE>;
@@ -177,10 +187,10 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    * @throws RangeError if they don't all fit, with the length that is needed
    */
   into(buffer: Int32Array | Uint32Array): number {
-    const { links, last, walk, view } = this;
+    const { links, home, walk, view } = this;
     if (this.era.over) this.refuse();
     const room = roomIn(buffer);
-    if (last < 0) return 0;
+    if (home < 0) return 0;
     if (links.next.length === 0) links.revive();
     // This loop decides as little as it can, and stops at whatever is not as usual.
     const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
@@ -189,13 +199,16 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     const side = view & SHOW_OPPOSITE;
     const table = view < SHOW_FACE ? links.toVertex : links.face;
     const end = walk < FOLLOW_NOTHING ? room : 0;
-    let h = last;
+    const stepFirst = (walk & SHOW_THEN_STEP) === 0;
+    let at = home;
     let gaps = 0;
     for (let count = 0; count < end; ) {
-      const link = follow[h ^ before];
+      const link = follow[at ^ before];
       if (!(link >= 0)) break;
-      h = (link ^ after) & SMALL;
-      const item = view < SHOW_VERTEX ? (h ^ side) >> (view >> 1) : table[h ^ side];
+      const h = (link ^ after) & SMALL;
+      const seen = (stepFirst ? h : at) ^ side;
+      const item = view < SHOW_VERTEX ? seen >> (view >> 1) : table[seen];
+      at = h;
       if (item >= 0) {
         buffer[count] = item;
         count += 1;
@@ -203,7 +216,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
         gaps += 1;
         if (item !== NONE || gaps > end) break;
       }
-      if (h === last) return count;
+      if (h === home) return count;
     }
     return this.intoSlowly(buffer);
   }
@@ -219,38 +232,26 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     return count <= room ? count : tooSmall(room, count);
   }
 
-  /** Whether this walk goes along prev, which isn't stored. */
-  private get needsSearch(): boolean {
-    return !this.links.storesPrev && (this.walk & NOT_ALONG_PREV) === 0;
-  }
-
-  /** The next item, or NONE at the end, where each prev must be searched. */
-  private advanceBySearch(lap: Lap): number {
-    this.links.revive();
-    const { links, walk, view, last } = this;
-    let h = lap.at;
-    for (let { left } = lap; left > 0; left--) {
-      h = step(links, walk, h);
-      const item = h >= 0 ? shown(links, view, h) : h;
-      lap.left = left - 1;
-      lap.at = h === last ? NONE : h;
-      if (item >= 0) return item;
-      if (item !== NONE || view < SHOW_FACE) break;
-      if (h === last) return NONE;
-    }
-    return this.fail();
-  }
-
   /**
-   * The same step of `lap` again with fresh views, if growth of the memory had detached them, or if
-   * the links to follow must be searched.
+   * The next step of `lap` in all cases: views that growth of the memory had detached, links that must be
+   * searched, many sides without a face in a row.
    * @internal
    */
-  advanceAgain(lap: Lap): number {
-    if (this.needsSearch) return this.advanceBySearch(lap);
-    if (!this.links.detached) this.fail();
+  advanceSlowly(lap: Lap): number {
     this.links.revive();
-    return this.view < SHOW_FACE ? advance(lap) : advanceToFace(lap);
+    const { links, home, walk, view } = this;
+    let { at } = lap;
+    for (let { left } = lap; left > 0; left--) {
+      const h = step(links, walk, at);
+      const item = shown(links, view, beginsAtHome(walk) ? at : h);
+      at = h === home ? NONE : h;
+      if (!(h >= 0 && item >= NONE)) break;
+      if (item === NONE && at !== NONE) continue;
+      lap.left = left - 1;
+      lap.at = at;
+      return item;
+    }
+    return this.fail();
   }
 
   /** @internal */
@@ -260,7 +261,20 @@ export class Orbit<Item extends number> implements Iterable<Item> {
 
   /** @internal */
   fail(): never {
-    throw corrupt(`The orbit of halfedge ${this.last} does not close`);
+    throw corrupt(`The orbit of halfedge ${this.home} does not close`);
+  }
+}
+
+/** One lap across an edge. */
+export class EdgeOrbit<Item extends number> extends Orbit<Item> {
+  /** @internal */
+  constructor(links: Links, home: number, view: number) {
+    super(links, home, ACROSS, view);
+  }
+
+  override [Symbol.iterator](): Iterator<Item, typeof NONE> {
+    const lap: Lap = { next: nextOfEdge, orbit: this, at: this.home, left: 2 };
+    return lap as Iterator<Item, typeof NONE>;
   }
 }
 
@@ -286,40 +300,75 @@ const advance = (lap: Lap): number => {
   const { links, walk, view } = orbit;
   if (orbit.era.over) orbit.refuse();
   if (at < 0) return at;
-  const link = linkFrom(links, walk, at);
-  if (!(link >= 0) || left <= 0) return orbit.advanceAgain(lap);
-  const h = arrival(walk, link);
-  const side = h ^ (view & SHOW_OPPOSITE);
+  const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
+  const link = follow[at ^ ((walk >> 1) & 1)];
+  if (!(link >= 0) || left <= 0) return orbit.advanceSlowly(lap);
+  const h = (link ^ ((walk >> 2) & 1)) & SMALL;
+  const side = ((walk & SHOW_THEN_STEP) === 0 ? h : at) ^ (view & SHOW_OPPOSITE);
   const item = view < SHOW_VERTEX ? side >> (view >> 1) : links.toVertex[side];
   if (!(item >= 0)) orbit.fail();
   lap.left = left - 1;
-  lap.at = h === orbit.last ? NONE : h;
+  lap.at = h === orbit.home ? NONE : h;
   return item;
 };
 
 /**
- * As `advance`, stepping over sides without a face. The first step stands apart: where no second one is
- * ever needed, V8 drops the loop, which otherwise keeps the orbit in memory.
+ * As `advance`, past sides without a face: as many as a triangle has. A loop would go past any number of
+ * them, but around loops and calls V8 keeps the lap in memory.
  */
 const advanceToFace = (lap: Lap): number => {
-  const { orbit, at } = lap;
-  const { links, walk, last } = orbit;
+  const { orbit, at, left } = lap;
+  const { links, walk, home } = orbit;
   if (orbit.era.over) orbit.refuse();
   if (at < 0) return at;
-  const link = linkFrom(links, walk, at);
-  let { left } = lap;
-  if (!(link >= 0) || left <= 0) return orbit.advanceAgain(lap);
+  const { face } = links;
+  const follow = (walk & FOLLOW_NEXT) === 0 ? links.prev : links.next;
+  const before = (walk >> 1) & 1;
+  const after = (walk >> 2) & 1;
   const opposite = orbit.view & SHOW_OPPOSITE;
-  let h = arrival(walk, link);
-  let item = links.face[h ^ opposite];
-  while (item < 0 && h !== last && left > 0) {
-    h = step(links, walk, h);
-    item = links.face[h ^ opposite];
-    left -= 1;
+  const stepFirst = (walk & SHOW_THEN_STEP) === 0;
+  let link = follow[at ^ before];
+  if (!(link >= 0) || left <= 0) return orbit.advanceSlowly(lap);
+  let from = at;
+  let h = (link ^ after) & SMALL;
+  let item = face[(stepFirst ? h : from) ^ opposite];
+  if (item < 0 && h !== home) {
+    from = h;
+    link = follow[from ^ before];
+    h = (link ^ after) & SMALL;
+    item = face[(stepFirst ? h : from) ^ opposite];
+    if (item < 0 && h !== home) {
+      from = h;
+      link = follow[from ^ before];
+      h = (link ^ after) & SMALL;
+      item = face[(stepFirst ? h : from) ^ opposite];
+    }
   }
-  if (!(item >= (h === last ? NONE : 0))) orbit.fail();
+  if (!(link >= 0 && item >= (h === home ? NONE : 0))) return orbit.advanceSlowly(lap);
   lap.left = left - 1;
-  lap.at = h === last ? NONE : h;
+  lap.at = h === home ? NONE : h;
+  return item;
+};
+
+const nextOfEdge = function (this: Lap): Result {
+  const item = advanceAcross(this);
+  return { value: item, done: item < 0 } as Result;
+};
+
+/** The same across an edge: of its two halfedges one may have no face. */
+const advanceAcross = (lap: Lap): number => {
+  const { orbit, at } = lap;
+  const { links, view, home } = orbit;
+  if (orbit.era.over) orbit.refuse();
+  if (at < 0) return at;
+  let h = at ^ 1;
+  let item = shown(links, view, h);
+  if (item === NONE && h !== home) {
+    h = home;
+    item = shown(links, view, h);
+  }
+  if (!(item >= (h === home ? NONE : 0))) return orbit.advanceSlowly(lap);
+  lap.at = h === home ? NONE : h;
   return item;
 };
 
