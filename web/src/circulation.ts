@@ -2,6 +2,7 @@ import { checkOptions, describe } from './arguments.js';
 import * as around from './around.js';
 import { BulkRings } from './bulk.js';
 import * as circulator from './circulator.js';
+import { printed } from './inspect.js';
 import type {
   Direction,
   Edge,
@@ -165,6 +166,10 @@ export abstract class Circulation extends BulkRings {
     return new Circulator<Shown<Kind>>(linksOf(this), around, direction).moveTo(item, start);
   }
 }
+
+printed('Orbit', orbit.Orbit, (lap) => lap.toArray());
+printed('LiveItems', LiveItems, (items) => items.toArray());
+printed('Circulator', Circulator, ({ current, halfedge }) => ({ current, halfedge }));
 
 const KINDS: Record<CirculatorKind, circulator.Kind> = {
   vertexVertices: kindOf('vertex', TO_VERTEX),

@@ -10,11 +10,12 @@ import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navig
 import {
   DirectedCirculator,
   DirectedItems,
-  type DirectedOrbit,
+  DirectedOrbit,
   type Kind,
   lapAround,
 } from './directed-edges-orbit.js';
 import type { Problem } from './errors.js';
+import { printed } from './inspect.js';
 import type {
   Direction,
   Edge,
@@ -293,6 +294,18 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
     this.dispose();
   }
 }
+
+printed('DirectedEdgesMesh', DirectedEdgesMesh, (mesh) => {
+  if (mesh.disposed) return { disposed: true };
+  const { vertexCount, edgeCount, faceCount } = mesh;
+  return { vertexCount, edgeCount, faceCount };
+});
+printed('DirectedOrbit', DirectedOrbit, (lap) => lap.toArray());
+printed('DirectedItems', DirectedItems, (items) => items.toArray());
+printed('DirectedCirculator', DirectedCirculator, ({ current, halfedge }) => ({
+  current,
+  halfedge,
+}));
 
 function adopt(address: number): DirectedEdgesMesh {
   return new DirectedEdgesMesh(new DirectedLinks(core(), address));

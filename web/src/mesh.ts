@@ -14,6 +14,7 @@ import {
 import { refuse } from './checks.js';
 import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
+import { printed } from './inspect.js';
 import type { Halfedge } from './items.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
@@ -336,6 +337,12 @@ export class HalfedgeMesh extends Shapes {
     this.dispose();
   }
 }
+
+printed('HalfedgeMesh', HalfedgeMesh, (mesh) => {
+  if (mesh.disposed) return { disposed: true };
+  const { vertexCount, edgeCount, faceCount } = mesh;
+  return { vertexCount, edgeCount, faceCount };
+});
 
 function emptyLinks(options: unknown): Links {
   const withPrev = storesPrev(options);

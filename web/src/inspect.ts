@@ -1,0 +1,25 @@
+// What Node prints of the objects of this package by `console.log`. Otherwise a mesh would look empty, and a
+// lap would be all arrays of its mesh.
+
+const INSPECT = Symbol.for('nodejs.util.inspect.custom');
+
+/** Has objects of a class printed as its name, and what `shown` says of them. */
+export function printed<T extends object>(
+  name: string,
+  { prototype }: { prototype: T },
+  shown: (it: T) => object,
+): void {
+  function inspect(
+    this: T,
+    _: number,
+    options: object,
+    inspectAs: (it: object, o: object) => string,
+  ) {
+    try {
+      return `${name} ${inspectAs(shown(this), options)}`;
+    } catch (error) {
+      return `${name} { ${(error as Error).message} }`; // one that is over
+    }
+  }
+  Object.defineProperty(prototype, INSPECT, { value: inspect });
+}
