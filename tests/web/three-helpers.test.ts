@@ -109,6 +109,11 @@ describe('HalfedgesHelper', () => {
     expect(() => new HalfedgesHelper({} as never)).toThrow(
       'mesh is an Object; expected a HalfedgeMesh.',
     );
+    expect(() => new HalfedgesHelper(mesh, { faces: 3 as never })).toThrow(
+      'options.faces is 3; expected faces to iterate over.',
+    );
+    expect(() => new HalfedgesHelper(mesh, { faces: 'f3' as never })).toThrow(/is "f3"; expected/);
+    expect(new HalfedgesHelper(mesh, { faces: new Set([1, 99]) }).segments).toBe(8);
   });
 });
 
@@ -154,6 +159,19 @@ test('ProblemsHelper draws what a refusal or the validation is about', () => {
   helper.update();
   expect(mesh.validate().length).toBeGreaterThan(0);
   expect(helper.segments).toBeGreaterThan(0);
+});
+
+test('ProblemsHelper takes any part of a witness, and refuses what is no problem', () => {
+  using mesh = HalfedgeMesh.cube();
+  const made = (problems: unknown) => new ProblemsHelper(mesh, { problems: problems as never });
+  expect(made([{ witness: { faces: [2] } }, { kind: 'face', index: 99 }]).segments).toBe(4);
+  const refusal = mesh.checkFlipEdge(0);
+  expect(() => made(refusal)).toThrow(
+    'problems is an Object; expected an array of problems and refusals.',
+  );
+  expect(() => made([refusal, mesh.checkSplitEdge(0)])).toThrow(
+    'problems[1] is null; expected a problem, a refusal or an error.',
+  );
 });
 
 test('A ray that hits the surface does not hit the helpers upon it', () => {
@@ -208,5 +226,17 @@ describe('IndexLabelsHelper', () => {
     ).toHaveLength(20);
     helper.dispose();
     expect(helper.children).toHaveLength(0);
+  });
+
+  test('refuses wrong options with a sentence', () => {
+    using mesh = HalfedgeMesh.cube();
+    const made = (options: object) => () => new IndexLabelsHelper(mesh, options);
+    expect(made({ kinds: 'vertex' })).toThrow(
+      'options.kinds is "vertex"; expected an array of kinds of items.',
+    );
+    expect(made({ kinds: ['face', 'verts'] })).toThrow(
+      `options.kinds[1] is "verts"; expected 'vertex', 'halfedge', 'edge' or 'face'.`,
+    );
+    expect(made({ most: -1 })).toThrow('options.most is -1; expected a number from 0.');
   });
 });

@@ -246,6 +246,17 @@ describe('MeshGeometry', () => {
     mesh.dispose();
     expect(() => geometry.update()).toThrow(/disposed/);
   });
+
+  test('refuses what is no list of names, and no listener', () => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('vertex', 'uv', { components: 2 });
+    expect(() => new MeshGeometry(mesh, { attributes: 'uv' as never })).toThrow(
+      'options.attributes is "uv"; expected an array of names.',
+    );
+    expect(() => new MeshGeometry(mesh).onChange({} as never)).toThrow(
+      'listener is an Object; expected a function.',
+    );
+  });
 });
 
 describe('MeshGeometry of a million faces', () => {

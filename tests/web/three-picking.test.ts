@@ -161,6 +161,36 @@ describe('MeshPicker', () => {
       /options\.mode is "corner"; expected 'auto'/,
     );
   });
+
+  test.each([
+    [[undefined], 'x is undefined; expected a number of pixels.'],
+    [[1, '2'], 'y is "2"; expected a number of pixels.'],
+    [[1, 2], 'view is undefined; expected an object.'],
+    [[1, 2, new THREE.Scene()], 'view.camera is undefined; expected a Camera of three.js.'],
+    [
+      [1, 2, { camera: new THREE.Camera() }],
+      'view.width is undefined; expected a number of pixels.',
+    ],
+    [[1, 2, above(0, 1), { reach: 0 }], 'options.reach is 0; expected a positive number.'],
+    [[1, 2, above(0, 1), 2], 'options is 2; expected an object.'],
+    [
+      [1, 2, above(0, 1), { boundary: 3 }],
+      'options.boundary is 3; expected halfedges to iterate over.',
+    ],
+  ])('refuses to pick at what is no place: %#', (list, message) => {
+    const { picker } = scene();
+    expect(() => (picker.pick as (...list: unknown[]) => unknown).apply(picker, list)).toThrow(
+      message,
+    );
+  });
+
+  test('refuses what is no ray', () => {
+    const { picker } = scene();
+    expect(() => picker.cast(new THREE.Raycaster() as never)).toThrow(
+      'ray is a Raycaster; expected a Ray of three.js, such as raycaster.ray.',
+    );
+    expect(() => picker.cast(undefined as never)).toThrow(/^ray is undefined; expected a Ray/);
+  });
 });
 
 describe('After edits, MeshPicker', () => {

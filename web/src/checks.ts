@@ -29,6 +29,12 @@ export function checkCallback(argument: string, value: unknown, expected = 'a fu
   if (value !== undefined && typeof value !== 'function') refuse(argument, value, expected);
 }
 
+/** Throws unless it is an object to iterate over, or nothing. */
+export function checkIterable(argument: string, value: unknown, expected: string): void {
+  const isIterable = typeof value === 'object' && value !== null && Symbol.iterator in value;
+  if (value !== undefined && !isIterable) refuse(argument, value, expected);
+}
+
 /** The place of a word among those that are allowed; throws if it is none of them. */
 export function indexOfChoice(
   argument: string,

@@ -44,6 +44,9 @@ export function shownAttributes(
   mesh: HalfedgeMesh,
   { attributes: names, normals }: GeometryOptions,
 ): AttributeInfo[] {
+  if (names !== undefined && !Array.isArray(names)) {
+    refuse('options.attributes', names, 'an array of names');
+  }
   const shown = new Map<string, AttributeInfo>();
   for (const info of mesh.attributes.list()) {
     if (info.kind !== 'vertex' && info.kind !== 'halfedge') continue;

@@ -1,5 +1,6 @@
 import { Color, type ColorRepresentation } from 'three';
 import { describe } from '../arguments.js';
+import { checkIterable, refuse } from '../checks.js';
 import type { CirculatorKind } from '../circulation.js';
 import type { Problem, Witness } from '../errors.js';
 import type { Direction } from '../items.js';
@@ -44,6 +45,7 @@ export class HalfedgesHelper extends MeshHelper {
   constructor(mesh: HalfedgeMesh, options: HalfedgesOptions = {}) {
     super(mesh, options, ARROW);
     this.boundaryColor = new Color(options.boundaryColor ?? BOUNDARY);
+    checkIterable('options.faces', options.faces, 'faces to iterate over');
     this.faces = options.faces && [...options.faces];
     this.update();
   }
@@ -172,13 +174,13 @@ export class ProblemsHelper extends MeshHelper {
   }
 
   protected override draw(): void {
-    for (const { kind, index, witness } of this.problems ?? this.mesh.validate()) {
+    for (const { kind, index, witness } of checkProblems(this.problems) ?? this.mesh.validate()) {
       if (kind !== undefined && index !== undefined) this.#drawItem(kind, index);
       if (witness) this.#drawWitness(witness);
     }
   }
 
-  #drawWitness({ vertices, halfedges, edges, faces }: Witness): void {
+  #drawWitness({ vertices = [], halfedges = [], edges = [], faces = [] }: Partial<Witness>): void {
     for (const v of vertices) this.#drawItem('vertex', v);
     for (const h of halfedges) this.#drawItem('halfedge', h);
     for (const e of edges) this.#drawItem('edge', e);
@@ -202,4 +204,12 @@ export class ProblemsHelper extends MeshHelper {
     else if (kind === 'edge' && isDrawable(2 * index)) this.drawEdge(2 * index, this.color);
     else if (kind === 'halfedge' && isDrawable(index)) this.drawHalfedge(index, this.color);
   }
+}
+
+function checkProblems(problems: unknown): ProblemsOptions['problems'] {
+  if (problems === undefined) return undefined;
+  if (!Array.isArray(problems)) refuse('problems', problems, 'an array of problems and refusals');
+  const i = problems.findIndex((problem) => typeof problem !== 'object' || problem === null);
+  if (i >= 0) refuse(`problems[${i}]`, problems[i], 'a problem, a refusal or an error');
+  return problems;
 }

@@ -1,5 +1,6 @@
 import { type Camera, type Matrix4, Ray, Vector3 } from 'three';
-import { describe } from '../arguments.js';
+import { checkOptions } from '../arguments.js';
+import { checkIterable, indexOfChoice, refuse } from '../checks.js';
 import type { ItemKind } from '../items.js';
 import { ARROWS_FROM, arrowSizes } from './arrows.js';
 import type { FaceTree } from './face-tree.js';
@@ -40,7 +41,7 @@ export interface PickTarget extends DrawnMesh {
   readonly matrixWorld: Matrix4;
 }
 
-const MODES: readonly unknown[] = ['auto', 'vertex', 'edge', 'halfedge', 'face'];
+const MODES: readonly PickMode[] = ['auto', 'vertex', 'edge', 'halfedge', 'face'];
 /** How near a pointer means something, in CSS pixels, if nothing else is nearer. */
 const TO_VERTEX = 11;
 const TO_ISOLATED = 10;
@@ -70,15 +71,16 @@ export class ItemPicker {
   /**
    * The item at a place of the canvas, in CSS pixels from its top left; null if there is none.
    *
-   * @throws RangeError for a mode that there isn't
+   * @throws TypeError or RangeError for wrong arguments, such as a mode that there isn't
    */
   pick(x: number, y: number, view: PickView, options: PickOptions = {}): PickedItem | null {
-    const { mode = 'auto', reach = 1, boundary = [] } = options;
-    if (!MODES.includes(mode)) {
-      throw new RangeError(
-        `options.mode is ${describe(mode)}; expected 'auto', 'vertex', 'edge', 'halfedge' or 'face'.`,
-      );
+    const { mode = 'auto', reach = 1, boundary = [] } = checkOptions(options) as PickOptions;
+    indexOfChoice('options.mode', mode, MODES);
+    if (typeof reach !== 'number' || !(reach > 0)) {
+      refuse('options.reach', reach, 'a positive number', 'number');
     }
+    checkIterable('options.boundary', boundary, 'halfedges to iterate over');
+    checkPlace(x, y, view);
     const at: ScreenPoint = [x, y];
     const projection = new Projection(view, this.#target.matrixWorld);
     const isolated =
@@ -100,11 +102,14 @@ export class ItemPicker {
 
   /** What the surface shows at a place of the canvas. */
   faceAt(x: number, y: number, view: PickView): FaceHit | null {
+    checkPlace(x, y, view);
     return this.#hit(new Projection(view, this.#target.matrixWorld).ray(x, y));
   }
 
   /** What a ray of the world hits first, from either side. */
   cast(ray: Ray): FaceHit | null {
+    const { origin, direction } = Object(ray) as Partial<Ray>;
+    if (!origin || !direction) refuse('ray', ray, 'a Ray of three.js, such as raycaster.ray');
     return this.#hit(ray.clone().applyMatrix4(this.#target.matrixWorld.clone().invert()), ray);
   }
 
@@ -235,6 +240,16 @@ export class ItemPicker {
     }
     return this.#isolated.vertices;
   }
+}
+
+/** Throws unless it is a place of a canvas, and the view of a camera. */
+function checkPlace(x: unknown, y: unknown, view: unknown): void {
+  if (typeof x !== 'number') refuse('x', x, 'a number of pixels');
+  if (typeof y !== 'number') refuse('y', y, 'a number of pixels');
+  const { camera, width, height } = checkOptions(view, 'view') as Partial<PickView>;
+  if (!camera?.isCamera) refuse('view.camera', camera, 'a Camera of three.js');
+  if (typeof width !== 'number') refuse('view.width', width, 'a number of pixels');
+  if (typeof height !== 'number') refuse('view.height', height, 'a number of pixels');
 }
 
 /** What of a face is meant; on short edges its features share the room that there is. */

@@ -1,6 +1,7 @@
 import { Group, Vector3 } from 'three';
 import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import { checkOptions } from '../arguments.js';
+import { indexOfChoice, refuse } from '../checks.js';
 import { type ItemKind, LETTERS, PLURALS } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { arrowSizes } from './arrows.js';
@@ -19,6 +20,17 @@ export interface LabelsOptions {
   pixel?: number;
 }
 
+function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
+  if (kinds !== undefined) {
+    if (!Array.isArray(kinds)) refuse('options.kinds', kinds, 'an array of kinds of items');
+    const known = Object.keys(LETTERS);
+    kinds.forEach((kind, i) => void indexOfChoice(`options.kinds[${i}]`, kind, known));
+  }
+  if (typeof most !== 'number' || !(most >= 0)) {
+    refuse('options.most', most, 'a number from 0', 'number');
+  }
+}
+
 /** The indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
@@ -29,6 +41,7 @@ export class IndexLabelsHelper extends Group {
     super();
     checkOptions(options);
     this.mesh = checkMesh(mesh);
+    checkLabels(options);
     this.#options = {
       kinds: ['vertex'],
       most: 300,

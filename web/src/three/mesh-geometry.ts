@@ -1,5 +1,6 @@
 import { Box3, BufferGeometry, Sphere } from 'three';
 import { checkOptions } from '../arguments.js';
+import { refuse } from '../checks.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { fitBox, fitSphere, widen } from './bounds.js';
 import { checkMesh, checkNormals, type GeometryOptions, shownAttributes } from './columns.js';
@@ -96,6 +97,7 @@ export class MeshGeometry extends BufferGeometry {
 
   /** Calls `listener` at each update that finds changes. Returns what ends that. */
   onChange(listener: ChangeListener): () => void {
+    if (typeof listener !== 'function') refuse('listener', listener, 'a function');
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
