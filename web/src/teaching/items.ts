@@ -84,6 +84,11 @@ export interface Link {
 export type LinkRole = 'next' | 'prev' | 'opposite' | 'vertex' | 'edge' | 'face' | 'halfedge';
 export type WalkKey = 'n' | 'p' | 'o' | 'v' | 'e' | 'f' | 'h' | 'u';
 
+function anchorHint(mesh: HalfedgeMesh, v: number): string {
+  if (mesh.isIsolatedVertex(v)) return 'none: an isolated vertex';
+  return mesh.isBoundaryVertex(v) ? 'a boundary one' : 'an outgoing one';
+}
+
 /** All links of an item, in the order of the figure. */
 export function linksOf(mesh: HalfedgeMesh, of: Item): Link[] {
   const i = of.index;
@@ -93,7 +98,7 @@ export function linksOf(mesh: HalfedgeMesh, of: Item): Link[] {
         {
           number: 1,
           name: 'vertexHalfedge',
-          hint: mesh.isBoundaryVertex(i) ? 'a boundary one' : 'an outgoing one',
+          hint: anchorHint(mesh, i),
           target: item('halfedge', mesh.vertexHalfedge(i)),
           key: 'h',
           role: 'halfedge',
