@@ -22,6 +22,7 @@
 #include <halfedge/operations/operations.h>
 #include <halfedge/operations/reorder.h>
 #include <halfedge/repair/repair.h>
+#include <halfedge/repair/transfer.h>
 #include <halfedge/result.h>
 #include <halfedge/shapes/shapes.h>
 #include <halfedge/validate/validate.h>
