@@ -14,12 +14,9 @@ namespace {
 class Marks {
  public:
   [[nodiscard]] bool create(Index slots) {
-    slots_ = slots;
     return words_.resize((std::size_t{slots} + 63) / 64, 0);
   }
-  [[nodiscard]] Index slots() const { return slots_; }
-
-  /// pre: i < slots(); returns whether it was not marked before
+  /// pre: there is a slot `i`; returns whether it was not marked before
   bool add(Index i) {
     std::uint64_t& word = words_[i / 64];
     const std::uint64_t bit = std::uint64_t{1} << i % 64;
@@ -47,7 +44,6 @@ class Marks {
   }
 
  private:
-  Index slots_ = 0;
   Array<std::uint64_t> words_;
 };
 

@@ -14,7 +14,7 @@ void BasicConnectivity<kStored>::note_loop_links_at(Index h) {
   Index prev = kNone;
   Index face = kNone;
   if (stores_prev()) prev = links_.prev[h];
-  if constexpr (kStored.face) face = links_.face[h];
+  if constexpr (kStorage.face) face = links_.face[h];
   journal_->record_loop_links(h, links_.next[h], prev, face);
 }
 
@@ -24,9 +24,10 @@ void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
   Journal::Write& second = (&first)[1];
   std::swap(links_.next[h], first.word);
   if (stores_prev()) std::swap(links_.prev[h], second.index);
-  if constexpr (kStored.face) std::swap(links_.face[h], second.word);
+  if constexpr (kStorage.face) std::swap(links_.face[h], second.word);
 }
 
+// The words in the order in which `exchange_freed_edge` takes them.
 template <Storage kStored>
 void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
   Index words[8] = {};
@@ -56,6 +57,7 @@ void BasicConnectivity<kStored>::exchange_freed_edge(Journal::Write& first) {
   Journal::for_edge_words(&first, [&word](Index& noted) { noted = *word++; });
 }
 
+// Drops slots that were new, or adds them again, in room that was there before, as they were.
 template <Storage kStored>
 void BasicConnectivity<kStored>::exchange_new(ItemKind kind, bool is_stored, Array<Index>& array,
                                               Index& bare, Journal::Write& write) {

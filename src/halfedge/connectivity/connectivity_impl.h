@@ -327,7 +327,6 @@ void BasicConnectivity<kStored>::release(Edge e) {
   ++version_;
 }
 
-// The words in the order in which `exchange_freed_edge` takes them.
 template <Storage kStored>
 void BasicConnectivity<kStored>::release(Face f) {
   static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
@@ -335,7 +334,5 @@ void BasicConnectivity<kStored>::release(Face f) {
   attributes_.end_generation(ItemKind::kFace, f.index(), journal_.get());
   release_slot(Field::kFreedFace, links_.face_halfedge, free_faces_, f.index());
 }
-
-// Drops slots that were new, or adds them again, in room that was there before, as they were.
 
 }  // namespace halfedge
