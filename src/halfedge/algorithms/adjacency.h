@@ -1,6 +1,6 @@
 #pragma once
 
-#include <halfedge/algorithms/corrupt.h>
+#include <halfedge/algorithms/array_sizes.h>
 #include <halfedge/algorithms/rings.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/connectivity.h>

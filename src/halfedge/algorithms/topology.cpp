@@ -1,4 +1,4 @@
-#include <halfedge/algorithms/corrupt.h>
+#include <halfedge/algorithms/array_sizes.h>
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/build/sentence.h>
 
