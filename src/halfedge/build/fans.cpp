@@ -2,7 +2,6 @@
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -64,42 +63,10 @@ bool join_open_fans(Links& links) {
   return true;
 }
 
-// Walks around several vertices in step. One walk is a chain of loads, each waiting for the one
-// before it, with an end that can't be predicted; several at once wait together.
 bool each_vertex_has_one_cycle(const Links& links) {
-  constexpr std::size_t kLanes = 8;
-  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
-  if (links.next.empty()) return true;
   const Index* const next = links.next.data();
-  const std::size_t vertices = links.vertex_halfedge.size();
-  std::size_t reached = 0;
-  for (std::size_t v = 0; v < vertices; v += kLanes) {
-    std::array<Index, kLanes> anchor;
-    std::array<Index, kLanes> at;
-    std::array<Index, kLanes> walking;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      anchor[i] = v + i < vertices ? links.vertex_halfedge[v + i] : kNone;
-      walking[i] = anchor[i] != kNone ? 1 : 0;
-      at[i] = walking[i] != 0 ? anchor[i] : 0;
-    }
-    Index any = 1;
-    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
-      any = 0;
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        reached += walking[i];
-        at[i] = next[at[i] ^ 1U];
-        walking[i] &= Index{at[i] != anchor[i]};
-        any |= walking[i];
-      }
-    }
-    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
-      for (; walking[i] != 0; ++reached) {
-        at[i] = next[at[i] ^ 1U];
-        walking[i] = Index{at[i] != anchor[i]};
-      }
-    }
-  }
-  return reached == links.next.size();
+  return each_vertex_has_one_cycle(links.vertex_halfedge.span(), links.next.size(),
+                                   [next](Index h) { return next[h ^ 1U]; });
 }
 
 }  // namespace halfedge

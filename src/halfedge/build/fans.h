@@ -1,6 +1,11 @@
 #pragma once
 
-#include <halfedge/connectivity/connectivity.h>
+#include <halfedge/connectivity/handle.h>
+#include <halfedge/connectivity/links.h>
+
+#include <array>
+#include <cstddef>
+#include <span>
 
 namespace halfedge {
 
@@ -21,5 +26,46 @@ namespace halfedge {
 /// pre: `next` is a permutation, each anchor leaves its vertex
 /// cost: O(halfedges)
 [[nodiscard]] bool each_vertex_has_one_cycle(const Links& links);
+
+/// The same, however the links are stored: `anchors` by vertex, and `rotate_cw(h)` is the next
+/// halfedge that leaves the vertex of `h`.
+///
+/// Walks around several vertices in step. One walk is a chain of loads, each waiting for the one
+/// before it, with an end that can't be predicted; several at once wait together.
+template <class Rotate>
+[[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
+                                             const Rotate& rotate_cw) {
+  constexpr std::size_t kLanes = 8;
+  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
+  if (halfedges == 0) return true;
+  std::size_t reached = 0;
+  for (std::size_t v = 0; v < anchors.size(); v += kLanes) {
+    std::array<Index, kLanes> anchor;
+    std::array<Index, kLanes> at;
+    std::array<Index, kLanes> walking;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      anchor[i] = v + i < anchors.size() ? anchors[v + i] : kNone;
+      walking[i] = anchor[i] != kNone ? 1 : 0;
+      at[i] = walking[i] != 0 ? anchor[i] : 0;
+    }
+    Index any = 1;
+    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
+      any = 0;
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        reached += walking[i];
+        at[i] = rotate_cw(at[i]);
+        walking[i] &= Index{at[i] != anchor[i]};
+        any |= walking[i];
+      }
+    }
+    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
+      for (; walking[i] != 0; ++reached) {
+        at[i] = rotate_cw(at[i]);
+        walking[i] = Index{at[i] != anchor[i]};
+      }
+    }
+  }
+  return reached == halfedges;
+}
 
 }  // namespace halfedge

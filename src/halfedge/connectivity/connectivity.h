@@ -231,7 +231,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return h.valid() ? edge(h) : Edge{};
   }
 
-  // ---- storage ------------------------------------------------------------------------------
+  // ---- memory -------------------------------------------------------------------------------
 
   /// Room for that many slots of each kind. False when memory is exhausted.
   [[nodiscard]] bool reserve(Index vertices, Index edges, Index faces);

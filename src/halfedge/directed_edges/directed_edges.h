@@ -195,7 +195,7 @@ class DirectedEdges : public Circulators<DirectedEdges> {
     return h.valid() ? edge(h) : Edge{};
   }
 
-  // ---- storage ------------------------------------------------------------------------------
+  // ---- memory -------------------------------------------------------------------------------
 
   /// No items; keeps the memory.
   void clear();

@@ -1,8 +1,8 @@
+#include <halfedge/build/fans.h>
 #include <halfedge/directed_edges/connect.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 #include <tuple>
@@ -69,41 +69,10 @@ ConnectResult join_open_fans(DirectedLinks& links) {
   return join_at_pinched_vertices(at_pinched_vertices.span(), links);
 }
 
-// Walks around several vertices in step, for the reason given in build/fans.cpp.
 bool each_vertex_has_one_cycle(const DirectedLinks& links) {
-  constexpr std::size_t kLanes = 8;
-  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
-  if (links.opposite.empty()) return true;
   const Index* const opposite = links.opposite.data();
-  const std::size_t vertices = links.vertex_halfedge.size();
-  std::size_t reached = 0;
-  for (std::size_t v = 0; v < vertices; v += kLanes) {
-    std::array<Index, kLanes> anchor;
-    std::array<Index, kLanes> at;
-    std::array<Index, kLanes> walking;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      anchor[i] = v + i < vertices ? links.vertex_halfedge[v + i] : kNone;
-      walking[i] = anchor[i] != kNone ? 1 : 0;
-      at[i] = walking[i] != 0 ? anchor[i] : 0;
-    }
-    Index any = 1;
-    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
-      any = 0;
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        reached += walking[i];
-        at[i] = links.next(opposite[at[i]]);
-        walking[i] &= Index{at[i] != anchor[i]};
-        any |= walking[i];
-      }
-    }
-    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
-      for (; walking[i] != 0; ++reached) {
-        at[i] = links.next(opposite[at[i]]);
-        walking[i] = Index{at[i] != anchor[i]};
-      }
-    }
-  }
-  return reached == links.opposite.size();
+  return each_vertex_has_one_cycle(links.vertex_halfedge.span(), links.opposite.size(),
+                                   [&links, opposite](Index h) { return links.next(opposite[h]); });
 }
 
 }  // namespace halfedge
