@@ -101,25 +101,26 @@ template <class Mesh>
   return other != out && mesh.rotate_cw(other) == out;
 }
 
-/// The edges in a row around `h` that its two faces share, with vertices of valence two between.
-struct Seam {
-  Halfedge first;  // on the side of h
+/// The edges in a row around an edge that its two faces share, with vertices of valence two
+/// between.
+struct SharedEdges {
+  Halfedge first;  // on the side that was asked for
   Index count = 1;
-  bool is_ring = false;
 };
 
+/// Of a ring of them only the edge of `h`: there would be nothing left of the faces.
 template <class Mesh>
-[[nodiscard]] Seam seam_of(const Mesh& mesh, Halfedge h) {
-  Seam seam{.first = h};
-  while (has_valence_two(mesh, seam.first)) {
-    seam.first = mesh.opposite(mesh.rotate_cw(seam.first));
-    ++seam.count;
-    if (seam.first == h) return {.first = h, .count = 1, .is_ring = true};
+[[nodiscard]] SharedEdges shared_edges_around(const Mesh& mesh, Halfedge h) {
+  SharedEdges shared{.first = h};
+  while (has_valence_two(mesh, shared.first)) {
+    shared.first = mesh.opposite(mesh.rotate_cw(shared.first));
+    ++shared.count;
+    if (shared.first == h) return {.first = h, .count = 1};
   }
   for (Halfedge last = mesh.next(h); has_valence_two(mesh, last); last = mesh.next(last)) {
-    ++seam.count;
+    ++shared.count;
   }
-  return seam;
+  return shared;
 }
 
 /// Removes the vertex that `out` leaves if it has two edges and its neighbours aren't joined, as
@@ -142,8 +143,8 @@ template <EditableSurface Mesh>
   if (Result<void> live = check_live(mesh, e); !live) return live;
   const Halfedge h = mesh.edge_halfedge(e);
   if (mesh.is_boundary(e)) return is_boundary_edge(e, mesh.is_boundary(h) ? h : mesh.opposite(h));
-  const internal::Seam seam = internal::seam_of(mesh, h);
-  return internal::check_join_along(mesh, seam.first, seam.count);
+  const internal::SharedEdges shared = internal::shared_edges_around(mesh, h);
+  return internal::check_join_along(mesh, shared.first, shared.count);
 }
 
 /// Makes one face of the two beside an edge, as modellers mean it: the edge goes, and so do
