@@ -75,9 +75,8 @@ template <Editable Mesh>
 ///
 /// pre: different loops on the two sides
 /// returns: prev(h), or prev(opposite(h)) if h was a loop of one
-/// cost: O(halfedges of the face removed); where a boundary is involved, of both loops and
-/// O(valence)
-///       for each vertex of them
+/// cost: O(halfedges of the face removed); where a boundary is involved, of both loops, and
+///       O(valence) for each vertex of them
 /// inverse: split_face(prev(h), prev(opposite(h)))
 /// errors: those of check_join_face
 template <Editable Mesh>

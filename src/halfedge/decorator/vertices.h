@@ -176,31 +176,31 @@ template <Editable Mesh>
   return k;
 }
 
-/// Whether join_edge(h) can be done: else not-a-halfedge, loop-edge, not-valence-two.
+/// Whether join_edge(k) can be done: else not-a-halfedge, loop-edge, not-valence-two.
 template <Editable Mesh>
-[[nodiscard]] Result<void> check_join_edge(const Mesh& mesh, Halfedge h) {
+[[nodiscard]] Result<void> check_join_edge(const Mesh& mesh, Halfedge k) {
   using namespace internal;
-  if (Result<void> live = check_live(mesh, h); !live) return live;
-  const Vertex w = mesh.to_vertex(h);
-  if (mesh.from_vertex(h) == w) return is_loop_edge(h, w);
-  const Halfedge other = mesh.next_on_vertex(h);
-  if (other != h && mesh.next_on_vertex(other) == h) return {};
+  if (Result<void> live = check_live(mesh, k); !live) return live;
+  const Vertex w = mesh.to_vertex(k);
+  if (mesh.from_vertex(k) == w) return is_loop_edge(k, w);
+  const Halfedge other = mesh.next_on_vertex(k);
+  if (other != k && mesh.next_on_vertex(other) == k) return {};
   Index valence = 0;
-  Halfedge in = h;
+  Halfedge in = k;
   do {
     ++valence;
     in = mesh.next_on_vertex(in);
-  } while (in != h);
+  } while (in != k);
   return refusal("not-valence-two", sentence::of("{} has valence {}, expected 2", w, valence),
                  {.vertices = {w.index()}});
 }
 
-/// Removes the vertex to_vertex(h), which has valence two, and the edge of `h`: next(h) then begins
-/// where h did. (CGAL: join_vertex; the drawing is at split_edge)
+/// Removes the vertex to_vertex(k), which has valence two, and the edge of `k`: next(k) then begins
+/// where k did. (CGAL: join_vertex; the drawing is at split_edge)
 ///
-/// pre: to_vertex(h) has valence two, and h isn't a loop edge
-/// returns: what was next(h). cost: O(1), and finding prev(h) where it isn't stored
-/// inverse: split_edge(next(h))
+/// pre: to_vertex(k) has valence two, and k isn't a loop edge
+/// returns: what was next(k). cost: O(1), and finding prev where it isn't stored
+/// inverse: split_edge(returned)
 /// errors: those of check_join_edge
 template <Editable Mesh>
 requires DeletesVertices<Mesh>

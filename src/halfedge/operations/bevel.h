@@ -164,9 +164,8 @@ template <EditableSurface Mesh>
   if (!make_room(mesh, 2, 3, 1)) return no_memory("a face");
   const Halfedge h = mesh.edge_halfedge(e);
   const Halfedge o = mesh.opposite(h);
-  const Halfedge before[] = {mesh.prev(h),
-                             mesh.prev(o)};  // to a in the face of h; to b in that of o
-  const Halfedge after[] = {mesh.next(h), mesh.next(o)};  // from b in the face of h; from a
+  const Halfedge before[] = {mesh.prev(h), mesh.prev(o)};  // to a beside h; to b beside o
+  const Halfedge after[] = {mesh.next(h), mesh.next(o)};   // from b beside h; from a beside o
   const Vertex a = mesh.from_vertex(h);
   const Vertex b = mesh.to_vertex(h);
   const bool splits_a = mesh.next_on_vertex(mesh.next_on_vertex(o)) != o;

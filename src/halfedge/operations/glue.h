@@ -169,8 +169,9 @@ template <EditableSurface Mesh>
 ///
 /// attributes: those of edge(h) and its ends stay, with the positions; the corner where h ends is
 ///             that of the face it gets
-/// returns: the edge of h. cost: O(product of the valences of two vertices that become one, degrees
-/// of the faces there). inverse: cut(opposite(h))
+/// returns: the edge of h
+/// cost: O(product of the valences of two vertices that become one, degrees of the faces there)
+/// inverse: cut(opposite(h))
 /// errors: those of check_glue
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> glue(Mesh& mesh, Halfedge h, Halfedge g) {

@@ -7,8 +7,7 @@
 /// - `check_x(mesh, ...)`, on a const mesh, tells whether `x` can be done: nothing, or the refusal,
 ///   with a code, a sentence, and the items that make it impossible as its witness.
 /// - `x(mesh, ...)` checks, makes room, and only then changes something; if it returns an error,
-/// also
-///   one of memory, nothing at all has changed.
+///   one of memory included, nothing at all has changed.
 /// - Live items keep their indices. Deleted slots are taken by the next new items.
 /// - New items have defined positions and attributes ("attributes:" says which).
 /// - The inverse is named. With history on, everything can be undone; `Mesh::end_step` divides the

@@ -36,9 +36,8 @@ template <class Mesh>
 ///
 ///   not-a-halfedge
 ///   different-vertices  they don't leave the same vertex
-///   same-vertex         they are one halfedge, and there should be a triangle on either side of
-///   it:
-///                       its end would be joined to the new vertex twice
+///   same-vertex         they are one halfedge, and both of its sides should get a triangle: its
+///                       end would be joined to the new vertex twice
 ///   nothing-between     the new vertex would have no edge but the new one
 ///   edge-without-face   the new edge would lie on the boundary with both sides
 ///

@@ -40,8 +40,8 @@ enum class Caps : std::uint8_t { kPolygons, kFans, kOpen };
 [[nodiscard]] Result<PolygonSoup> prism(Index sides, double radius = 1, double height = 1);
 
 /// n vertices of the base, then the apex, then the middle of a fan; n triangles, then the base.
-/// With a polygon for its base n + 1 vertices, 2n edges, n + 1 faces: cone(4) is a pyramid. pre:
-/// segments >= 3
+/// With a polygon for its base n + 1 vertices, 2n edges, n + 1 faces: cone(4) is a pyramid.
+/// pre: segments >= 3
 [[nodiscard]] Result<PolygonSoup> cone(Index segments, Caps base = Caps::kPolygons,
                                        double radius = 1, double height = 1);
 
@@ -53,8 +53,8 @@ enum class Caps : std::uint8_t { kPolygons, kFans, kOpen };
                                            double radius = 1, double height = 1);
 
 /// Vertex `row * (columns + 1) + column`, face `row * columns + column`; rows from the bottom to
-/// the top. Triangles are cut along the diagonal from the lower left to the upper right. pre:
-/// columns >= 1, rows >= 1
+/// the top. Triangles are cut along the diagonal from the lower left to the upper right.
+/// pre: columns >= 1, rows >= 1
 [[nodiscard]] Result<PolygonSoup> grid(Index columns, Index rows, Faces faces = Faces::kQuads,
                                        double width = 1, double height = 1);
 
