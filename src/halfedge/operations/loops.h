@@ -1,8 +1,8 @@
 #pragma once
 
 #include <halfedge/decorator/loops.h>
+#include <halfedge/operations/merges.h>
 #include <halfedge/operations/requirements.h>
-#include <halfedge/operations/seam.h>
 #include <halfedge/operations/surgery_refusals.h>
 
 #include <cstddef>

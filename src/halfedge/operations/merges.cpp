@@ -1,5 +1,5 @@
+#include <halfedge/operations/merges.h>
 #include <halfedge/operations/refusals.h>
-#include <halfedge/operations/seam.h>
 #include <halfedge/operations/surgery_refusals.h>
 #include <halfedge/sort.h>
 
@@ -10,9 +10,9 @@ namespace halfedge::operations::internal {
 
 namespace {
 
-class SeamCheck {
+class MergeCheck {
  public:
-  SeamCheck(const Links& links, std::span<Merge> merges, Face removed_0, Face removed_1)
+  MergeCheck(const Links& links, std::span<Merge> merges, Face removed_0, Face removed_1)
       : links_(links), merges_(merges), removed_{removed_0, removed_1} {}
 
   [[nodiscard]] Result<void> run(std::span<Index> scratch) {
@@ -135,7 +135,7 @@ class SeamCheck {
 
 Result<void> check_merges(const Links& links, std::span<Merge> merges, std::span<Index> scratch,
                           Face removed_0, Face removed_1) {
-  return SeamCheck(links, merges, removed_0, removed_1).run(scratch);
+  return MergeCheck(links, merges, removed_0, removed_1).run(scratch);
 }
 
 }  // namespace halfedge::operations::internal
