@@ -1,10 +1,10 @@
 #pragma once
 
+#include <halfedge/operations/normal.h>
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/split_face.h>
 #include <halfedge/operations/surgery_refusals.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace halfedge::operations {
@@ -89,17 +89,13 @@ template <EditableSurface Mesh>
 requires HasPositions<Mesh>
 [[nodiscard]] Result<Face> extrude_face(Mesh& mesh, Face f, double offset) {
   if (Result<void> can = check_extrude_face(mesh, f, offset); !can) return can.error();
-  const internal::Vector normal = internal::area_vector(mesh, f);
-  const double scale = offset == 0 ? 0 : offset / std::hypot(normal.x, normal.y, normal.z);
+  const Vector offset_vector = internal::along_normal(mesh, f, offset);
   Array<internal::RingSide> sides;
   if (!internal::insert_ring(mesh, f, sides)) {
     return decorator::internal::no_memory("a quad at each side");
   }
   for (const internal::RingSide& side : sides) {
-    const Point p = mesh.position(side.corner);
-    mesh.set_position(side.corner,
-                      {float(double{p.x} + scale * normal.x), float(double{p.y} + scale * normal.y),
-                       float(double{p.z} + scale * normal.z)});
+    mesh.set_position(side.corner, internal::moved(mesh.position(side.corner), offset_vector));
   }
   return f;
 }

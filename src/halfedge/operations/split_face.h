@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/decorator/center.h>
+#include <halfedge/operations/normal.h>
 #include <halfedge/operations/requirements.h>
 
 #include <cmath>
@@ -43,37 +44,6 @@ template <EditableSurface Mesh>
   return c;
 }
 
-namespace internal {
-
-struct Vector {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-};
-
-/// The sum of the cross products of the corners, seen from one of them (Newell 1972): normal to the
-/// face, of twice its area. The corner is near the others, so that little cancels out.
-template <class Mesh>
-[[nodiscard]] Vector area_vector(const Mesh& mesh, Face f) {
-  const auto from_first =
-      [&, first = mesh.position(mesh.to_vertex(mesh.face_halfedge(f)))](Halfedge h) {
-        const Point p = mesh.position(mesh.to_vertex(h));
-        return Vector{double{p.x} - double{first.x}, double{p.y} - double{first.y},
-                      double{p.z} - double{first.z}};
-      };
-  Vector sum;
-  for (const Halfedge h : mesh.loop_ccw(mesh.face_halfedge(f))) {
-    const Vector a = from_first(h);
-    const Vector b = from_first(mesh.next(h));
-    sum.x += a.y * b.z - a.z * b.y;
-    sum.y += a.z * b.x - a.x * b.z;
-    sum.z += a.x * b.y - a.y * b.x;
-  }
-  return sum;
-}
-
-}  // namespace internal
-
 /// Whether poke(f, offset) can be done: else not-a-face; not-finite; degenerate-face, if an offset
 /// is given and the face has no area, so no normal to move along.
 template <EditableSurface Mesh>
@@ -82,9 +52,8 @@ requires HasPositions<Mesh>
   if (Result<void> live = check_live(mesh, f); !live) return live;
   if (!std::isfinite(offset)) return not_finite("offset", offset);
   if (offset == 0) return {};
-  const internal::Vector normal = internal::area_vector(mesh, f);
-  const double length = std::hypot(normal.x, normal.y, normal.z);
-  if (!(length > 0)) return degenerate_face(f);
+  const Vector normal = internal::area_vector(mesh, f);
+  if (!(std::hypot(normal[0], normal[1], normal[2]) > 0)) return degenerate_face(f);
   return {};
 }
 
@@ -99,13 +68,8 @@ requires HasPositions<Mesh>
 [[nodiscard]] Result<Vertex> poke(Mesh& mesh, Face f, double offset = 0) {
   if (Result<void> can = check_poke(mesh, f, offset); !can) return can.error();
   if (offset == 0) return split_face(mesh, f);
-  const internal::Vector normal = internal::area_vector(mesh, f);
-  const double scale = offset / std::hypot(normal.x, normal.y, normal.z);
   const Point mean = decorator::internal::centroid(mesh, mesh.face_halfedge(f));
-  return split_face(
-      mesh, f,
-      Point{float(double{mean.x} + scale * normal.x), float(double{mean.y} + scale * normal.y),
-            float(double{mean.z} + scale * normal.z)});
+  return split_face(mesh, f, internal::moved(mean, internal::along_normal(mesh, f, offset)));
 }
 
 }  // namespace halfedge::operations
