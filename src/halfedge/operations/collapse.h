@@ -1,276 +1,12 @@
 #pragma once
 
+#include <halfedge/operations/link_condition.h>
 #include <halfedge/operations/parameter.h>
 #include <halfedge/operations/requirements.h>
 
-#include <cstdint>
 #include <optional>
-#include <utility>
 
 namespace halfedge::operations {
-
-namespace internal {
-
-/// The halfedges at an edge that may be contracted. A side is a triangle, a larger face, or nothing
-/// (the boundary); its apex is the third corner of a triangle, else empty.
-///
-///             b                    h leads from a to b, and a disappears
-///           ´ | `
-///     left ´  |  ` right
-///         `   h   ´
-///           ` | ´
-///             a
-struct CollapseSite {
-  Halfedge h, o, after_h, after_o;
-  Vertex a, b, left, right;
-  bool left_is_triangle = false;
-  bool right_is_triangle = false;
-
-  template <class Mesh>
-  CollapseSite(const Mesh& mesh, Halfedge collapsed)
-      : h(collapsed),
-        o(mesh.opposite(h)),
-        after_h(mesh.next(h)),
-        after_o(mesh.next(o)),
-        a(mesh.to_vertex(o)),
-        b(mesh.to_vertex(h)),
-        left_is_triangle(!mesh.is_boundary(h) && mesh.next(mesh.next(after_h)) == h),
-        right_is_triangle(!mesh.is_boundary(o) && mesh.next(mesh.next(after_o)) == o) {
-    if (left_is_triangle) left = mesh.to_vertex(after_h);
-    if (right_is_triangle) right = mesh.to_vertex(after_o);
-  }
-};
-
-/// Whether the vertex `v` is a corner of the loop of `h`.
-template <class Mesh>
-[[nodiscard]] bool is_on_loop(const Mesh& mesh, Halfedge h, Vertex v) {
-  Halfedge on_loop = h;
-  do {
-    if (mesh.to_vertex(on_loop) == v) return true;
-    on_loop = mesh.next(on_loop);
-  } while (on_loop != h);
-  return false;
-}
-
-/// find_common_neighbour, by a lap around each neighbour of a. Nothing if one around b is shorter
-/// than all of these.
-template <class Mesh>
-[[nodiscard]] std::optional<Halfedge> find_near_few(const Mesh& mesh, const CollapseSite& site) {
-  Halfedge around_b = site.o;
-  for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
-    const Vertex v = mesh.to_vertex(of_a);
-    if (v == site.left || v == site.right) continue;
-    const Halfedge o = mesh.opposite(of_a);
-    for (Halfedge g = mesh.rotate_cw(o); g != o; g = mesh.rotate_cw(g)) {
-      if (mesh.to_vertex(g) == site.b) return mesh.opposite(g);
-      around_b = mesh.rotate_cw(around_b);
-      if (around_b == site.o) return {};
-    }
-  }
-  return Halfedge{};
-}
-
-/// A halfedge from b to a common neighbour of a and b that is not an apex, or empty. The neighbours
-/// of b are looked for in a set of 64 bits first, so few of them need a walk around a. Where b has
-/// many, as it may after many collapses, those of a are asked.
-template <class Mesh>
-[[nodiscard]] Halfedge find_common_neighbour(const Mesh& mesh, const CollapseSite& site) {
-  constexpr int kMany = 64;
-  const auto bit = [](Vertex v) { return std::uint64_t{1} << (v.index() % 64); };
-  std::uint64_t around_a = 0;
-  for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
-    around_a |= bit(mesh.to_vertex(g));
-  }
-  int seen = 0;
-  for (Halfedge g = mesh.rotate_cw(site.o); g != site.o; g = mesh.rotate_cw(g)) {
-    if (++seen == kMany) [[unlikely]] {
-      if (const std::optional<Halfedge> found = find_near_few(mesh, site)) return *found;
-    }
-    const Vertex v = mesh.to_vertex(g);
-    if ((around_a & bit(v)) == 0 || v == site.left || v == site.right) continue;
-    for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
-      if (mesh.to_vertex(of_a) == v) return g;
-    }
-  }
-  return {};
-}
-
-/// A face that has both a and b as corners, and not the edge between them; or empty.
-template <class Mesh>
-[[nodiscard]] Face find_face_at_both_ends(const Mesh& mesh, const CollapseSite& site) {
-  for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
-    if (mesh.is_boundary(g) || g == site.after_o) continue;
-    if (mesh.next(mesh.next(mesh.next(g))) == g) continue;  // else b would be a common neighbour
-    if (is_on_loop(mesh, g, site.b)) return mesh.face(g);
-  }
-  return {};
-}
-
-/// The two faces of which a closed component would consist, glued along all their edges; else
-/// empty. They meet at b, which would have valence two then; this is rare, so the rest is rarely
-/// looked at.
-template <class Mesh>
-[[nodiscard]] std::pair<Face, Face> find_pillow(const Mesh& mesh, const CollapseSite& site) {
-  const auto has_valence_below_four = [&](Halfedge leaving) {
-    const Halfedge third = mesh.rotate_cw(mesh.rotate_cw(leaving));
-    return third == leaving || mesh.rotate_cw(third) == leaving;
-  };
-  if (!has_valence_below_four(site.h) || !has_valence_below_four(site.o)) return {};
-  // The faces at a and b that stay, each of them once.
-  Face found[2];
-  std::size_t count = 0;
-  Halfedge in_first;
-  for (const Halfedge start : {site.h, site.o}) {
-    Halfedge g = start;
-    do {
-      const Face f = mesh.face(g);
-      if (!f.valid()) return {};
-      const bool vanishes = (site.left_is_triangle && f == mesh.face(site.h)) ||
-                            (site.right_is_triangle && f == mesh.face(site.o));
-      if (!vanishes && f != found[0] && f != found[1]) {
-        if (count == 2) return {};
-        if (count == 0) in_first = g;
-        found[count++] = f;
-      }
-      g = mesh.rotate_cw(g);
-    } while (g != start);
-  }
-  const auto is_end = [&](Vertex v) { return v == site.a || v == site.b; };
-  Halfedge g = in_first;
-  do {
-    const Halfedge across = mesh.opposite(g);
-    if (!is_end(mesh.to_vertex(g)) && !is_end(mesh.to_vertex(across)) &&
-        mesh.face(across) != found[1]) {
-      return {};
-    }
-    g = mesh.next(g);
-  } while (g != in_first);
-  return {found[0], found[1]};
-}
-
-/// What makes a collapse impossible; the items say what of, where there are such.
-struct CollapseObstacle {
-  enum class Kind : std::uint8_t {
-    kNone,
-    kPinches,         // an interior edge between two boundary vertices
-    kSameApex,        // two triangles with the same corners
-    kBareEdge,        // the triangle of `side` has no face beyond its other edges
-    kRepeatedVertex,  // `face` has both ends as corners
-    kNeighbour,       // `side` leads to a common neighbour
-    kPillow,          // `face` and `other_face` would have the same corners
-  };
-  Kind kind = Kind::kNone;
-  Halfedge side = {};
-  Face face = {};
-  Face other_face = {};
-};
-
-}  // namespace internal
-
-/// What a collapse may leave of a closed component.
-enum class LinkCondition : std::uint8_t {
-  kStrict,     ///< the link condition: no two faces on the same corners, glued along all edges
-  kPermissive  ///< two such faces too, as of a tetrahedron (OpenMesh allows them)
-};
-
-namespace internal {
-
-template <class Mesh>
-[[nodiscard]] CollapseObstacle find_collapse_obstacle(const Mesh& mesh, Halfedge h,
-                                                      LinkCondition condition) {
-  using Kind = CollapseObstacle::Kind;
-  const CollapseSite site(mesh, h);
-  const bool is_interior = !mesh.is_boundary(site.h) && !mesh.is_boundary(site.o);
-  if (is_interior && mesh.is_boundary(site.a) && mesh.is_boundary(site.b)) return {Kind::kPinches};
-  if (site.left.valid() && site.left == site.right) return {Kind::kSameApex};
-  const auto has_bare_edges = [&](Halfedge after) {
-    return mesh.is_boundary(mesh.opposite(after)) &&
-           mesh.is_boundary(mesh.opposite(mesh.next(after)));
-  };
-  if (site.left_is_triangle && has_bare_edges(site.after_h)) return {Kind::kBareEdge, site.h};
-  if (site.right_is_triangle && has_bare_edges(site.after_o)) return {Kind::kBareEdge, site.o};
-  if (const Halfedge g = find_common_neighbour(mesh, site); g.valid()) {
-    return {Kind::kNeighbour, g};
-  }
-  if (const Face f = find_face_at_both_ends(mesh, site); f.valid()) {
-    return {Kind::kRepeatedVertex, {}, f};
-  }
-  if (condition == LinkCondition::kStrict) {
-    const auto [f, g] = find_pillow(mesh, site);
-    if (f.valid()) return {Kind::kPillow, {}, f, g};
-  }
-  return {};
-}
-
-template <class Mesh>
-[[nodiscard]] Failure explain(const Mesh& mesh, Halfedge h, const CollapseObstacle& obstacle) {
-  using Kind = CollapseObstacle::Kind;
-  const CollapseSite site(mesh, h);
-  const Edge e = mesh.edge(h);
-  switch (obstacle.kind) {
-    case Kind::kPinches:
-      return joins_boundary_vertices(e, site.a, site.b);
-    case Kind::kSameApex:
-      return same_vertex(e, site.left);
-    case Kind::kBareEdge: {
-      const Halfedge after = mesh.next(obstacle.side);
-      return would_leave_bare_edge(mesh.face(obstacle.side), mesh.edge(after),
-                                   mesh.edge(mesh.next(after)));
-    }
-    case Kind::kRepeatedVertex:
-      return has_both_ends(obstacle.face, e, site.a, site.b);
-    case Kind::kNeighbour: {
-      const Vertex v = mesh.to_vertex(obstacle.side);
-      return is_common_neighbour(v, e, mesh.find_edge(site.a, v), mesh.edge(obstacle.side));
-    }
-    case Kind::kPillow:
-      return would_leave_pillow(e, obstacle.face, obstacle.other_face);
-    case Kind::kNone:
-      break;
-  }
-  return {};
-}
-
-}  // namespace internal
-
-/// Whether collapse(h) can be done, without a sentence: allocates nothing. (OpenMesh:
-/// is_collapse_ok; CGAL: does_satisfy_link_condition)
-///
-/// pre: h is live. cost: as check_collapse
-template <EditableSurface Mesh>
-[[nodiscard]] bool is_collapse_ok(const Mesh& mesh, Halfedge h,
-                                  LinkCondition condition = LinkCondition::kStrict) {
-  return internal::find_collapse_obstacle(mesh, h, condition).kind ==
-         internal::CollapseObstacle::Kind::kNone;
-}
-
-/// Whether collapse(h) can be done. With a = from_vertex(h) and b = to_vertex(h), else:
-///
-///   not-a-halfedge
-///   boundary-vertices  a and b lie on the boundary, their edge doesn't: b would be pinched
-///   same-vertex        the triangles on both sides have the same third corner
-///   edge-without-face  a triangle on one side is on the boundary with its two other edges, which
-///                      would become one
-///   common-neighbour   a and b have a neighbour in common that isn't the third corner of a
-///                      triangle beside the edge: it would be joined to b twice
-///   repeated-vertex    a and b are corners of a face that doesn't have their edge
-///   leaves-pillow      two faces would have the same corners and all their edges in common;
-///                      allowed by LinkCondition::kPermissive
-///
-/// The witness has the items named: that neighbour with its two edges, those faces. For triangle
-/// meshes these are the link condition (Dey et al., Topology preserving edge contraction, 1999).
-///
-/// cost: O(valences of both ends, degrees of the faces at a) while the valences are in the tens;
-///       beyond, the valences of the neighbours of a if that is less than b's, else up to
-///       O(product of the valences)
-template <EditableSurface Mesh>
-[[nodiscard]] Result<void> check_collapse(const Mesh& mesh, Halfedge h,
-                                          LinkCondition condition = LinkCondition::kStrict) {
-  if (Result<void> live = check_live(mesh, h); !live) return live;
-  const internal::CollapseObstacle obstacle = internal::find_collapse_obstacle(mesh, h, condition);
-  if (obstacle.kind == internal::CollapseObstacle::Kind::kNone) return {};
-  return internal::explain(mesh, h, obstacle);
-}
 
 namespace internal {
 
@@ -288,6 +24,30 @@ void blend_ends(Mesh& mesh, const CollapseSite& site, Halfedge before_h, Halfedg
       }
     }
   });
+}
+
+/// The edges of a that stay lead to b. Clockwise after that of h the first one vanishes with a
+/// triangle on the right, the last one with a triangle on the left.
+template <class Mesh>
+void move_edges(Mesh& mesh, const CollapseSite& site, Halfedge before_h) {
+  const Halfedge last = site.left_is_triangle ? before_h : site.o;
+  Halfedge in = mesh.next_on_vertex(site.o);
+  if (site.right_is_triangle && in != last) in = mesh.next_on_vertex(in);
+  const auto writer = mesh.writer();
+  for (; in != last; in = mesh.next_on_vertex(in)) writer.set_to_vertex(in, site.b);
+}
+
+/// If b was inside, or on the boundary with this edge only, it takes over the anchor of a.
+template <class Mesh>
+void move_anchor(Mesh& mesh, const CollapseSite& site) {
+  const Halfedge anchor_of_a = mesh.vertex_halfedge(site.a);
+  const Halfedge anchor_of_b = mesh.vertex_halfedge(site.b);
+  if (anchor_of_b != site.o && mesh.is_boundary(anchor_of_b)) return;
+  if (mesh.is_boundary(anchor_of_a)) {
+    mesh.set_vertex_halfedge(site.b, anchor_of_a == site.h ? site.after_h : anchor_of_a);
+  } else if (anchor_of_b == site.o) {
+    mesh.set_vertex_halfedge(site.b, site.after_h);
+  }
 }
 
 /// Takes away the triangle beside a contracted edge, of which two edges are left: `kept`, at b, and
@@ -350,25 +110,8 @@ template <EditableSurface Mesh>
                        internal::parameter_on(mesh, h, position, 1));
   internal::move_to(mesh, site.b, position);
 
-  // The edges of a that stay. Clockwise after that of h the first one vanishes with a triangle on
-  // the right, the last one with a triangle on the left.
-  const Halfedge last = site.left_is_triangle ? before_h : o;
-  Halfedge in = mesh.next_on_vertex(o);
-  if (site.right_is_triangle && in != last) in = mesh.next_on_vertex(in);
-  const auto writer = mesh.writer();
-  for (; in != last; in = mesh.next_on_vertex(in)) writer.set_to_vertex(in, site.b);
-  // If b was inside, or on the boundary with this edge only, it takes over the anchor of a.
-  const Halfedge anchor_of_a = mesh.vertex_halfedge(site.a);
-  const Halfedge anchor_of_b = mesh.vertex_halfedge(site.b);
-  if (anchor_of_b == o || !mesh.is_boundary(anchor_of_b)) {
-    const bool is_a_on_boundary = mesh.is_boundary(anchor_of_a);
-    const Halfedge from_a = anchor_of_a == h ? site.after_h : anchor_of_a;
-    if (is_a_on_boundary) {
-      mesh.set_vertex_halfedge(site.b, from_a);
-    } else if (anchor_of_b == o) {
-      mesh.set_vertex_halfedge(site.b, site.after_h);
-    }
-  }
+  internal::move_edges(mesh, site, before_h);
+  internal::move_anchor(mesh, site);
   // Taken while all laps are closed: prev may have to be searched for. Where a has valence two o is
   // what comes before, and vanishes.
   const auto before_beyond = [&](bool is_triangle, Halfedge gone) {
