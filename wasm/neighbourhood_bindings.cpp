@@ -1,7 +1,7 @@
-// Questions about the surface and about what lies around items. See the design in bindings.cpp.
+// What lies around items. See the design in bindings.cpp.
 
+#include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/neighbourhood.h>
-#include <halfedge/algorithms/topology.h>
 
 #include "bindings.h"
 
@@ -10,19 +10,31 @@ using namespace halfedge::bindings;
 
 namespace {
 
-bool closed(Address mesh) { return is_closed(mesh_at(mesh)); }
+val to_rows(Adjacency& rows) {
+  val result = success("offsets", hand_over(rows.offsets));
+  result.set("items", hand_over(rows.items));
+  return result;
+}
 
-/// Whether all faces have three, or else four, corners.
-bool only_triangles_or_quads(Address mesh, bool triangles) {
-  return triangles ? is_triangle_mesh(mesh_at(mesh)) : is_quad_mesh(mesh_at(mesh));
+/// `ring` and `direction` are values of Ring and Direction.
+val all_rings(Address mesh, int ring, int direction) {
+  Adjacency rows;
+  const Result<void> result =
+      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction), rows);
+  return result ? to_rows(rows) : failure(result.error());
+}
+
+val some_rings(Address mesh, int ring, int direction, Address centres, std::size_t count) {
+  Adjacency rows;
+  const Result<void> result =
+      adjacency(mesh_at(mesh), static_cast<Ring>(ring), static_cast<Direction>(direction),
+                array_at<Index>(centres, count), rows);
+  return result ? to_rows(rows) : failure(result.error());
 }
 
 val rows_by_distance(Address mesh, Address vertices, std::size_t count, Index k) {
   Result<Adjacency> rows = k_ring(mesh_at(mesh), array_at<Index>(vertices, count), k);
-  if (!rows) return failure(rows.error());
-  val result = success("offsets", hand_over(rows.value().offsets));
-  result.set("items", hand_over(rows.value().items));
-  return result;
+  return rows ? to_rows(rows.value()) : failure(rows.error());
 }
 
 /// `which` is a value of Surroundings.
@@ -45,8 +57,8 @@ val items_around(Address mesh, int which, Address vertices, std::size_t vertex_c
 EMSCRIPTEN_BINDINGS(halfedge_neighbourhood) {
   using emscripten::function;
 
-  function("isClosed", &closed);
-  function("onlyTrianglesOrQuads", &only_triangles_or_quads);
+  function("allRings", &all_rings);
+  function("someRings", &some_rings);
   function("kRing", &rows_by_distance);
   function("surroundings", &items_around);
 }
