@@ -58,6 +58,39 @@ std::uint64_t triangles_of(std::span<const std::uint8_t> bytes) {
              : announced;
 }
 
+Error too_short(std::size_t bytes) {
+  return {"truncated",
+          sentence::of("the file has {}, expected at least the {} bytes that start a binary STL "
+                       "file",
+                       sentence::count_of(bytes, "byte"), kStlStart)};
+}
+
+Error ends_early(std::size_t bytes, std::uint64_t triangles) {
+  const std::size_t rest = (bytes - kStlStart) % kStlTriangle;
+  return error_at_byte(
+      bytes, "truncated",
+      sentence::of(
+          "the bytes of this binary STL file of {} end after {} of them{}",
+          sentence::count_of(triangles, "triangle"), (bytes - kStlStart) / kStlTriangle,
+          (rest == 0 ? "" : " and " + sentence::count_of(rest, "byte") + " of the next one")));
+}
+
+/// Where the header and the size disagree: `count` triangles were read.
+void add_notes(std::span<const std::uint8_t> bytes, std::size_t count, ParsedFile& file) {
+  const std::uint64_t announced = announced_triangles(bytes);
+  if (announced != count) {
+    file.notes.push_back(
+        sentence::of("the header promises {}, but the file has {}, which were read",
+                     sentence::count_of(announced, "triangle"), count));
+  }
+  const std::size_t rest = bytes.size() - kStlStart - count * kStlTriangle;
+  if (rest > 0) {
+    file.notes.push_back(sentence::of("ignored the {} behind the {} that the header promises",
+                                      sentence::count_of(rest, "byte"),
+                                      sentence::count_of(count, "triangle")));
+  }
+}
+
 }  // namespace
 
 bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
@@ -86,30 +119,16 @@ bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
 
 Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
                                    const ParseOptions& options) {
-  if (bytes.size() < kStlStart) {
-    return Error{
-        "truncated",
-        sentence::of("the file has {}, expected at least the {} bytes that start a binary STL file",
-                     sentence::count_of(bytes.size(), "byte"), kStlStart)};
-  }
+  if (bytes.size() < kStlStart) return too_short(bytes.size());
   const std::uint64_t count = triangles_of(bytes);
-  const std::uint64_t room = (bytes.size() - kStlStart) / kStlTriangle;
-  if (count > room) {
-    const std::size_t rest = (bytes.size() - kStlStart) % kStlTriangle;
-    return error_at_byte(
-        bytes.size(), "truncated",
-        sentence::of(
-            "the bytes of this binary STL file of {} end after {} of them{}",
-            sentence::count_of(count, "triangle"), room,
-            (rest == 0 ? "" : " and " + sentence::count_of(rest, "byte") + " of the next one")));
-  }
+  if (count > (bytes.size() - kStlStart) / kStlTriangle) return ends_early(bytes.size(), count);
+  const auto faces = static_cast<std::size_t>(count);
 
   TriangleWriter writer(bytes, {options});
   SoupWriter& out = writer.out();
-  writer.reserve(static_cast<std::size_t>(count));
+  writer.reserve(faces);
   const std::uint8_t* at = bytes.data() + kStlStart;
   SoupAttribute attribute = face_attribute();
-  const auto faces = static_cast<std::size_t>(count);
   std::array<float, 9 * kBlock> numbers;
   for (std::size_t face = 0; face < faces && !out.out_of_memory(); face += kBlock) {
     out.reached(at);
@@ -132,19 +151,7 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
 
   ParsedFile file{Format::kStl, std::move(out.soup()), {}, true};
   if (!attribute.values.empty()) file.attributes.push_back(std::move(attribute));
-  const std::uint64_t announced = announced_triangles(bytes);
-  if (announced != count) {
-    file.notes.push_back(
-        sentence::of("the header promises {}, but the file has {}, which were read",
-                     sentence::count_of(announced, "triangle"), count));
-  }
-  const std::size_t rest =
-      bytes.size() - kStlStart - static_cast<std::size_t>(count) * kStlTriangle;
-  if (rest > 0) {
-    file.notes.push_back(sentence::of("ignored the {} behind the {} that the header promises",
-                                      sentence::count_of(rest, "byte"),
-                                      sentence::count_of(count, "triangle")));
-  }
+  add_notes(bytes, faces, file);
   return file;
 }
 
