@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "support/built.h"
 #include "support/random_polygons.h"
 #include "support/reference_build.h"
 #include "support/shapes.h"
@@ -64,15 +65,7 @@ static_assert(!std::is_convertible_v<Vertex, bool>);
 static_assert(sizeof(Halfedge) == sizeof(Index) && std::is_trivially_copyable_v<Halfedge>);
 static_assert(!Vertex{}.valid() && Vertex(0).valid() && Vertex(1) < Vertex(2));
 
-// ---- helpers
-// --------------------------------------------------------------------------------------
-
-Mesh built(const Shape& shape) {
-  Mesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << shape.name;
-  return mesh;
-}
+// ---- helpers --------------------------------------------------------------------------------
 
 template <class Range>
 auto collect(const Range& range) {
@@ -109,8 +102,7 @@ std::vector<Shape> many_shapes() {
   return shapes;
 }
 
-// ---- order
-// ----------------------------------------------------------------------------------------
+// ---- order ----------------------------------------------------------------------------------
 
 TEST(Circulators, FollowTheTableOfTheFourByFourGrid) {
   const Mesh mesh = built(quad_grid(3, 3));
@@ -306,8 +298,7 @@ TEST(Circulators, AreEmptyWhereNoSideHasAFace) {
   EXPECT_FALSE(mesh.face_faces_ccw(Face(0)).circulator().valid());
 }
 
-// ---- the two forms
-// --------------------------------------------------------------------------------
+// ---- the two forms --------------------------------------------------------------------------
 
 // The endless form goes round and round in the order of the range, and back.
 template <class Range>
@@ -413,8 +404,7 @@ TEST(LiveItems, AreListedInIndexOrderWithoutTheDeleted) {
   EXPECT_TRUE(Mesh{}.halfedges().empty());
 }
 
-// ---- use after a change
-// -----------------------------------------------------------------------------
+// ---- use after a change ---------------------------------------------------------------------
 
 TEST(CirculatorsDeathTest, AssertOnUseAfterTheConnectivityChanged) {
   if (!kCheckedCirculators) GTEST_SKIP() << "circulators are checked in debug builds";

@@ -16,19 +16,13 @@
 #include <utility>
 #include <vector>
 
+#include "support/built.h"
 #include "support/shapes.h"
 
 namespace halfedge::test {
 namespace {
 
 using Polyhedron = dialects::cgal::Polyhedron<Mesh>;
-
-Mesh built(const Shape& shape) {
-  Mesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << report.problems[0].message;
-  return mesh;
-}
 
 TEST(CgalDialect, GivesAnEmptyFacetOfABorderHalfedge) {
   const Mesh mesh = built(triangle());

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "support/face_lists.h"
 #include "support/sweep.h"
 
 namespace halfedge::test {
@@ -31,17 +32,6 @@ std::set<Index> isolated_vertices(const Mesh& mesh) {
     if (mesh.is_isolated(v)) vertices.insert(v.index());
   }
   return vertices;
-}
-
-/// The edges of the faces, as pairs of vertices.
-std::set<std::pair<Index, Index>> edges_of(const Polys& faces) {
-  std::set<std::pair<Index, Index>> edges;
-  for (const Corners& face : faces) {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
-    }
-  }
-  return edges;
 }
 
 /// That `after` is `mesh` without the faces of `gone`, the edges that only these had, and unless

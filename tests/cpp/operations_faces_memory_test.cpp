@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "support/built.h"
 #include "support/limited_memory.h"
 #include "support/shapes.h"
 
@@ -22,13 +23,6 @@ namespace {
 using namespace operations;
 
 constexpr Index kMany = 100'000;
-
-Mesh built(const Shape& shape) {
-  Mesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report));
-  return mesh;
-}
 
 /// Two polygons back to back, and as many vertices again without a face.
 Mesh pillow_of_many_corners() {

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/face_lists.h"
 #include "support/sweep.h"
 
 namespace halfedge::test {
@@ -257,17 +258,6 @@ TEST(SweepDissolveVertex, IsAllowedJustWhereTheBuilderTakesTheJoinedFace) {
   EXPECT_EQ(codes_of(codes),
             (std::vector<std::string>{"degree-below-three", "edge-exists", "isolated-vertex",
                                       "pinched-vertex", "repeated-vertex"}));
-}
-
-/// What edges there are, as pairs of vertices.
-std::set<std::pair<Index, Index>> edges_of(const Polys& faces) {
-  std::set<std::pair<Index, Index>> edges;
-  for (const Corners& face : faces) {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      edges.insert(std::minmax(face[i], face[(i + 1) % face.size()]));
-    }
-  }
-  return edges;
 }
 
 Corners neighbours_of(const Polys& faces, Index v) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/built.h"
 #include "support/canonical.h"
 #include "support/random_polygons.h"
 #include "support/shapes.h"
@@ -15,14 +16,6 @@
 
 namespace halfedge::test {
 namespace {
-
-template <class AnyMesh>
-AnyMesh built(const Shape& shape) {
-  AnyMesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << shape.name;
-  return mesh;
-}
 
 /// What each live item of a mesh says of itself, as far as it is stored.
 struct Snapshot {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/built.h"
 #include "support/canonical.h"
 #include "support/random_polygons.h"
 #include "support/shapes.h"
@@ -18,14 +19,6 @@ std::vector<Shape> many_shapes() {
   shapes.push_back(disk(100));  // found by a table, not by search
   for (std::uint32_t seed = 0; seed < 20; ++seed) shapes.push_back(random_polygons(seed));
   return shapes;
-}
-
-template <class AnyMesh>
-AnyMesh built(const Shape& shape) {
-  AnyMesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << shape.name;
-  return mesh;
 }
 
 template <class Range>

@@ -13,17 +13,11 @@
 #include <string>
 #include <vector>
 
+#include "support/built.h"
 #include "support/shapes.h"
 
 namespace halfedge::test {
 namespace {
-
-Mesh built(const Shape& shape) {
-  Mesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << report.problems[0].message;
-  return mesh;
-}
 
 template <class Range>
 auto listed(const Range& range) {

@@ -50,8 +50,7 @@ class Comparison {
  private:
   using Items = std::vector<Index>;
 
-  // ---- matching
-  // -----------------------------------------------------------------------------------
+  // ---- matching -----------------------------------------------------------------------------
 
   bool match_halfedges() {
     if (!same("vertices", ours_.vertex_count(), theirs_.n_vertices()) ||
@@ -102,8 +101,7 @@ class Comparison {
   [[nodiscard]] static Index translated(OpenMesh::VertexHandle v) { return Index(v.idx()); }
   [[nodiscard]] static Index translated(OpenMesh::FaceHandle f) { return Index(f.idx()); }
 
-  // ---- collecting
-  // ---------------------------------------------------------------------------------
+  // ---- collecting ---------------------------------------------------------------------------
 
   template <class Range>
   [[nodiscard]] std::span<const Index> collect(const Range& range) {
@@ -144,8 +142,7 @@ class Comparison {
     return false;
   }
 
-  // ---- comparing
-  // ----------------------------------------------------------------------------------
+  // ---- comparing ----------------------------------------------------------------------------
 
   bool compare_links(Halfedge h) {
     const auto t = their(h);

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "openmesh/theirs.h"
 #include "support/sweep.h"
 
 namespace halfedge::test {
@@ -22,16 +23,6 @@ namespace {
 using operations::LinkCondition;
 using Triangles = OpenMesh::TriMesh_ArrayKernelT<>;
 using AnyPolygons = OpenMesh::PolyMesh_ArrayKernelT<>;
-
-template <class Theirs>
-Polys polys_of(const Theirs& mesh) {
-  Polys faces;
-  for (const auto f : mesh.faces()) {
-    faces.emplace_back();
-    for (const auto v : mesh.fv_range(f)) faces.back().push_back(Index(v.idx()));
-  }
-  return in_order(std::move(faces));
-}
 
 /// The same mesh with the same numbers of vertices and faces.
 template <class Theirs>
@@ -84,7 +75,7 @@ void for_each_mesh(const Each& each) {
 
 template <class Theirs>
 void expect_same(const Mesh& ours, Theirs& theirs) {
-  EXPECT_EQ(test::polys_of(ours), polys_of(theirs));
+  EXPECT_EQ(polys_of(ours), their_polys(theirs));
   theirs.garbage_collection();
   EXPECT_EQ(ours.vertex_count(), theirs.n_vertices());
   EXPECT_EQ(ours.edge_count(), theirs.n_edges());

@@ -10,31 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "openmesh/theirs.h"
 #include "support/sweep.h"
 
 namespace halfedge::test {
 namespace {
 
 using Theirs = OpenMesh::PolyMesh_ArrayKernelT<>;
-
-// OpenMesh says on its log stream what it also returns.
-class QuietLog {
- public:
-  QuietLog() { omerr().disable(); }
-  ~QuietLog() { omerr().enable(); }
-  QuietLog(const QuietLog&) = delete;
-  QuietLog& operator=(const QuietLog&) = delete;
-};
-
-/// The faces that are left.
-Polys polys_of(const Theirs& mesh) {
-  Polys faces;
-  for (const auto f : mesh.faces()) {
-    faces.emplace_back();
-    for (const auto v : mesh.fv_range(f)) faces.back().push_back(Index(v.idx()));
-  }
-  return in_order(std::move(faces));
-}
 
 bool add_face(Theirs& mesh, const std::vector<Index>& corners) {
   const QuietLog quiet;
@@ -80,7 +62,7 @@ TEST(OpenMeshAddFace, TakesTheFacesOfAMeshInAnyOrder) {
       ASSERT_TRUE(add_face(ours, face));
       ASSERT_TRUE(add_face(theirs, face));
     }
-    EXPECT_EQ(test::polys_of(ours), polys_of(theirs));
+    EXPECT_EQ(polys_of(ours), their_polys(theirs));
     EXPECT_EQ(ours.edge_count(), theirs.n_edges());
   }
 }
@@ -123,7 +105,7 @@ TEST(OpenMeshAddFace, TakesTheSameFaces) {
       const bool is_added = add_face(theirs, corners);
       ASSERT_EQ(face.ok(), is_added) << (face ? "" : face.error().message);
       (face ? added : refused)++;
-      EXPECT_EQ(test::polys_of(ours), polys_of(theirs));
+      EXPECT_EQ(polys_of(ours), their_polys(theirs));
     }
   }
   EXPECT_GT(added, 200);
@@ -140,7 +122,7 @@ void expect_same(const Mesh& ours, Theirs& theirs) {
   std::vector<Index> our_vertices;
   for (const Vertex v : ours.vertices()) our_vertices.push_back(v.index());
   EXPECT_EQ(our_vertices, vertices);
-  EXPECT_EQ(test::polys_of(ours), polys_of(theirs));
+  EXPECT_EQ(polys_of(ours), their_polys(theirs));
   theirs.garbage_collection();
   EXPECT_EQ(ours.vertex_count(), theirs.n_vertices());
   EXPECT_EQ(ours.edge_count(), theirs.n_edges());

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "openmesh/comparison.h"
+#include "openmesh/theirs.h"
 #include "support/data_files.h"
 #include "support/random_polygons.h"
 #include "support/shapes.h"
@@ -34,15 +35,6 @@ constexpr std::size_t kMaxFaces = 20000;
 #else
 constexpr std::size_t kMaxFaces = 10'000'000;
 #endif
-
-// OpenMesh says on its log stream what it also returns.
-class QuietLog {
- public:
-  QuietLog() { omerr().disable(); }
-  ~QuietLog() { omerr().enable(); }
-  QuietLog(const QuietLog&) = delete;
-  QuietLog& operator=(const QuietLog&) = delete;
-};
 
 // Adds the polygons one by one, as OpenMesh does; the position of the first that it refuses.
 std::optional<std::size_t> add_faces(TheirMesh& mesh, const Polygons& polygons) {

@@ -48,12 +48,6 @@ inline std::vector<Problem> errors_of(const Mesh& mesh) {
   return errors;
 }
 
-inline bool is_same_position(const Polygons& polygons, Index a, Index b) {
-  return std::equal(&polygons.positions[3 * std::size_t{a}],
-                    &polygons.positions[3 * std::size_t{a}] + 3,
-                    &polygons.positions[3 * std::size_t{b}]);
-}
-
 /// What must hold of every repair: the mesh is valid at level 4; the maps fit it and the input;
 /// each face is there as it was, or there is a verdict that says what became of it.
 inline void expect_sound(const Polygons& polygons, const Repaired& repaired) {
