@@ -14,7 +14,8 @@
 ///   LiveRange   the live items of one kind, in index order
 namespace halfedge {
 
-/// All circulators by name, for any `Mesh` with the links they walk. Order, exactly:
+/// All circulators by name, and what one lap of them tells, for any `Mesh` with the links they
+/// walk. Order, exactly:
 ///   - around a vertex, cw begins at the anchor; ccw is its exact reverse and ends at the anchor;
 ///   - around a face, ccw begins at face_halfedge(f); cw is its exact reverse and ends there;
 ///   - with an explicit start halfedge both directions begin at it.
@@ -91,6 +92,35 @@ class Circulators {
   [[nodiscard]] auto halfedges() const { return LiveRange<Mesh, Halfedge>(self()); }
   [[nodiscard]] auto edges() const { return LiveRange<Mesh, Edge>(self()); }
   [[nodiscard]] auto faces() const { return LiveRange<Mesh, Face>(self()); }
+
+  // ---- what one lap tells
+
+  /// Whether the faces at `v` form at most one fan: not pinched. O(valence).
+  [[nodiscard]] bool is_manifold(Vertex v) const {
+    Index gaps = 0;
+    for (const Halfedge h : outgoing_cw(v)) gaps += self().is_boundary(h) ? 1 : 0;
+    return gaps <= 1;
+  }
+
+  /// The number of edges at `v`. O(valence).
+  [[nodiscard]] Index valence(Vertex v) const {
+    Index count = 0;
+    for ([[maybe_unused]] const Halfedge h : outgoing_cw(v)) ++count;
+    return count;
+  }
+
+  /// The halfedge from `a` to `b`, or empty. O(valence of a).
+  [[nodiscard]] Halfedge find_halfedge(Vertex a, Vertex b) const {
+    for (const Halfedge h : outgoing_cw(a)) {
+      if (self().to_vertex(h) == b) return h;
+    }
+    return {};
+  }
+  /// The edge between `a` and `b`, or empty. O(valence of a).
+  [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const {
+    const Halfedge h = find_halfedge(a, b);
+    return h.valid() ? self().edge(h) : Edge{};
+  }
 
  private:
   [[nodiscard]] const Mesh& self() const { return static_cast<const Mesh&>(*this); }

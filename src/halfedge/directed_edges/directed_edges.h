@@ -166,34 +166,8 @@ class DirectedEdges : public Circulators<DirectedEdges> {
            is_boundary(opposite(prev(h)));
   }
 
-  /// Whether the faces at `v` form at most one fan: not pinched. O(valence).
-  [[nodiscard]] bool is_manifold(Vertex v) const {
-    Index gaps = 0;
-    for (const Halfedge h : outgoing_cw(v)) gaps += is_boundary(h) ? 1 : 0;
-    return gaps <= 1;
-  }
-
-  /// The number of edges at `v`. O(valence).
-  [[nodiscard]] Index valence(Vertex v) const {
-    Index count = 0;
-    for ([[maybe_unused]] const Halfedge h : outgoing_cw(v)) ++count;
-    return count;
-  }
   /// The number of corners of a face.
   [[nodiscard]] static constexpr Index degree(Face) { return 3; }
-
-  /// The halfedge from `a` to `b`, or empty. O(valence of a).
-  [[nodiscard]] Halfedge find_halfedge(Vertex a, Vertex b) const {
-    for (const Halfedge h : outgoing_cw(a)) {
-      if (to_vertex(h) == b) return h;
-    }
-    return {};
-  }
-  /// The edge between `a` and `b`, or empty. O(valence of a).
-  [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const {
-    const Halfedge h = find_halfedge(a, b);
-    return h.valid() ? edge(h) : Edge{};
-  }
 
   // ---- memory -------------------------------------------------------------------------------
 
