@@ -27,6 +27,13 @@ const shapes = {
 };
 const cases = Object.entries(shapes);
 
+test('Dialects of what is no mesh are refused', () => {
+  for (const Dialect of [PolyMesh, Polyhedron, HE_mesh]) {
+    expect(() => new Dialect({} as never)).toThrow(/^mesh is an Object; expected a HalfedgeMesh/);
+    expect(() => new Dialect(undefined as never)).toThrow(TypeError);
+  }
+});
+
 const idx = (handles: { idx(): number }[]) => handles.map((handle) => handle.idx());
 
 describe("OpenMesh's names", () => {

@@ -113,3 +113,15 @@ describe('A task of a teacher', () => {
     expect(grade(checked, 'const degree = () => 7;', 1).passed).toBe(true);
   });
 });
+
+test('A grader is told what it is to be given', () => {
+  const graded = (...list: unknown[]) => (grade as (...list: unknown[]) => unknown)(...list);
+  const [task] = tasks;
+  expect(() => graded('valence', '', 1)).toThrow(
+    'task is "valence"; expected a task, as taskNamed()',
+  );
+  expect(() => graded(task, new Uint8Array(3), 1)).toThrow(
+    'code is a Uint8Array of 3 elements; expected the text of a program.',
+  );
+  expect(() => graded(task, '')).toThrow('seed is undefined; expected an integer.');
+});

@@ -1,7 +1,7 @@
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
-import type { ReadableMesh } from './readable.js';
+import { checkReadable, type ReadableMesh } from './readable.js';
 
 /**
  * A mesh under the names of CGAL's Polyhedron_3, for programs and people that come from there. Items
@@ -26,6 +26,7 @@ export class Polyhedron<Mesh extends ReadableMesh = HalfedgeMesh> {
   readonly #facets: Pool<PolyhedronFacet>;
 
   constructor(readonly mesh: Mesh) {
+    checkReadable(mesh);
     this.#vertices = new Pool((index) => new PolyhedronVertex(this, index));
     this.#halfedges = new Pool((index) => new PolyhedronHalfedge(this, index));
     this.#facets = new Pool((index) => new PolyhedronFacet(this, index));

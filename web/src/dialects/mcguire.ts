@@ -1,7 +1,7 @@
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
-import type { ReadableMesh } from './readable.js';
+import { checkReadable, type ReadableMesh } from './readable.js';
 
 /**
  * A mesh as the structs of Max McGuire's article "The Half-Edge Data Structure" (2000). They are read
@@ -30,6 +30,7 @@ export class HE_mesh<Mesh extends ReadableMesh = HalfedgeMesh> {
   readonly faces: Pool<HE_face>;
 
   constructor(readonly mesh: Mesh) {
+    checkReadable(mesh);
     this.edges = new Pool((index) => new HE_edge(this, index));
     this.verts = new Pool((index) => new HE_vert(this, index));
     this.faces = new Pool((index) => new HE_face(this, index));

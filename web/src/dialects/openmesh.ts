@@ -1,6 +1,7 @@
 import type { Direction } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
+import { checkReadable } from './readable.js';
 
 abstract class Handle {
   readonly #idx: number;
@@ -59,7 +60,9 @@ export class PolyMesh {
   readonly #edges = new Pool((idx) => new EdgeHandle(idx));
   readonly #faces = new Pool((idx) => new FaceHandle(idx));
 
-  constructor(readonly mesh: HalfedgeMesh) {}
+  constructor(readonly mesh: HalfedgeMesh) {
+    checkReadable(mesh, 'a HalfedgeMesh');
+  }
 
   /** Deleted ones included, as in OpenMesh before garbage_collection(). */
   n_vertices(): number {

@@ -1,3 +1,5 @@
+import { refuse } from '../checks.js';
+
 /**
  * What the dialects that only read ask of a mesh. `HalfedgeMesh` has it, and every other mesh of this
  * package with the same names.
@@ -22,4 +24,14 @@ export interface ReadableMesh {
   vertices(): Iterable<number>;
   halfedges(): Iterable<number>;
   faces(): Iterable<number>;
+}
+
+/** Throws a sentence for what is no mesh. */
+export function checkReadable(
+  mesh: unknown,
+  expected = 'a HalfedgeMesh or a DirectedEdgesMesh',
+): void {
+  const { next, toVertex } = Object(mesh) as Partial<ReadableMesh>;
+  if (typeof next === 'function' && typeof toVertex === 'function') return;
+  refuse('mesh', mesh, expected);
 }

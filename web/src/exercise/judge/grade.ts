@@ -1,3 +1,4 @@
+import { refuse } from '../../checks.js';
 import { attempt } from './attempt.js';
 import { askedIn, deal, type Trial } from './deal.js';
 import { judge } from './judge.js';
@@ -19,8 +20,13 @@ import {
  * end are ended, but what else is slow is not; a page runs programs in a worker.
  *
  * Needs `init()`.
+ *
+ * @throws TypeError for wrong arguments, such as the bytes of a file for its text
  */
 export function grade(task: ExerciseTask, code: string, seed: number): Verdict {
+  if (typeof task?.call !== 'string') refuse('task', task, 'a task, as taskNamed() gives it');
+  if (typeof code !== 'string') refuse('code', code, 'the text of a program');
+  if (!Number.isInteger(seed)) refuse('seed', seed, 'an integer', 'number');
   const program = compile(code, task.call);
   if (typeof program !== 'function') {
     return verdictOf(task, seed, [], failureBefore(judgeFault(program, task.call)));
