@@ -120,6 +120,13 @@ TEST(TouchRings, TellsAMeshInNoOrderFromOneInOrder) {
   for (const RingLayout& rings : layouts_of(empty)) EXPECT_FALSE(are_scattered(rings));
 }
 
+// Every 256th of its vertices lies at its left end, whose edges are numbered after all others.
+TEST(TouchRings, DoesNotTakeTheBoundaryOfAGridForAllOfIt) {
+  const Mesh mesh = built(test::triangle_grid(127, 127));
+  ASSERT_EQ(mesh.vertex_count(), 64 * 256);
+  for (const RingLayout& rings : layouts_of(mesh)) EXPECT_FALSE(are_scattered(rings));
+}
+
 // Under the sanitizers this fails if a word out of the arrays is read.
 TEST(TouchRings, StaysWithinTheArraysWhateverTheseHold) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {

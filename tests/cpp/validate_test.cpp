@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
+#include <halfedge/operations/append.h>
+#include <halfedge/operations/deletion.h>
 #include <halfedge/validate/validate.h>
 
 #include <string>
@@ -96,6 +99,25 @@ TEST(Validate, FindsNothingWrongWithAnyShape) {
     EXPECT_EQ(problems.empty(), !odd);
   }
   EXPECT_EQ(found_in(one_triangle_deleted()), Findings{});
+}
+
+// Four triangles around two edges that both join 0 and 1.
+Mesh two_edges_between_two_vertices() {
+  return from_loops(4, {{0, 1}, {0, 1}, {1, 2}, {2, 0}, {1, 3}, {3, 0}},
+                    {{0, 4, 6}, {1, 11, 9}, {2, 8, 10}, {3, 7, 5}});
+}
+
+// Adds an edge to a new vertex inside of the face, which then visits its foot twice.
+void add_spike(Mesh& mesh, Face f) {
+  const Halfedge h = mesh.face_halfedge(f);
+  const Halfedge next = mesh.next(h);
+  const Vertex tip = mesh.new_vertex();
+  const Halfedge out = mesh.new_edge(mesh.to_vertex(h), tip);
+  mesh.link(h, out);
+  mesh.link(mesh.opposite(out), next);
+  mesh.set_face(out, f);
+  mesh.set_face(mesh.opposite(out), f);
+  mesh.set_vertex_halfedge(tip, mesh.opposite(out));
 }
 
 TEST(Validate, ArraySize) {
@@ -354,9 +376,7 @@ TEST(Validate, RepeatedVertex) {
 }
 
 TEST(Validate, DuplicateHalfedge) {
-  // Four triangles around two edges that both join 0 and 1.
-  const Mesh mesh = from_loops(4, {{0, 1}, {0, 1}, {1, 2}, {2, 0}, {1, 3}, {3, 0}},
-                               {{0, 4, 6}, {1, 11, 9}, {2, 8, 10}, {3, 7, 5}});
+  const Mesh mesh = two_edges_between_two_vertices();
   const Findings findings = found_in(mesh);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_TRUE(findings[0] == "duplicate-halfedge halfedge 0" ||
@@ -365,18 +385,26 @@ TEST(Validate, DuplicateHalfedge) {
 }
 
 TEST(Validate, SameFaceTwice) {
-  // A tetrahedron with an edge to a new vertex 4 inside its face 0: the face visits its foot twice.
   Mesh mesh = reference_build(tetrahedron());
-  const Halfedge h = mesh.face_halfedge(Face(0));
-  const Halfedge next = mesh.next(h);
-  const Vertex tip = mesh.new_vertex();
-  const Halfedge out = mesh.new_edge(mesh.to_vertex(h), tip);
-  mesh.link(h, out);
-  mesh.link(mesh.opposite(out), next);
-  mesh.set_face(out, Face(0));
-  mesh.set_face(mesh.opposite(out), Face(0));
-  mesh.set_vertex_halfedge(tip, mesh.opposite(out));
+  add_spike(mesh, Face(0));
   expect_found(mesh, 4, {"repeated-vertex face 0", "same-face-twice edge 6"});
+}
+
+TEST(Validate, FindsTheSameInALargeMeshInNoOrder) {
+  const Shape shape = with_random_names(in_random_order(triangle_grid(127, 127)));
+  Mesh mesh;
+  BuildReport report;
+  ASSERT_TRUE(build_from_polygons(mesh, shape.polygons(), report));
+  const Index edges = mesh.edge_count();
+  for (const Index f : {0U, 64U, 65U}) ASSERT_TRUE(operations::delete_face(mesh, Face(f)));
+  EXPECT_EQ(found_in(mesh), Findings{});
+  add_spike(mesh, Face(20000));
+  ASSERT_TRUE(append(mesh, two_edges_between_two_vertices()));
+  Findings findings = found_in(mesh);
+  ASSERT_EQ(findings.size(), 3U);
+  EXPECT_EQ(findings[0], "repeated-vertex face 20000");
+  EXPECT_EQ(findings[1].substr(0, 27), "duplicate-halfedge halfedge");
+  EXPECT_EQ(findings[2], "same-face-twice edge " + std::to_string(edges));
 }
 
 TEST(Validate, PinchedVertexIsAWarning) {

@@ -1,4 +1,5 @@
 #include <halfedge/algorithms/touch_rings.h>
+#include <halfedge/inlining.h>
 #include <halfedge/prefetch.h>
 
 #include <array>
@@ -55,14 +56,15 @@ bool are_scattered(const RingLayout& rings) {
   if (rings.centres < 64 * kSamples) return false;
   Index far = 0;
   for (Index i = 0; i < kSamples; ++i) {
-    const Index h = rings.firsts[std::size_t{i} * (rings.centres / kSamples)];
+    // One more each time, so as not to meet only the boundary of a grid.
+    const Index h = rings.firsts[i * (rings.centres / kSamples) + i];
     if (h >= rings.halfedges) continue;
     far += rings.steps[h ^ rings.before] - h + kFar > 2 * kFar ? 1 : 0;
   }
   return far > kSamples / 8;
 }
 
-void touch_rings(const RingLayout& rings, Index centre) {
+HALFEDGE_NOINLINE void touch_rings(const RingLayout& rings, Index centre) {
   if (rings.centres - centre < kRingsTouched) return;
   const auto [firsts, steps, items, centres, halfedges, before, after, length] = rings;
   std::array<Index, kRingsTouched> at;
@@ -79,5 +81,8 @@ void touch_rings(const RingLayout& rings, Index centre) {
   }
   for (const Index h : at) touch(items + h);
 }
+
+HALFEDGE_NOINLINE RingToucher::RingToucher(const RawLinks& links, Ring ring, Direction direction)
+    : rings_(layout_of(links, ring, direction)), scattered_(are_scattered(rings_)) {}
 
 }  // namespace halfedge

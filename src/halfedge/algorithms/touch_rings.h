@@ -39,4 +39,20 @@ struct RingLayout {
 /// pre: are_scattered(rings)
 void touch_rings(const RingLayout& rings, Index centre);
 
+/// For a loop over centres in order that takes one lap around each: touches the rings of every
+/// block of kRingsTouched when the loop reaches its first centre, if these are scattered.
+class RingToucher {
+ public:
+  RingToucher(const RawLinks& links, Ring ring, Direction direction);
+
+  void reach(Index centre) const {
+    if (scattered_ && centre % kRingsTouched == 0) [[unlikely]]
+      touch_rings(rings_, centre);
+  }
+
+ private:
+  RingLayout rings_;
+  bool scattered_;
+};
+
 }  // namespace halfedge

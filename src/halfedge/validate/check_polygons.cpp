@@ -1,10 +1,28 @@
+#include <halfedge/algorithms/touch_rings.h>
 #include <halfedge/build/sentence.h>
+#include <halfedge/inlining.h>
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>
 #include <string>
 
 namespace halfedge {
+
+namespace {
+
+// Before any is looked for that can be named: in a bare loop, as in check_links.cpp.
+HALFEDGE_NOINLINE bool has_degree_below_three(const Links& links) {
+  const Index* const next = links.next.data();
+  Index below = 0;
+  for (const Index first : links.face_halfedge) {
+    if (is_deleted_link(first)) continue;
+    const Index second = next[first];
+    below |= Index{second == first} | Index{next[second] == first};
+  }
+  return below != 0;
+}
+
+}  // namespace
 
 template <class Mesh>
 void PolygonChecker<Mesh>::check_polygons() {
@@ -26,6 +44,7 @@ void PolygonChecker<Mesh>::check_polygons() {
 
 template <class Mesh>
 void PolygonChecker<Mesh>::check_degrees() {
+  if (!has_degree_below_three(mesh_.links())) return;
   for (const Face f : mesh_.faces()) {
     const Halfedge first = mesh_.face_halfedge(f);
     const Halfedge second = mesh_.next(first);
@@ -39,7 +58,9 @@ void PolygonChecker<Mesh>::check_degrees() {
 
 template <class Mesh>
 void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
+  const RingToucher toucher(RawLinks(mesh_), Ring::kFaceVertices, Direction::kCcw);
   for (const Face f : mesh_.faces()) {
+    toucher.reach(f.index());
     for (const Vertex v : mesh_.face_vertices_ccw(f)) {
       if (mark[v.index()] == f.index()) {
         report(Rule::kRepeatedVertex, f,
@@ -53,7 +74,9 @@ void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
 // Reported at the second of the two, once for each edge: from its smaller vertex.
 template <class Mesh>
 void PolygonChecker<Mesh>::check_duplicate_halfedges(Array<Index>& mark) {
+  const RingToucher toucher(RawLinks(mesh_), Ring::kVertexVertices, Direction::kCw);
   for (const Vertex v : mesh_.vertices()) {
+    toucher.reach(v.index());
     for (const Halfedge h : mesh_.outgoing_cw(v)) {
       const Vertex to = mesh_.to_vertex(h);
       if (mark[to.index()] == v.index() && v <= to) {
