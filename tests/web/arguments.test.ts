@@ -214,6 +214,15 @@ describe('A wrong argument of a build', () => {
     expect(() => HalfedgeMesh.fromTriangles(gone, indices)).toThrow(
       'positions is a detached Float32Array',
     );
+    using mesh = HalfedgeMesh.cube();
+    for (const build of [
+      () => HalfedgeMesh.fromPolygons(positions, gone as never),
+      () => HalfedgeMesh.fromFaces(gone as never),
+      () => HalfedgeMesh.fromSoup(positions, gone),
+    ]) {
+      expect(build).toThrow('faces is a detached Float32Array');
+    }
+    expect(() => mesh.addFace(gone)).toThrow('vertices is a detached Float32Array');
   });
 
   test('that is huge and empty costs no memory', () => {

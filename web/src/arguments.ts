@@ -141,12 +141,16 @@ function numberArray(argument: string, source: unknown): NumberArray | undefined
     throw new TypeError(`${argument} is ${describe(source)}; expected numbers, not bigints.`);
   }
   const typed = source as NumberArray;
-  if (lengthOf(typed) === 0 && isDetached(typed.buffer)) {
-    throw new TypeError(
-      `${argument} is a detached ${name}; expected one with its elements: was its buffer transferred to a worker?`,
-    );
-  }
+  if (lengthOf(typed) === 0) checkAttached(argument, typed, name);
   return typed;
+}
+
+/** Throws if a typed array without elements has lost them. */
+function checkAttached(argument: string, { buffer }: NumberArray, name: string): void {
+  if (!isDetached(buffer)) return;
+  throw new TypeError(
+    `${argument} is a detached ${name}; expected one with its elements: was its buffer transferred to a worker?`,
+  );
 }
 
 /** The true length of a typed array, whatever properties a caller has put on it. */
@@ -199,6 +203,8 @@ export function lengthOfArrayLike(
   if (typeof source === 'object' && source !== null) {
     const { length } = source as { length?: unknown };
     if (typeof length === 'number' && Number.isInteger(length) && length >= 0 && length < 2 ** 32) {
+      const name = length === 0 ? typedArrayName(source) : undefined;
+      if (name !== undefined) checkAttached(argument, source as NumberArray, name);
       return length;
     }
   }
