@@ -157,6 +157,7 @@ OFF
 
   test.each([
     ['src="shape:blob"', 'src is “shape:blob”; expected shape: and one of tetrahedron'],
+    ['src="shape:torus(8, 6"', 'src is “shape:torus(8, 6”; expected shape:torus(…), closed.'],
     ['src="nowhere.off"', 'nowhere.off could not be fetched: the server answered 404.'],
     ['', 'This figure has no mesh'],
     ['src="shape:cube" select="v99"', 'select is “v99”, which this mesh does not have'],

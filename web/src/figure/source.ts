@@ -58,7 +58,9 @@ export function shapeOf(src: string): HalfedgeMesh {
   const [, name, list = ''] = SHAPE.exec(src) ?? [];
   const shape = SHAPES.find((known) => known === name);
   if (!shape) {
-    throw new Error(`src is “${src}”; expected shape: and one of ${SHAPES.join(', ')}.`);
+    const begun = SHAPES.find((known) => src.startsWith(`shape:${known}(`));
+    const expected = begun ? `shape:${begun}(…), closed` : `shape: and one of ${SHAPES.join(', ')}`;
+    throw new Error(`src is “${src}”; expected ${expected}.`);
   }
   const parts: number[] = [];
   const options: Record<string, unknown> = {};
