@@ -152,26 +152,27 @@ TEST(BuildRefusal, OfAFaceWithARepeatedVertex) {
   expect_problems(
       6, {{3, 1, 1}, {0, 2, 0, 4, 5}, {2, 2, 2}},
       {{"repeated-vertex",
-        "Face 0 uses vertex 1 2 times (its corners are 3, 1, 1); a face may use a "
+        "Face 0 uses vertex 1 at 2 corners (its corners are 3, 1, 1); a face may use a "
         "vertex once.",
         {1},
         {0}},
        {"repeated-vertex",
-        "Face 1 uses vertex 0 2 times (its corners are 0, 2, 0, 4, 5); a face may use a "
+        "Face 1 uses vertex 0 at 2 corners (its corners are 0, 2, 0, 4, 5); a face may use a "
         "vertex once.",
         {0},
         {1}},
        {"repeated-vertex",
-        "Face 2 uses vertex 2 3 times (its corners are 2, 2, 2); a face may use a "
+        "Face 2 uses vertex 2 at 3 corners (its corners are 2, 2, 2); a face may use a "
         "vertex once.",
         {2},
         {2}}});
-  expect_problems(4, {{0, 1, 2, 3, 1}},
-                  {{"repeated-vertex",
-                    "Face 0 uses vertex 1 2 times (its corners are 0, 1, 2, 3, 1); a face may use "
-                    "a vertex once.",
-                    {1},
-                    {0}}});
+  expect_problems(
+      4, {{0, 1, 2, 3, 1}},
+      {{"repeated-vertex",
+        "Face 0 uses vertex 1 at 2 corners (its corners are 0, 1, 2, 3, 1); a face may use "
+        "a vertex once.",
+        {1},
+        {0}}});
 }
 
 // ---- faces between each other

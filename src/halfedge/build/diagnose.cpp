@@ -111,7 +111,7 @@ std::string range_of_vertices(std::size_t count) {
     } else if (times > 1 && corners.size() >= 3) {
       refuse("repeated-vertex", {v}, [&] {
         return sentence::of(
-            " uses vertex {} {} times (its corners are {}); a face may use a vertex once.", v,
+            " uses vertex {} at {} corners (its corners are {}); a face may use a vertex once.", v,
             times, list_of(corners));
       });
     }
