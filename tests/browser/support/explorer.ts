@@ -2,6 +2,7 @@ import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh } from 'halfedge';
 import type { BrowserContext, Page } from 'playwright-core';
+import { collectComplaints } from '../../support/complaints.js';
 import { connect } from '../../support/connection.js';
 
 export { disconnect } from '../../support/connection.js';
@@ -36,10 +37,6 @@ export class ExplorerPage {
   private constructor(context: BrowserContext, page: Page) {
     this.#context = context;
     this.page = page;
-    page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) this.complaints.push(message.text());
-    });
-    page.on('pageerror', (error) => this.complaints.push(error.message));
     page.on('requestfailed', (it) => {
       this.complaints.push(`${it.url()}: ${it.failure()?.errorText}`);
     });
@@ -57,6 +54,7 @@ export class ExplorerPage {
     context.setDefaultTimeout(90_000); // a busy machine takes its time
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     const explorer = new ExplorerPage(context, await context.newPage());
+    await collectComplaints(explorer.page, explorer.complaints);
     await explorer.page.goto(shared.address + (settings.link ? `#${settings.link}` : ''));
     await explorer.ready(settings.mesh ?? 'Bunny');
     return explorer;

@@ -4,6 +4,7 @@ import type { FigureEvents, HalfedgeFigure } from 'halfedge/figure';
 import type { BrowserContext, Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
 import { serve } from '../../package/support/server.js';
+import { collectComplaints } from '../../support/complaints.js';
 import { connect } from '../../support/connection.js';
 
 export { disconnect } from '../../support/connection.js';
@@ -46,10 +47,6 @@ export class FigurePage {
   private constructor(page: Page, close: () => Promise<unknown>) {
     this.page = page;
     this.#close = close;
-    page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) this.complaints.push(message.text());
-    });
-    page.on('pageerror', (error) => this.complaints.push(error.message));
   }
 
   /** Opens a page with this body, and waits for the element to be defined. */
@@ -78,6 +75,7 @@ export class FigurePage {
       await context.close();
       await server.close();
     });
+    await collectComplaints(page, figures.complaints);
     await page.goto(server.address + path);
     await page.waitForFunction(() => customElements.get('halfedge-figure') !== undefined);
     return figures;

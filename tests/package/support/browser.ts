@@ -3,6 +3,7 @@ import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import type { Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
+import { collectComplaints } from '../../support/complaints.js';
 import { connect } from '../../support/connection.js';
 
 export { disconnect } from '../../support/connection.js';
@@ -41,11 +42,8 @@ export async function withPage<T>(
     const complaints: string[] = [];
     const lines: string[] = [];
     const requests: string[] = [];
-    page.on('console', (message) => {
-      lines.push(message.text());
-      if (['error', 'warning'].includes(message.type())) complaints.push(message.text());
-    });
-    page.on('pageerror', (error) => complaints.push(error.message));
+    page.on('console', (message) => lines.push(message.text()));
+    await collectComplaints(page, complaints);
     page.on('requestfailed', (it) => complaints.push(`${it.url()}: ${it.failure()?.errorText}`));
     page.on('request', (request) => requests.push(request.url()));
     await page.goto(address);

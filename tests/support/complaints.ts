@@ -1,0 +1,28 @@
+import type { Page } from 'playwright-core';
+
+/**
+ * What the driver says of each frame, since the browser itself reads the pixels of a canvas to put the
+ * page together without a graphics card.
+ */
+const FRAME_WAS_READ = /GL Driver Message .* GPU stall due to ReadPixels/;
+
+/**
+ * Collects what a page complains of: errors and warnings in the console, uncaught errors, and that it
+ * makes the graphics card wait by reading pixels. To be called before the page is opened.
+ */
+export async function collectComplaints(page: Page, complaints: string[]): Promise<void> {
+  page.on('console', (message) => {
+    const text = message.text();
+    if (!['error', 'warning'].includes(message.type()) || FRAME_WAS_READ.test(text)) return;
+    complaints.push(text);
+  });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const { readPixels } = prototype;
+    prototype.readPixels = function (this: WebGL2RenderingContext, ...parameters: unknown[]) {
+      console.warn('The page waits for the graphics card: it reads pixels.');
+      (readPixels as (...all: unknown[]) => void).apply(this, parameters);
+    };
+  });
+}
