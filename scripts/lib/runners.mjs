@@ -18,8 +18,6 @@ export async function runCtest(preset) {
 export async function runJest(suite) {
   const report = freshReport(`jest-${suite}.json`);
   const jest = ['node_modules/jest/bin/jest.js', '--selectProjects', suite];
-  // The explorer draws in software, on all processors: one page at a time.
-  if (suite === 'browser') jest.push('--runInBand');
   const node = ['--experimental-vm-modules', '--no-warnings', '--expose-gc'];
   return runAndCount(`jest (${suite})`, report, countJest, () =>
     run(process.execPath, [...node, ...jest, '--json', `--outputFile=${report}`]),
