@@ -41,8 +41,9 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
 /**
  * A halfedge mesh: vertices, halfedges, edges and faces of any number of corners, with positions.
  *
- * Items are plain integers. The mesh lives in WebAssembly memory; `dispose()` frees it (as does
- * `using`, and in the end the garbage collector).
+ * Items are plain integers. The mesh lives in WebAssembly memory; `dispose()` frees it, as does `using`. The
+ * garbage collector does so, too, but late: it doesn't know of that memory. Who makes many meshes disposes of
+ * them.
  *
  * ```ts
  * await init();

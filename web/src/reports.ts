@@ -9,7 +9,9 @@ export function unwrap<T extends object>(raw: T | RawFailure): T {
   const first = problems[0];
   const more = raw.problemCount - 1;
   const others = more === 0 ? '' : ` And ${more} more ${more === 1 ? 'problem' : 'problems'}.`;
-  throw new HalfedgeError(first.code, first.message + others, {
+  const advice =
+    first.code === 'out-of-memory' ? ' Dispose of meshes that are no longer needed.' : '';
+  throw new HalfedgeError(first.code, first.message + others + advice, {
     witness: first.witness ?? NO_WITNESS,
     problems,
   });
