@@ -9,9 +9,7 @@ export function unwrap<T extends object>(raw: T | RawFailure): T {
   const first = problems[0];
   const more = raw.problemCount - 1;
   const others = more === 0 ? '' : ` And ${more} more ${more === 1 ? 'problem' : 'problems'}.`;
-  const advice =
-    first.code === 'out-of-memory' ? ' Dispose of meshes that are no longer needed.' : '';
-  throw new HalfedgeError(first.code, first.message + others + advice, {
+  throw new HalfedgeError(first.code, first.message + others, {
     witness: first.witness ?? NO_WITNESS,
     problems,
   });
@@ -28,7 +26,8 @@ export function problemOf(
     edges: Array.from(items.edges),
     faces: Array.from(items.faces),
   };
-  return { code, severity, ...subjectOf(witness), message: sentence(message), witness };
+  const advice = code === 'out-of-memory' ? ' Dispose of meshes that are no longer needed.' : '';
+  return { code, severity, ...subjectOf(witness), message: sentence(message) + advice, witness };
 }
 
 /** What a problem with an input is about: a face or a vertex if it names one, else its first face. */
