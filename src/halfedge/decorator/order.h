@@ -106,6 +106,28 @@ inline void permute(Array<Index>& array, const Array<Halfedge>& new_of, Array<In
   }
 }
 
+/// All links, in place. `scratch` has an entry for each halfedge slot.
+template <class Mesh>
+void renumber_halfedges(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>& scratch) {
+  Links& links = mesh.mutable_links();
+  if constexpr (StoresAnchors<Mesh>) {
+    for (const Vertex v : mesh.vertices()) {
+      Index& anchor = links.vertex_halfedge[v.index()];
+      if (anchor != kNone) anchor = new_of[anchor].index();
+    }
+  }
+  if constexpr (StoresFaceHalfedges<Mesh>) {
+    for (const Face f : mesh.faces()) {
+      Index& first = links.face_halfedge[f.index()];
+      first = new_of[first].index();
+    }
+  }
+  permute(links.next, new_of, scratch, true);
+  if (mesh.stores_prev()) permute(links.prev, new_of, scratch, true);
+  permute(links.to_vertex, new_of, scratch, false);
+  permute(links.face, new_of, scratch, false);
+}
+
 }  // namespace internal
 
 /// Renumbers the edges so that boundary edges come last, with the boundary halfedge on side 1; but
@@ -145,25 +167,7 @@ requires StoresFaces<Mesh>
       ++slot;
     }
   }
-
-  const Array<Halfedge>& new_of = order.new_halfedge;
-  Links& links = mesh.mutable_links();
-  if constexpr (StoresAnchors<Mesh>) {
-    for (const Vertex v : mesh.vertices()) {
-      Index& anchor = links.vertex_halfedge[v.index()];
-      if (anchor != kNone) anchor = new_of[anchor].index();
-    }
-  }
-  if constexpr (StoresFaceHalfedges<Mesh>) {
-    for (const Face f : mesh.faces()) {
-      Index& first = links.face_halfedge[f.index()];
-      first = new_of[first].index();
-    }
-  }
-  permute(links.next, new_of, scratch, true);
-  if (mesh.stores_prev()) permute(links.prev, new_of, scratch, true);
-  permute(links.to_vertex, new_of, scratch, false);
-  permute(links.face, new_of, scratch, false);
+  renumber_halfedges(mesh, order.new_halfedge, scratch);
   return order;
 }
 

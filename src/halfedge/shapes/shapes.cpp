@@ -141,9 +141,12 @@ Result<PolygonSoup> prism(Index sides, double radius, double height) {
 }
 
 Result<PolygonSoup> cone(Index segments, Caps base, double radius, double height) {
-  const Error checks[] = {check_count("a cone", "segment", segments, 3),
-                          check_lengths("a cone", {radius, height})};
-  if (Error error; refused({checks[0], checks[1]}, error)) return error;
+  Error error;
+  if (refused({check_count("a cone", "segment", segments, 3),
+               check_lengths("a cone", {radius, height})},
+              error)) {
+    return error;
+  }
   const std::uint64_t n = segments;
   const CapCounts more = count_cap(base, n);
   Maker maker("a cone", n + 1 + more.vertices, n + more.faces, 3 * n + more.corners);
