@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/rings.h>
 #include <halfedge/algorithms/touch_rings.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

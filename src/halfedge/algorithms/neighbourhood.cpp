@@ -1,5 +1,5 @@
 #include <halfedge/algorithms/neighbourhood.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 
 #include <bit>
 #include <cstddef>

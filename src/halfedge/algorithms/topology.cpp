@@ -1,6 +1,6 @@
 #include <halfedge/algorithms/array_sizes.h>
 #include <halfedge/algorithms/topology.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <string>

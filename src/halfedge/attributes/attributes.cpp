@@ -1,5 +1,5 @@
 #include <halfedge/attributes/attributes.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 
 #include <new>
 #include <string>

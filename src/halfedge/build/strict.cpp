@@ -1,6 +1,6 @@
 #include <halfedge/build/diagnose.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/build/strict.h>
+#include <halfedge/sentence.h>
 
 #include <cassert>
 #include <cstdint>

@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/connectivity/convert.h>
+#include <halfedge/sentence.h>
 
 #include <string>
 

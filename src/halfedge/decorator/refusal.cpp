@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
+#include <halfedge/sentence.h>
 
 #include <utility>
 

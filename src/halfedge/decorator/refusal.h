@@ -1,8 +1,8 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/result.h>
+#include <halfedge/sentence.h>
 
 #include <initializer_list>
 #include <string>

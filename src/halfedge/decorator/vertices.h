@@ -1,7 +1,7 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/edit.h>
+#include <halfedge/sentence.h>
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #include <halfedge/build/diagnose.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/build/strict.h>
 #include <halfedge/directed_edges/build.h>
 #include <halfedge/directed_edges/connect.h>
+#include <halfedge/sentence.h>
 
 #include <cstddef>
 #include <string>

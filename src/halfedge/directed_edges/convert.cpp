@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/directed_edges/convert.h>
 #include <halfedge/directed_edges/validate.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cstddef>

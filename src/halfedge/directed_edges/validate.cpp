@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/directed_edges/validate.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/problem_list.h>
 
 #include <cassert>

@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/bytes_layout.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/validate.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/bytes_layout.h>
+#include <halfedge/sentence.h>
 
 #include <cstddef>
 #include <cstring>

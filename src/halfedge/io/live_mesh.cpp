@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/live_mesh.h>
 #include <halfedge/io/text_scanner.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/obj_attributes.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/distinct_rows.h>
 #include <halfedge/io/obj_writer.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
 #include <halfedge/io/off_header.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

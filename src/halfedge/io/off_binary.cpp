@@ -1,8 +1,8 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/off_attributes.h>
 #include <halfedge/io/off_binary.h>
 #include <halfedge/io/soup_writer.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/off_header.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>

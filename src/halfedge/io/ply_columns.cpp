@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cmath>

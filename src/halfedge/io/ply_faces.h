@@ -1,7 +1,7 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_reader.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <string>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/ply_source.h>
 #include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/inlining.h>
 #include <halfedge/io/byte_scanner.h>
 #include <halfedge/io/copy_numbers.h>
@@ -8,6 +7,7 @@
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/soup_writer.h>
 #include <halfedge/io/text_scanner.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cstddef>

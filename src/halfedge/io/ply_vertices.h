@@ -1,8 +1,8 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/copy_numbers.h>
 #include <halfedge/io/ply_reader.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <array>

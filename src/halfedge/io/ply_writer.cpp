@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/ply_columns.h>
 #include <halfedge/io/ply_writer.h>
 #include <halfedge/io/text_scanner.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <optional>

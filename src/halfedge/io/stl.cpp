@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/stl_reader.h>
+#include <halfedge/sentence.h>
 
 #include <cmath>
 #include <cstdint>

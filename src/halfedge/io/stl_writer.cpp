@@ -1,6 +1,6 @@
 #include <halfedge/algorithms/triangulate_polygon.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/stl_writer.h>
+#include <halfedge/sentence.h>
 
 #include <array>
 #include <cmath>

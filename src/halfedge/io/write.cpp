@@ -1,10 +1,10 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/io/byte_writer.h>
 #include <halfedge/io/live_mesh.h>
 #include <halfedge/io/obj_writer.h>
 #include <halfedge/io/off_writer.h>
 #include <halfedge/io/ply_writer.h>
 #include <halfedge/io/stl_writer.h>
+#include <halfedge/sentence.h>
 
 #include <string>
 #include <utility>

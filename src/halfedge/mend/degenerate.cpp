@@ -1,8 +1,8 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/face_shape.h>
 #include <halfedge/mend/repairs.h>
 #include <halfedge/mend/short_edges.h>
+#include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>

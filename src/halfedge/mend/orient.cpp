@@ -1,8 +1,8 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/box_tree.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/sentence.h>
 
 #include <cmath>
 #include <cstddef>

@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
 #include <halfedge/repair/weld.h>
+#include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>

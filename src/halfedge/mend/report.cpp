@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/report.h>
 #include <halfedge/mend/surface_of.h>
+#include <halfedge/sentence.h>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/face_shape.h>
 #include <halfedge/mend/short_edges.h>
+#include <halfedge/sentence.h>
 
 namespace halfedge::mend {
 

@@ -1,7 +1,7 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/sentence.h>
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/operations/append.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cstddef>

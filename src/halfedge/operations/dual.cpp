@@ -1,6 +1,6 @@
 #include <halfedge/algorithms/adjacency.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/operations/dual.h>
+#include <halfedge/sentence.h>
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/refusals.h>
+#include <halfedge/sentence.h>
 
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/repair/log.h>
+#include <halfedge/sentence.h>
 
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>

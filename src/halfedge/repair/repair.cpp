@@ -1,9 +1,9 @@
 #include <halfedge/build/connect.h>
 #include <halfedge/build/diagnose.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/build/strict.h>
 #include <halfedge/repair/repair.h>
 #include <halfedge/repair/soup.h>
+#include <halfedge/sentence.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 #include <halfedge/shapes/maker.h>
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include <halfedge/build/build.h>
 #include <halfedge/build/connect.h>
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 #include <halfedge/shapes/maker.h>
 #include <halfedge/shapes/shapes.h>
 

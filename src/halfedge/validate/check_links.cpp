@@ -1,5 +1,5 @@
-#include <halfedge/build/sentence.h>
 #include <halfedge/inlining.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>

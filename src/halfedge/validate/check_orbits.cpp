@@ -1,4 +1,4 @@
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/checker.h>
 
 namespace halfedge {

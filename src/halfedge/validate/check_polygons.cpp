@@ -1,6 +1,6 @@
 #include <halfedge/algorithms/touch_rings.h>
-#include <halfedge/build/sentence.h>
 #include <halfedge/inlining.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>

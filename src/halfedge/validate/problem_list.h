@@ -1,6 +1,6 @@
 #pragma once
 
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/validate.h>
 
 #include <array>

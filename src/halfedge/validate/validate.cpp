@@ -1,4 +1,4 @@
-#include <halfedge/build/sentence.h>
+#include <halfedge/sentence.h>
 #include <halfedge/validate/checker.h>
 #include <halfedge/validate/problem_list.h>
 #include <halfedge/validate/validate.h>
