@@ -102,6 +102,15 @@ describe('A glTF file that is none', () => {
     expect(error.code).toBe(code);
   });
 
+  test('is told from what is no file', async () => {
+    expect((await rejection(readGltf('duck.glb'))).message).toBe(
+      'data is "duck.glb", the name of a file; expected what is in it, so fetch or read it first.',
+    );
+    expect((await rejection(readGltf(new Blob() as never))).message).toBe(
+      'data is a Blob; expected a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array: await its arrayBuffer().',
+    );
+  });
+
   test('is told when a GLB file is cut, at every byte', async () => {
     const glb = await writeGltf(HalfedgeMesh.tetrahedron());
     for (let length = 0; length < glb.length; length++) {

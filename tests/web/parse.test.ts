@@ -229,6 +229,12 @@ describe('parse', () => {
     [5, 'data is 5'],
     [[118, 32], 'data is an array of 2 elements'],
     [{}, 'data is an Object'],
+    [Promise.resolve(triangle), 'data is a Promise, which is to be awaited; expected the content'],
+    [
+      new Blob([triangle]),
+      'data is a Blob; expected the content of a file as a string, an ArrayBuffer or a Uint8Array: await its arrayBuffer().',
+    ],
+    [new Response(triangle), 'an ArrayBuffer or a Uint8Array: await its arrayBuffer().'],
   ])('refuses %p as data', (data, message) => {
     expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(TypeError);
     expect(() => HalfedgeMesh.parse(data as unknown as string)).toThrow(message);

@@ -28,6 +28,7 @@ function describeObject(value: object): string {
   try {
     if (Array.isArray(value)) return `an array of ${counted(value.length, 'element')}`;
     const tag = Object.prototype.toString.call(value).slice(8, -1);
+    if (tag === 'Promise') return 'a Promise, which is to be awaited';
     return withArticle((tag === 'Object' && className(value)) || shorten(tag));
   } catch {
     return 'an object'; // a revoked proxy, or a getter that throws

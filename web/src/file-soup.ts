@@ -5,12 +5,12 @@ import { type AttributeType, type AttributeView, TYPE_NAMES, TYPES } from './att
 import type { Polygons } from './build.js';
 import { checkFlag } from './checks.js';
 import type { RawColumn, RawWords } from './core.mjs';
+import { contentOf } from './file-content.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
 import {
   type AttributeNames,
   claimOf,
-  contentOf,
   type FileFormat,
   FORMATS,
   type ParseOptions,

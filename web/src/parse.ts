@@ -1,8 +1,7 @@
-import { bytesOf } from './arguments.js';
 import { type StorageOptions, storesPrev } from './build.js';
-import { checkFlag, indexOfChoice, refuse } from './checks.js';
+import { checkFlag, indexOfChoice } from './checks.js';
 import type { RawRepair } from './core.mjs';
-import { bytesOfText } from './file-text.js';
+import { contentOf } from './file-content.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -90,12 +89,4 @@ export function claimOf(format: unknown): number {
 /** The value of the enum Format in C++. */
 export function formatIndex(argument: string, format: unknown): number {
   return indexOfChoice(argument, format, FORMATS);
-}
-
-/** The bytes of a file, which may be given as text. */
-export function contentOf(data: unknown): Uint8Array {
-  if (typeof data === 'string') return bytesOfText('data', data);
-  const bytes = bytesOf('data', data);
-  if (bytes !== undefined) return bytes;
-  refuse('data', data, 'the content of a file as a string, an ArrayBuffer or a Uint8Array');
 }

@@ -2,7 +2,7 @@ import { bytesOf, checkOptions } from './arguments.js';
 import { type Polygons, storesPrev } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
-import { checkText } from './file-text.js';
+import { checkText } from './file-content.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { owned, transferable } from './ownership.js';

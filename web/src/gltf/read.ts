@@ -1,9 +1,9 @@
 import type { InstancedMesh, Mesh } from 'three';
-import { bytesOf, checkOptions } from '../arguments.js';
+import { checkOptions } from '../arguments.js';
 import { storesPrev } from '../build.js';
-import { checkFlag, refuse } from '../checks.js';
+import { checkFlag } from '../checks.js';
 import { HalfedgeError, type Problem } from '../errors.js';
-import { bytesOfText } from '../file-text.js';
+import { contentOf } from '../file-content.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { type RepairReport, type SoupOptions, soupOptions } from '../repair.js';
@@ -74,10 +74,12 @@ interface Loaded {
   readonly notes: string[];
 }
 
+const CONTENT = 'a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array';
+
 async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loaded> {
   checkReadOptions(options);
   const isUrl = Object.prototype.toString.call(data) === '[object URL]';
-  const bytes = isUrl ? await load(data as URL) : contentOf(data);
+  const bytes = isUrl ? await load(data as URL) : contentOf(data, CONTENT);
   const file = openGltf(bytes);
   const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
   const base = isUrl ? { baseUrl: data as URL } : {};
@@ -148,17 +150,6 @@ async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: Read
       cause,
     });
   }
-}
-
-function contentOf(data: unknown): Uint8Array {
-  if (typeof data === 'string') return bytesOfText('data', data);
-  const bytes = bytesOf('data', data);
-  if (bytes !== undefined) return bytes;
-  refuse(
-    'data',
-    data,
-    'a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array',
-  );
 }
 
 function meshOf(

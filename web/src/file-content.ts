@@ -1,13 +1,26 @@
-// The content of a file as a string: what is often passed instead, and how it becomes bytes.
+// The content of a file: what is often passed instead, and how it becomes bytes.
 
-import { describe } from './arguments.js';
+import { bytesOf, describe } from './arguments.js';
+import { refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 
-/** The bytes of a text. Throws a sentence for what can't be the text of a file. */
-export function bytesOfText(argument: string, text: string): Uint8Array {
-  checkText(argument, text);
-  return new TextEncoder().encode(text);
+/** The bytes of a file, which may be given as text. Throws a sentence for what is no content of one. */
+export function contentOf(
+  data: unknown,
+  expected = 'the content of a file as a string, an ArrayBuffer or a Uint8Array',
+): Uint8Array {
+  if (typeof data === 'string') {
+    checkText('data', data);
+    return new TextEncoder().encode(data);
+  }
+  const bytes = bytesOf('data', data);
+  if (bytes !== undefined) return bytes;
+  refuse('data', data, expected + (isBody(data) ? ': await its arrayBuffer()' : ''));
 }
+
+/** Whether it is a File, another Blob or a Response, also of another realm. */
+const isBody = (data: unknown) => /^\[object (Blob|File|Response)\]$/.test(tagOf(data));
+const tagOf = (data: unknown): string => Object.prototype.toString.call(data);
 
 /** Throws a sentence for the name of a file, and for a binary file that was read as text. */
 export function checkText(argument: string, text: string): void {
