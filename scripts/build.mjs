@@ -1,6 +1,7 @@
 // `npm run build`: makes dist/, the package. `build.mjs wasm` and `build.mjs web` make one part.
 
 import {
+  chmodSync,
   cpSync,
   existsSync,
   mkdirSync,
@@ -71,6 +72,7 @@ export async function buildWeb() {
     if (!['core.mjs', 'core.wasm'].includes(name)) rmSync(join(dist, name), { recursive: true });
   }
   cpSync(compiled, dist, { recursive: true });
+  chmodSync(join(dist, 'cli/main.js'), 0o755); // npm sees to that where it installs, but not again
   // The hand-written types of the glue and of the module: tsc reads them, but does not copy them.
   for (const name of ['core.d.mts', 'core.d.wasm.ts']) {
     cpSync(join(sources, name), join(dist, name));

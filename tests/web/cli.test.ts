@@ -1,5 +1,5 @@
 import { spawn } from 'node:child_process';
-import { closeSync, existsSync, openSync, readFileSync, writeFileSync } from 'node:fs';
+import { closeSync, existsSync, openSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh, init } from 'halfedge';
 import { folder, program, run, texts } from './support/cli.js';
@@ -14,6 +14,11 @@ describe('halfedge', () => {
     const manifest = new URL('../../package.json', import.meta.url);
     const { version } = JSON.parse(readFileSync(manifest, 'utf8'));
     expect(await run(['--version'])).toMatchObject({ status: 0, out: `${version}\n`, err: '' });
+  });
+
+  test('can be run from a folder that `npm link` points to', () => {
+    expect(statSync(program).mode & 0o111).toBe(0o111);
+    expect(readFileSync(program, 'utf8')).toMatch(/^#!\/usr\/bin\/env node\n/);
   });
 
   test('helps: on all commands, and on each', async () => {
