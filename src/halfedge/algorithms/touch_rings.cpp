@@ -32,7 +32,7 @@ const Index* items_of(const RawLinks& links, Ring ring) {
 
 }  // namespace
 
-RingLayout layout_of(const RawLinks& links, Ring ring, Direction direction) {
+HALFEDGE_NOINLINE RingLayout layout_of(const RawLinks& links, Ring ring, Direction direction) {
   if (ring >= Ring::kEdgeVertices) return {};
   const bool around_face = ring >= Ring::kFaceVertices;
   const bool cw = direction == Direction::kCw;
@@ -50,7 +50,7 @@ RingLayout layout_of(const RawLinks& links, Ring ring, Direction direction) {
   return rings;
 }
 
-bool are_scattered(const RingLayout& rings) {
+HALFEDGE_NOINLINE bool are_scattered(const RingLayout& rings) {
   constexpr Index kSamples = 64;
   constexpr Index kFar = 1U << 16U;  // a quarter of a megabyte of each array
   if (rings.centres < 64 * kSamples) return false;
@@ -83,6 +83,11 @@ HALFEDGE_NOINLINE void touch_rings(const RingLayout& rings, Index centre) {
 }
 
 HALFEDGE_NOINLINE RingToucher::RingToucher(const RawLinks& links, Ring ring, Direction direction)
-    : rings_(layout_of(links, ring, direction)), scattered_(are_scattered(rings_)) {}
+    : rings_(layout_of(links, ring, direction)), untouched_(are_scattered(rings_) ? 0 : kNone) {}
+
+HALFEDGE_NOINLINE void RingToucher::touch_from(Index centre) {
+  touch_rings(rings_, centre);
+  untouched_ = centre + kRingsTouched;
+}
 
 }  // namespace halfedge

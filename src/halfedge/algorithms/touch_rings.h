@@ -39,20 +39,22 @@ struct RingLayout {
 /// pre: are_scattered(rings)
 void touch_rings(const RingLayout& rings, Index centre);
 
-/// For a loop over centres in order that takes one lap around each: touches the rings of every
-/// block of kRingsTouched when the loop reaches its first centre, if these are scattered.
+/// For a loop over centres in order that takes one lap around each: touches the rings of the next
+/// kRingsTouched centres when the loop reaches the first of them, if these are scattered.
 class RingToucher {
  public:
   RingToucher(const RawLinks& links, Ring ring, Direction direction);
 
-  void reach(Index centre) const {
-    if (scattered_ && centre % kRingsTouched == 0) [[unlikely]]
-      touch_rings(rings_, centre);
+  void reach(Index centre) {
+    if (centre >= untouched_) [[unlikely]]
+      touch_from(centre);
   }
 
  private:
+  void touch_from(Index centre);
+
   RingLayout rings_;
-  bool scattered_;
+  Index untouched_;  // the first centre whose ring is to be touched, or kNone
 };
 
 }  // namespace halfedge

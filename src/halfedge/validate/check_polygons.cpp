@@ -58,7 +58,7 @@ void PolygonChecker<Mesh>::check_degrees() {
 
 template <class Mesh>
 void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
-  const RingToucher toucher(RawLinks(mesh_), Ring::kFaceVertices, Direction::kCcw);
+  RingToucher toucher(RawLinks(mesh_), Ring::kFaceVertices, Direction::kCcw);
   for (const Face f : mesh_.faces()) {
     toucher.reach(f.index());
     for (const Vertex v : mesh_.face_vertices_ccw(f)) {
@@ -74,7 +74,7 @@ void PolygonChecker<Mesh>::check_repeated_vertices(Array<Index>& mark) {
 // Reported at the second of the two, once for each edge: from its smaller vertex.
 template <class Mesh>
 void PolygonChecker<Mesh>::check_duplicate_halfedges(Array<Index>& mark) {
-  const RingToucher toucher(RawLinks(mesh_), Ring::kVertexVertices, Direction::kCw);
+  RingToucher toucher(RawLinks(mesh_), Ring::kVertexVertices, Direction::kCw);
   for (const Vertex v : mesh_.vertices()) {
     toucher.reach(v.index());
     for (const Halfedge h : mesh_.outgoing_cw(v)) {
