@@ -93,7 +93,7 @@ describe('glTF', () => {
     await choose({ name: 'ring.glb', buffer: Buffer.from(glb) });
     await explorer.ready('ring.glb');
     expect(await faces()).toBe('144');
-    expect(await explorer.page.textContent('.validity')).toContain('closed');
+    expect(await explorer.validity()).toContain('closed');
   });
 
   test('opens with the file that it refers to, and asks for it where it is missing', async () => {

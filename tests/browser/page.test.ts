@@ -22,7 +22,7 @@ describe('The page', () => {
       Genus: '0',
       'Boundary loops': '0',
     });
-    expect(await explorer.page.textContent('.validity')).toMatch(/^Valid: all invariants hold/);
+    expect(await explorer.validity()).toMatch(/^Valid: all invariants hold/);
     expect(await explorer.state('selected')).toMatch(/^v\d+$/);
     expect(await explorer.state('player')).toBe('paused');
     // The middle of the picture is a shaded, wired surface, not a blank canvas.
@@ -56,7 +56,7 @@ describe('The page', () => {
     for (const [id, name] of samples) {
       await explorer.sample(id, name);
       await counts(explorer);
-      expect(await explorer.page.textContent('.validity')).toMatch(/^Valid/);
+      expect(await explorer.validity()).toMatch(/^Valid/);
       expect(await explorer.state('selected')).not.toBeNull();
       await explorer.screenshot(`sample-${id}`);
     }

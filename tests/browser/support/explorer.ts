@@ -88,6 +88,12 @@ export class ExplorerPage {
     return this.page.getAttribute('main.stage', `data-${name}`);
   }
 
+  /** Waits until the mesh is checked, and returns what the page says of it. */
+  async validity(): Promise<string> {
+    const line = this.page.locator('.validity', { hasNotText: 'Checking' });
+    return (await line.textContent()) ?? '';
+  }
+
   /** Waits until an attribute of the stage has this value; null: until it is gone. */
   async until(name: string, value: string | null): Promise<void> {
     const selector =
