@@ -34,6 +34,8 @@ namespace {
 TEST(BuildMemoryDeathTest, WhereverMemoryEndsTheBuildEndsInAnError) {
   const Shape shape = triangle_grid(500, 500);
   EXPECT_EXIT(build_with_more_and_more_memory(shape), testing::ExitedWithCode(0), "");
+  const Shape scattered = in_random_order(shape);
+  EXPECT_EXIT(build_with_more_and_more_memory(scattered), testing::ExitedWithCode(0), "");
 }
 
 #else

@@ -30,6 +30,12 @@ void for_each_face(const Polygons& polygons, const Visit& visit) {
   }
 }
 
+/// Whether two vertices are so near by number that what belongs to them is near in memory.
+[[nodiscard]] constexpr bool are_near(Index a, Index b) {
+  constexpr Index kNearby = 2048;
+  return a - b + kNearby < 2 * kNearby;
+}
+
 /// The halfedges set aside for each vertex. A side of a face *runs up* if it leads from the smaller
 /// vertex of its edge to the larger. No two sides of an edge run the same way, so a vertex has at
 /// least as many edges to larger vertices as sides run up from it. That many are its *group*:
