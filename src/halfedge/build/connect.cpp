@@ -61,10 +61,7 @@ class FaceConnector {
       edges_.link(before, first);
       firsts[f] = first;
     });
-    if (edges_.failure() != ConnectResult::kDone) return edges_.failure();
-    if (clashes != 0) return ConnectResult::kNotManifold;
-    edges_.end();
-    return ConnectResult::kDone;
+    return edges_.end(clashes);
   }
 
  private:
@@ -77,10 +74,8 @@ class FaceConnector {
     if (polygons_.corners.size() - before < kAhead + size) return;
     const Index* const ahead = corners + kAhead;
     if constexpr (kTriangles) {
-      const Index low = std::min(ahead[0], ahead[1]);
-      const Index high = std::max(ahead[0], ahead[1]);
-      edges_.visit_group(std::min(low, ahead[2]), fetch);
-      edges_.visit_group(std::max(low, std::min(high, ahead[2])), fetch);
+      edges_.visit_group(smallest_vertex(ahead), fetch);
+      edges_.visit_group(middle_vertex(ahead), fetch);
     } else {
       for (Index i = 0; i < size; ++i) {
         edges_.visit_group(std::min(ahead[i], ahead[i + 1 == size ? 0 : i + 1]), fetch);
@@ -98,10 +93,8 @@ class FaceConnector {
     if (are_near(corners[0], corners[kTouched])) return;
     if constexpr (kTriangles) {
       for (std::size_t i = 0; i < kTouched; i += 3) {
-        const Index low = std::min(corners[i], corners[i + 1]);
-        const Index high = std::max(corners[i], corners[i + 1]);
-        edges_.visit_group_within(std::min(low, corners[i + 2]), fetch);
-        edges_.visit_group_within(std::max(low, std::min(high, corners[i + 2])), fetch);
+        edges_.visit_group_within(smallest_vertex(corners + i), fetch);
+        edges_.visit_group_within(middle_vertex(corners + i), fetch);
       }
     } else {
       for (std::size_t i = 0; i < kTouched; ++i) {

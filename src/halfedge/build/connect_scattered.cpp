@@ -30,12 +30,6 @@ bool share_a_vertex(const Index* a, const Index* b) {
   return shared;
 }
 
-Index middle_vertex(const Index* corners) {
-  const Index low = std::min(corners[0], corners[1]);
-  const Index high = std::max(corners[0], corners[1]);
-  return std::max(low, std::min(high, corners[2]));
-}
-
 // The triangles are taken in blocks of vertices with consecutive numbers, from the last block to
 // the first. The groups of one block fit into the cache.
 //
@@ -73,9 +67,7 @@ class BlockConnector {
       for (const Waiting& triangle : waiting_) join_sides(triangle);
       if (edges_.failure() != ConnectResult::kDone) return edges_.failure();
     }
-    if (clashes_ != 0) return ConnectResult::kNotManifold;
-    edges_.end();
-    return ConnectResult::kDone;
+    return edges_.end(clashes_);
   }
 
  private:
@@ -154,7 +146,7 @@ class BlockConnector {
     for (; at != end; ++at) {
       fetch_corners(at, end);
       const Index* const corners = corners_of(*at);
-      const Index smallest = std::min({corners[0], corners[1], corners[2]});
+      const Index smallest = smallest_vertex(corners);
       const Index turn = smallest == corners[0] ? 1 : smallest == corners[1] ? 2 : 0;
       const Index from = corners[turn];
       const Index to = corners[turn == 2 ? 0 : turn + 1];

@@ -6,7 +6,6 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/links.h>
-#include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -48,12 +47,16 @@ class GroupedEdges {
   /// mean nothing.
   [[nodiscard]] ConnectResult failure() const { return failure_; }
 
-  /// Gives back what memory isn't used.
-  void end() {
+  /// Gives back what memory isn't used, if all went well: `clashes` is what all calls of take()
+  /// returned, joined by or.
+  [[nodiscard]] ConnectResult end(Index clashes) {
+    if (failure_ != ConnectResult::kDone) return failure_;
+    if (clashes != 0) return ConnectResult::kNotManifold;
     for (Array<Index>* array : halfedge_arrays()) {
       (void)array->resize(used_);  // no larger than it is
       if (is_fresh_) array->shrink_to_fit();
     }
+    return ConnectResult::kDone;
   }
 
   /// Empties the groups of the vertices from `first` up to the one before `last`: before the first

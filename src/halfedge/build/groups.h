@@ -30,6 +30,15 @@ void for_each_face(const Polygons& polygons, const Visit& visit) {
   }
 }
 
+[[nodiscard]] inline Index smallest_vertex(const Index* triangle) {
+  return std::min({triangle[0], triangle[1], triangle[2]});
+}
+[[nodiscard]] inline Index middle_vertex(const Index* triangle) {
+  const Index low = std::min(triangle[0], triangle[1]);
+  const Index high = std::max(triangle[0], triangle[1]);
+  return std::max(low, std::min(high, triangle[2]));
+}
+
 /// Whether two vertices are so near by number that what belongs to them is near in memory.
 [[nodiscard]] constexpr bool are_near(Index a, Index b) {
   constexpr Index kNearby = 2048;
