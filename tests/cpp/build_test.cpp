@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
-#include <halfedge/validate/validate.h>
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "support/built.h"
 #include "support/canonical.h"
 #include "support/random_polygons.h"
 #include "support/reference_build.h"
@@ -16,31 +16,6 @@
 
 namespace halfedge::test {
 namespace {
-
-Mesh built(const Shape& shape) {
-  Mesh mesh;
-  BuildReport report;
-  EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << shape.name;
-  EXPECT_EQ(report.problem_count, 0U);
-  EXPECT_TRUE(report.problems.empty());
-  return mesh;
-}
-
-void expect_valid(const Mesh& mesh, const std::string& name) {
-  const std::vector<Problem> problems = validate(mesh);
-  for (const Problem& problem : problems) {
-    if (problem.severity == Severity::kError) ADD_FAILURE() << name << ": " << problem.message;
-  }
-}
-
-void expect_same(const Mesh& mesh, const Mesh& expected, const std::string& name) {
-  const Canonical a(mesh);
-  const Canonical b(expected);
-  EXPECT_EQ(a.sides, b.sides) << name;
-  EXPECT_EQ(a.anchors, b.anchors) << name;
-  EXPECT_EQ(a.firsts, b.firsts) << name;
-  EXPECT_EQ(a.positions, b.positions) << name;
-}
 
 std::vector<Ends> outgoing_cw(const Mesh& mesh, Index v) {
   std::vector<Ends> ends;
@@ -246,9 +221,7 @@ TEST(Build, MakesTheMeshThatTheContractDescribesAroundVerticesOfHighValence) {
 }
 
 TEST(Build, MakesRoomForMeshesThatAreAllBoundary) {
-  std::vector<std::vector<Index>> faces;
-  for (Index i = 0; i < 5000; ++i) faces.push_back({3 * i + 2, 3 * i, 3 * i + 1});
-  const Shape shape{"loose triangles", 15'000, std::move(faces)};
+  const Shape shape = loose_triangles(5000);
   const Mesh mesh = built(shape);
   EXPECT_EQ(mesh.halfedge_count(), 30'000U);
   expect_valid(mesh, shape.name);

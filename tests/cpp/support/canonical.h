@@ -1,8 +1,11 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <halfedge/mesh.h>
 
+#include <algorithm>
 #include <ostream>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -51,5 +54,14 @@ struct Canonical {
     for (const Face f : mesh.faces()) firsts.push_back(ends_of(mesh, mesh.face_halfedge(f)));
   }
 };
+
+inline void expect_same(const Mesh& mesh, const Mesh& expected, const std::string& name) {
+  const Canonical a(mesh);
+  const Canonical b(expected);
+  EXPECT_EQ(a.sides, b.sides) << name;
+  EXPECT_EQ(a.anchors, b.anchors) << name;
+  EXPECT_EQ(a.firsts, b.firsts) << name;
+  EXPECT_EQ(a.positions, b.positions) << name;
+}
 
 }  // namespace halfedge::test

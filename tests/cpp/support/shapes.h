@@ -58,6 +58,12 @@ inline Shape with_random_names(Shape shape, std::uint32_t seed = 1) {
   return {shape.name, shape.vertices, shape.faces};
 }
 
+inline Shape loose_triangles(Index count) {
+  std::vector<std::vector<Index>> faces;
+  for (Index i = 0; i < count; ++i) faces.push_back({3 * i + 2, 3 * i, 3 * i + 1});
+  return {"loose triangles", 3 * count, std::move(faces)};
+}
+
 /// Two vertices of high valence; the last vertex is one of them.
 inline Shape bipyramid(Index valence) {
   std::vector<std::vector<Index>> faces;
