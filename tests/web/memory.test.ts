@@ -1,5 +1,12 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { bytesInUse, growMemory, memorySize, withTaken } from './support/core.js';
+import {
+  bytesInUse,
+  growMemory,
+  growSilently,
+  isDetached,
+  memorySize,
+  withTaken,
+} from './support/core.js';
 import { quadGrid, randomPolygons } from './support/meshes.js';
 
 beforeAll(() => init());
@@ -188,6 +195,31 @@ describe('Views', () => {
     expect(mesh.connectivity).toBe(mesh.connectivity);
   });
 
+  test('of all meshes are replaced at once when the memory grows', () => {
+    using mesh = build();
+    using other = HalfedgeMesh.icoSphere(2);
+    using gone = mesh.clone();
+    gone.dispose();
+    growMemory();
+    expect([mesh, other].map(isDetached)).toEqual([false, false]);
+    for (const h of [0, 5, 10, 15]) {
+      expect(() => gone.next(h)).toThrow(expect.objectContaining({ code: 'disposed' }));
+    }
+    growSilently();
+    expect([mesh, other].map(isDetached)).toEqual([true, true]);
+  });
+
+  test('can be replaced while an operation is at work on their mesh', () => {
+    using mesh = HalfedgeMesh.icoSphere(5);
+    using twin = mesh.clone();
+    const size = memorySize();
+    for (let v = 0; size === memorySize() || v < 100; v++) {
+      for (const each of [mesh, twin]) each.splitFace(v % 20000, [v, 0, 1]);
+    }
+    expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
+    expect([...mesh.vertexVertices(7)]).toEqual([...twin.vertexVertices(7)]);
+  });
+
   const reads: [string, (mesh: HalfedgeMesh) => unknown][] = [
     ['next', (mesh) => mesh.next(3)],
     ['prev', (mesh) => mesh.prev(3)],
@@ -214,10 +246,10 @@ describe('Views', () => {
     ['connectivity', (mesh) => mesh.connectivity.next[3]],
     ['positions', (mesh) => mesh.positions[3]],
   ];
-  test.each(reads)('are mended by the first %s after growth of the memory', (_, read) => {
+  test.each(reads)('are mended by the first %s if nobody was told of growth', (_, read) => {
     using mesh = build();
     const before = read(mesh);
-    growMemory();
+    growSilently();
     expect(read(mesh)).toBe(before);
   });
 

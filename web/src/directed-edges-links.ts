@@ -1,12 +1,18 @@
 import { HalfedgeError } from './errors.js';
+import { unwatchGrowth, type Viewer, watchGrowth } from './growth.js';
 import { NONE } from './items.js';
 import { checkIndex, disposedError } from './links.js';
 import type { Core } from './loader.js';
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
-const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
-  core.destroyDirectedEdges(address),
-);
+const forgotten = new FinalizationRegistry<{
+  core: Core;
+  address: number;
+  watch: WeakRef<Viewer>;
+}>(({ core, address, watch }) => {
+  unwatchGrowth(watch);
+  core.destroyDirectedEdges(address);
+});
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, DirectedLinks>();
 
@@ -21,7 +27,7 @@ const NO_POSITIONS = new Float32Array(0);
  * and the views give undefined or something negative, and never throw. Whoever gets that calls
  * `revive()` or `checkHalfedge(h)` and reads again.
  */
-export class DirectedLinks {
+export class DirectedLinks implements Viewer {
   opposite: Int32Array = NO_LINKS;
   toVertex: Int32Array = NO_LINKS;
   boundaryNext: Int32Array = NO_LINKS;
@@ -43,40 +49,46 @@ export class DirectedLinks {
 
   readonly #core: Core;
   readonly #address: number;
+  readonly #watch: WeakRef<Viewer>;
+  /** Where the views lie. */
+  readonly #addresses = new Uint32Array(6);
 
   /** Takes over the mesh at `address`, and frees it when disposed of or when garbage collected. */
   constructor(core: Core, address: number) {
     this.#core = core;
     this.#address = address;
-    forgotten.register(this, { core, address }, this);
+    this.#watch = watchGrowth(this);
+    forgotten.register(this, { core, address, watch: this.#watch }, this);
     this.refresh();
   }
 
   /** Makes fresh views. Throws if disposed. */
   refresh(): void {
     this.checkAlive();
-    const { memory } = this.#core;
-    const at = this.#core.directedEdgesLayout(this.#address) >>> 2;
-    const words = new Uint32Array(memory.buffer);
-    const [vertices, halfedges, sides] = [words[at + 6], words[at + 7], words[at + 8]];
+    const at = this.#core.directedEdgesLayout(this.#address) >>> 0;
+    const words = new Uint32Array(this.#core.memory.buffer, at, this.#addresses.length + 3);
+    this.#addresses.set(words.subarray(0, this.#addresses.length));
+    [this.vertices, this.halfedges, this.sides] = words.subarray(this.#addresses.length);
+    this.renewViews();
+  }
+
+  renewViews(): void {
+    const { buffer } = this.#core.memory;
+    const { vertices, halfedges, sides } = this;
+    const addresses = this.#addresses;
     const owned = <View extends object>(view: View): View => {
       owners.set(view, this);
       return view;
     };
     const view = (field: number, length: number) =>
-      length === 0 ? NO_LINKS : owned(new Int32Array(memory.buffer, words[at + field], length));
+      length === 0 ? NO_LINKS : owned(new Int32Array(buffer, addresses[field], length));
     this.opposite = view(0, halfedges);
     this.toVertex = view(1, halfedges);
     this.boundaryNext = view(2, halfedges - sides);
     this.boundaryPrev = view(3, halfedges - sides);
     this.vertexHalfedge = view(4, vertices);
     this.positions =
-      vertices === 0
-        ? NO_POSITIONS
-        : owned(new Float32Array(memory.buffer, words[at + 5], 3 * vertices));
-    this.vertices = vertices;
-    this.halfedges = halfedges;
-    this.sides = sides;
+      vertices === 0 ? NO_POSITIONS : owned(new Float32Array(buffer, addresses[5], 3 * vertices));
     this.onRefresh?.();
   }
 
@@ -103,6 +115,7 @@ export class DirectedLinks {
   dispose(): void {
     if (this.disposed) return;
     forgotten.unregister(this);
+    unwatchGrowth(this.#watch);
     this.#core.destroyDirectedEdges(this.#address);
     this.opposite = this.toVertex = this.boundaryNext = this.boundaryPrev = NO_LINKS;
     this.vertexHalfedge = NO_LINKS;

@@ -1,5 +1,6 @@
 import { describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
+import { unwatchGrowth, type Viewer, watchGrowth } from './growth.js';
 import { type ItemKind, NONE } from './items.js';
 import type { Core } from './loader.js';
 
@@ -7,9 +8,14 @@ import type { Core } from './loader.js';
  * Frees the meshes that were forgotten rather than disposed of. Watches the links, not the mesh:
  * iterators and live views keep the links alive, and so the memory under them.
  */
-const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
-  core.destroyMesh(address),
-);
+const forgotten = new FinalizationRegistry<{
+  core: Core;
+  address: number;
+  watch: WeakRef<Viewer>;
+}>(({ core, address, watch }) => {
+  unwatchGrowth(watch);
+  core.destroyMesh(address);
+});
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, Links>();
 
@@ -63,7 +69,7 @@ export interface ConnectivityViews {
  * the last slot they hold -2, which fails that comparison, too: whoever needs a length asks for the
  * slots. A user gets `exactViews` and `positions`.
  */
-export class Links {
+export class Links implements Viewer {
   next: Int32Array = NO_LINKS;
   /** Empty where it isn't stored: see `findPrev`. */
   prev: Int32Array = NO_LINKS;
@@ -98,10 +104,13 @@ export class Links {
 
   readonly #core: Core;
   readonly #address: number;
+  readonly #watch: WeakRef<Viewer>;
   #version = 0;
-  /** What `layout` wrote, in place; and the addresses among it for which the views were made. */
+  /** What `layout` wrote, in place; and the addresses and rooms among it for which the views were made. */
   #words = NO_WORDS;
+  #wordsAt = 0;
   readonly #taken = new Uint32Array(ADDRESSES);
+  readonly #rooms = { vertices: 0, halfedges: 0, faces: 0 };
   #exact: ConnectivityViews | undefined;
   #positions = NO_POSITIONS;
 
@@ -109,36 +118,43 @@ export class Links {
   constructor(core: Core, address: number) {
     this.#core = core;
     this.#address = address;
-    forgotten.register(this, { core, address }, this);
+    this.#watch = watchGrowth(this);
+    forgotten.register(this, { core, address, watch: this.#watch }, this);
     this.refresh();
   }
 
-  /** Makes fresh views, after growth of the memory or when arrays have moved. Throws if disposed. */
+  /** Makes fresh views, when arrays have moved or grown. Throws if disposed. */
   refresh(): void {
     this.checkAlive();
-    const { buffer } = this.#core.memory;
-    const words = new Uint32Array(buffer, this.#core.layout(this.#address) >>> 0, WORDS);
-    this.#words = words;
+    this.#wordsAt = this.#core.layout(this.#address) >>> 0;
+    const words = new Uint32Array(this.#core.memory.buffer, this.#wordsAt, WORDS);
     this.#taken.set(words.subarray(0, ADDRESSES));
-    const view = (field: number, room: number, slots: number) => {
-      if (room === 0) return NO_LINKS;
-      const links = new Int32Array(buffer, words[field], room);
-      return this.own(links).fill(BEYOND, slots);
-    };
-    const [vertices, halfedges, faces] = words.subarray(16, 19);
-    const vertexSlots = words[7];
-    const halfedgeSlots = words[8];
+    [this.#rooms.vertices, this.#rooms.halfedges, this.#rooms.faces] = words.subarray(16, 19);
     this.storesPrev = words[15] !== 0;
-    this.next = view(0, halfedges, halfedgeSlots);
-    this.prev = this.storesPrev ? view(1, halfedges, halfedgeSlots) : NO_LINKS;
-    this.toVertex = view(2, halfedges, halfedgeSlots);
-    this.face = view(3, halfedges, halfedgeSlots);
-    this.vertexHalfedge = view(4, vertices, vertexSlots);
-    this.faceHalfedge = view(5, faces, words[9]);
+    this.#takeCounts(words);
+    this.renewViews();
+    for (const links of [this.next, this.prev, this.toVertex, this.face]) {
+      links.fill(BEYOND, this.halfedgeSlots);
+    }
+    this.vertexHalfedge.fill(BEYOND, this.vertexSlots);
+    this.faceHalfedge.fill(BEYOND, this.faceSlots);
+  }
+
+  renewViews(): void {
+    const { buffer } = this.#core.memory;
+    const { vertices, halfedges, faces } = this.#rooms;
+    const view = (field: number, room: number) =>
+      room === 0 ? NO_LINKS : this.own(new Int32Array(buffer, this.#taken[field], room));
+    this.#words = new Uint32Array(buffer, this.#wordsAt, WORDS);
+    this.next = view(0, halfedges);
+    this.prev = view(1, this.storesPrev ? halfedges : 0);
+    this.toVertex = view(2, halfedges);
+    this.face = view(3, halfedges);
+    this.vertexHalfedge = view(4, vertices);
+    this.faceHalfedge = view(5, faces);
     this.#exact = undefined;
     this.#positions = NO_POSITIONS;
     this.changes += 1;
-    this.#takeCounts(words);
     this.onRefresh?.();
   }
 
@@ -274,6 +290,7 @@ export class Links {
   dispose(): void {
     if (this.disposed) return;
     forgotten.unregister(this);
+    unwatchGrowth(this.#watch);
     this.#core.destroyMesh(this.#address);
     this.next = this.prev = this.toVertex = this.face = NO_LINKS;
     this.vertexHalfedge = this.faceHalfedge = NO_LINKS;

@@ -1,5 +1,6 @@
 import createCore, { type RawCore } from './core.mjs';
 import { HalfedgeError } from './errors.js';
+import { announceGrowth } from './growth.js';
 
 /** The functions of the WebAssembly module, and its memory. */
 export interface Core extends RawCore {
@@ -61,6 +62,7 @@ function instantiate(module: WebAssembly.Module): Promise<Core> {
         WebAssembly.instantiate(module, imports as WebAssembly.Imports)
           .then((instance) => {
             memory = memoryOf(instance);
+            if (memory !== undefined) announceGrowth(memory);
             receive(instance);
           })
           .catch(fail);

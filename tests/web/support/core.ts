@@ -17,6 +17,18 @@ export function growMemory(): void {
   for (const address of blocks) core().free(address);
 }
 
+/** Detaches all views without a word to whoever has some: the case that nobody is prepared for. */
+export function growSilently(): void {
+  const { memory } = core();
+  const { grow } = memory;
+  memory.grow = WebAssembly.Memory.prototype.grow;
+  growMemory();
+  memory.grow = grow;
+}
+
+/** Whether growth of the memory has detached the views through which a mesh is read. */
+export const isDetached = (mesh: HalfedgeMesh): boolean => linksOf(mesh as never).detached;
+
 /**
  * Runs `use` with a full heap: what is allocated next, if it is larger than the holes (128 KiB), makes the
  * memory grow and detaches all views. Throws if it did not.
