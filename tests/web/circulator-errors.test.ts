@@ -15,18 +15,14 @@ describe('After the connectivity has changed,', () => {
   const sentence =
     'This circulator was used after the connectivity changed under it; expected a new one.';
   const use: [string, (mesh: HalfedgeMesh, change: () => void) => unknown][] = [
-    [
-      'the next step of a loop',
-      (mesh, change) => {
-        for (const _ of mesh.vertexVertices(5)) change();
-      },
-    ],
-    [
-      'the next step of a loop over faces',
-      (mesh, change) => {
-        for (const _ of mesh.vertexFaces(5)) change();
-      },
-    ],
+    ...[...aroundVertices, ...aroundFaces].flatMap((kind) =>
+      directions.map((direction): [string, (mesh: HalfedgeMesh, change: () => void) => unknown] => [
+        `the next step of a loop (${kind}, ${direction})`,
+        (mesh, change) => {
+          for (const _ of mesh[kind](4, direction)) change();
+        },
+      ]),
+    ),
     [
       'the next step of a loop over an edge',
       (mesh, change) => {
@@ -131,6 +127,21 @@ describe('With corrupted links', () => {
       },
     ],
   ];
+  test.each(corruptions)('(%s) a loop sees no item that is none', (_, corrupt) => {
+    using mesh = build(quadGrid());
+    corrupt(mesh.connectivity as never, mesh.vertexHalfedge(5));
+    for (const kind of aroundVertices) {
+      for (const direction of directions) {
+        const seen: number[] = [];
+        expect(() => {
+          for (const item of mesh[kind](5, direction)) seen.push(item);
+        }).toThrow(expect.objectContaining({ code: 'corrupt-connectivity' }));
+        const sound = seen.filter((i) => Number.isInteger(i) && i >= 0 && i < mesh.halfedgeSlots);
+        expect(seen).toEqual(sound);
+      }
+    }
+  });
+
   test.each(corruptions)('(%s) every form throws', (_, corrupt) => {
     using mesh = build(quadGrid());
     corrupt(mesh.connectivity as never, mesh.vertexHalfedge(5));

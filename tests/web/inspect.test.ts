@@ -13,6 +13,13 @@ describe('What Node prints', () => {
     expect(() => inspect(Mesh.prototype)).not.toThrow();
   });
 
+  test('of the properties of a mesh: none, since they would drag in all of the memory', () => {
+    using mesh = HalfedgeMesh.icoSphere(1);
+    expect(Object.keys(mesh)).toEqual([]);
+    expect(JSON.stringify(mesh)).toBe('{}');
+    expect(structuredClone(mesh)).toEqual({});
+  });
+
   test.each([
     ['', HalfedgeMesh],
     ['Directed', DirectedEdgesMesh],

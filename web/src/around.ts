@@ -3,13 +3,15 @@ import { type Direction, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
 import * as orbit from './orbit.js';
 import { directionIndex } from './rings.js';
+import * as walks from './walks.js';
 
-// Constants of this module's own: see orbit.ts.
+// Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
-const { ACROSS, EdgeOrbit, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, Orbit } = orbit;
-const { ROTATE_CCW, ROTATE_CW, beginsAtHome, reverse, step } = orbit;
+const { EdgeOrbit, Orbit } = orbit;
+const { ACROSS, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE } = walks;
+const { ROTATE_CCW, ROTATE_CW, beginsAtHome, reverse, step } = walks;
 
-// Where the lap around an item begins or ends, its home (see orbit.ts), and all checks of what a caller
+// Where the lap around an item begins or ends, its home (see walks.ts), and all checks of what a caller
 // passes. The common case of each function is small enough for the JIT to inline; the rest is `homeOf`.
 
 /** What a lap goes around; a loop is the one through a halfedge. */
@@ -68,7 +70,12 @@ export const aroundVertex = <Item extends number>(
   start: number | undefined,
   view: number,
 ): orbit.Orbit<Item> => {
-  const walk = direction === 'ccw' ? ROTATE_CCW : walkAround('vertex', direction);
+  const walk =
+    direction === 'ccw'
+      ? ROTATE_CCW
+      : direction === 'cw'
+        ? ROTATE_CW
+        : rest.walkAround('vertex', direction);
   return new Orbit(links, homeAtVertex(links, v, walk, start, view), walk, view);
 };
 
@@ -80,7 +87,12 @@ export const aroundFace = <Item extends number>(
   start: number | undefined,
   view: number,
 ): orbit.Orbit<Item> => {
-  const walk = direction === 'ccw' ? LOOP_CCW : walkAround('face', direction);
+  const walk =
+    direction === 'ccw'
+      ? LOOP_CCW
+      : direction === 'cw'
+        ? LOOP_CW
+        : rest.walkAround('face', direction);
   return new Orbit(links, homeAtFace(links, f, walk, start), walk, view);
 };
 
@@ -163,5 +175,5 @@ const homeOf = (
   return beginsAtHome(walk) ? first : before(links, centre, item, walk, first);
 };
 
-/** A method, because V8 compiles no property access that has never happened: see orbit.ts. */
-const rest = { homeOf };
+/** Methods, because V8 compiles no property access that has never happened: see laps.ts. */
+const rest = { homeOf, walkAround };

@@ -18,12 +18,13 @@ import { LiveItems } from './live.js';
 import * as navigation from './navigation.js';
 import * as orbit from './orbit.js';
 import type { RingKind } from './rings.js';
+import * as walks from './walks.js';
 
-// Constants of this module's own: see orbit.ts.
+// Constants of this module's own: see walks.ts.
 const { linksOf } = navigation;
 const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
 const { Circulator, kindOf } = circulator;
-const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = orbit;
+const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number> = circulator.Circulator<Item>;
 

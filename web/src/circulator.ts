@@ -2,12 +2,14 @@ import * as around from './around.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
 import * as orbit from './orbit.js';
+import * as walks from './walks.js';
 
-// Constants of this module's own: see orbit.ts.
+// Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
 const { lastAround, walkAround } = around;
-const { ACROSS, SMALL_INDEX: SMALL, TO_VERTEX, beginsAtHome, recipe } = orbit;
-const { reverse, shown, staleError, step } = orbit;
+const { staleError } = orbit;
+const { ACROSS, TO_VERTEX, beginsAtHome, recipe, reverse, shown, step } = walks;
+const { SMALL } = walks.BITS;
 type Centre = around.Centre;
 
 /** Nothing to look up: what is read from it, undefined, leads to the slow path. */
@@ -110,7 +112,7 @@ export class Circulator<Item extends number = number> {
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.era.over === true) this.refuse();
+    if (this.era[0] === undefined) this.refuse();
     return this.item as Item;
   }
 
@@ -119,13 +121,13 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.era.over === true) this.refuse();
+    if (this.era[0] === undefined) this.refuse();
     return this.at as Halfedge;
   }
 
   /** Steps on, and returns what it shows there. */
   next(): Item {
-    if (this.era.over === true) this.refuse();
+    if (this.era[0] === undefined) this.refuse();
     const link = this.follow[this.at ^ this.before];
     if (!(link >= 0)) return this.search(this.course.walk);
     const h = (link ^ this.after) & SMALL;
@@ -139,7 +141,7 @@ export class Circulator<Item extends number = number> {
 
   /** Steps back, and returns what it shows there. */
   prev(): Item {
-    if (this.era.over === true) this.refuse();
+    if (this.era[0] === undefined) this.refuse();
     const { links, course } = this;
     const walk = reverse(course.walk);
     const h = step(links, walk, this.at);
@@ -155,7 +157,7 @@ export class Circulator<Item extends number = number> {
    * without making one.
    */
   moveTo(item: number, start?: HalfedgeLike): this {
-    if (typeof item !== 'number' || start !== undefined || this.era.over === true) {
+    if (typeof item !== 'number' || start !== undefined || this.era[0] === undefined) {
       return this.moveSlowly(item, start);
     }
     const anchor = this.anchors[item];

@@ -13,7 +13,7 @@ import {
 } from './items.js';
 import { corrupt } from './links.js';
 
-// A constant of this module's own: see orbit.ts.
+// A constant of this module's own: see walks.ts.
 const NONE: typeof none = none;
 
 /** Live zero-copy views of Directed Edges. Empty links are -1. */

@@ -2,19 +2,20 @@ import { describe } from './arguments.js';
 import * as around from './around.js';
 import * as directed from './directed-edges-links.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
+import type { Result } from './laps.js';
 import { corrupt } from './links.js';
-import * as orbit from './orbit.js';
+import * as walks from './walks.js';
 
-// Constants of this module's own: see orbit.ts.
+// Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
 const { walkAround } = around;
 const { after, before, edgeOf, faceOf, staleError } = directed;
-const { EDGE, FACE, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, OPPOSITE_FACE } = orbit;
-const { ROTATE_CCW, ROTATE_CW, TO_VERTEX, reverse } = orbit;
+const { EDGE, FACE, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE, OPPOSITE_FACE } = walks;
+const { ROTATE_CCW, ROTATE_CW, TO_VERTEX, reverse } = walks;
 type Centre = around.Centre;
 type DirectedLinks = directed.DirectedLinks;
 
-// The walks and views of orbit.ts over Directed Edges. They stand apart from those: V8 compiles each of
+// The walks and views of walks.ts over Directed Edges. They stand apart from those: V8 compiles each of
 // the two for the one kind of links that it meets.
 
 /** One step from `h`; undefined or negative where views are detached, or links corrupt. */
@@ -45,7 +46,7 @@ export interface Kind {
 
 /** One lap underway: the halfedge that is shown next, NONE when the lap is over. */
 interface Lap {
-  next: () => orbit.Result;
+  next: () => Result;
   orbit: DirectedOrbit<number>;
   at: number;
   left: number;
@@ -128,9 +129,9 @@ export class DirectedOrbit<Item extends number> implements Iterable<Item> {
   }
 }
 
-const nextItem = function (this: Lap): orbit.Result {
+const nextItem = function (this: Lap): Result {
   const item = advance(this);
-  return { value: item, done: item < 0 } as orbit.Result;
+  return { value: item, done: item < 0 } as Result;
 };
 
 /** The next item, or NONE at the end. */
@@ -317,12 +318,12 @@ export class DirectedItems<Item extends number> implements Iterable<Item> {
 
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
     let at = 0;
-    const next = (): orbit.Result => {
+    const next = (): Result => {
       if (this.#links.era.over) throw staleError(this.#links);
       if (this.#areEdges) at = this.#edgeFrom(at);
       return (
         at < this.#count ? { value: at++, done: false } : { value: NONE, done: true }
-      ) as orbit.Result;
+      ) as Result;
     };
     return { next } as Iterator<Item, typeof NONE>;
   }

@@ -31,9 +31,9 @@ import { corrupt, Links } from './links.js';
 import { core } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { linksOf } from './navigation.js';
-import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './orbit.js';
 import { unwrap } from './reports.js';
 import { checkLevel, findings } from './topology.js';
+import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './walks.js';
 
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 

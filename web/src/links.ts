@@ -52,21 +52,22 @@ export interface ConnectivityViews {
  * Live typed-array views of one mesh's links in WebAssembly memory, shared by the mesh and its
  * iterators. This is what makes navigation fast: nothing crosses into WebAssembly per step.
  *
- * Hot code reads a view and looks at the sign of what it gets, once:
+ * Hot code reads a view and looks whether what it gets is the number of an item, in one more view:
  * ```ts
  * const r = links.next[h];
- * return r >= 0 ? r : slow(h);
+ * return links.next[r] !== undefined ? r : slow(h);
  * ```
  * `undefined` (out of range, a fraction, not a number, or a view that growth of the memory has
- * detached), and what a deleted slot stores (below -1) all fail that one comparison. The slow path
- * calls `checkHalfedge(h)`, which mends detached views or throws the sentence, and reads again. Only
- * `face`, and the anchor of an isolated vertex, are -1 in a sound mesh.
+ * detached), and what a deleted slot stores (below -1) all number nothing. The slow path calls
+ * `checkHalfedge(h)`, which mends detached views or throws the sentence, and reads again. Only
+ * `face`, and the anchor of an isolated vertex, are -1 in a sound mesh. Why so, and not `r >= 0`:
+ * see laps.ts.
  *
  * Views detach only while WebAssembly allocates, so a loop that calls none of it may keep a view in
  * a local variable. All of them are empty after `dispose`.
  *
  * So that an edit doesn't need new views, they reach over all the room that the arrays have. Beyond
- * the last slot they hold -2, which fails that comparison, too: whoever needs a length asks for the
+ * the last slot they hold -2, which numbers nothing, either: whoever needs a length asks for the
  * slots. A user gets `exactViews` and `positions`.
  */
 export class Links implements Viewer {
@@ -87,8 +88,11 @@ export class Links implements Viewer {
   edgeCount = 0;
   faceCount = 0;
 
-  /** Over as soon as `version` has changed. Circulators ask this: V8 has less to inline than to compare. */
-  era = { over: false };
+  /**
+   * Emptied as soon as `version` has changed, for another. Circulators look at its element: V8 has less to
+   * inline than to compare, and makes no branch of it.
+   */
+  era = [0];
   disposed = false;
   /** Whether the mesh has the array prev. */
   storesPrev = true;
@@ -312,8 +316,8 @@ export class Links implements Viewer {
   set version(version: number) {
     if (version === this.#version) return;
     this.#version = version;
-    this.era.over = true;
-    this.era = { over: false };
+    this.era.length = 0;
+    this.era = [0];
   }
 
   /** The address of the mesh for calls into the core. Throws if disposed. */

@@ -1,14 +1,15 @@
 import { type ItemKind, NONE as none } from './items.js';
+import type { Result } from './laps.js';
 import { type Links, slotCount } from './links.js';
 import * as orbit from './orbit.js';
 
-// Constants of this module's own: see orbit.ts.
+// Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
 const { staleError } = orbit;
 
-/** A walk through the slots underway, in the form of the laps in orbit.ts. */
+/** A walk through the slots underway, in the form of the laps in laps.ts. */
 interface Pass {
-  next: () => orbit.Result;
+  next: () => Result;
   items: LiveItems<number>;
   slots: Int32Array;
   at: number;
@@ -70,15 +71,15 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
   }
 }
 
-function nextLive(this: Pass): orbit.Result {
+function nextLive(this: Pass): Result {
   const { items, at } = this;
-  if (items.era.over) items.refuse();
+  if (items.era[0] === undefined) items.refuse();
   let item: number = NONE;
   if (at < items.count) {
     item = this.slots[at << items.shift] >= NONE ? at : items.liveFrom(at);
     this.at = item < 0 ? items.count : item + 1;
   }
-  return { value: item, done: item < 0 } as orbit.Result;
+  return { value: item, done: item < 0 } as Result;
 }
 
 function slotsOf(links: Links, kind: ItemKind): Int32Array {

@@ -33,6 +33,7 @@ import {
   trianglesOf,
 } from './topology.js';
 import { type AppendMaps, appendLinks, bytesOfLinks, dualLinks, linksOfBytes } from './transfer.js';
+import { warmUp } from './warm-up.js';
 import { type WriteOptions, writeFile } from './write.js';
 
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
@@ -58,6 +59,7 @@ export class HalfedgeMesh extends Shapes {
   constructor(links: Links);
   constructor(given: unknown = {}) {
     super(given instanceof Links ? given : emptyLinks(given));
+    warmUp();
   }
 
   static {
