@@ -89,8 +89,8 @@ export class Links implements Viewer {
   faceCount = 0;
 
   /**
-   * Emptied as soon as `version` has changed, for another. Circulators look at its element: V8 has less to
-   * inline than to compare, and makes no branch of it.
+   * Emptied as soon as `version` has changed, for another: laps look at its element, circulators at its
+   * length. V8 has less to inline than to compare.
    */
   era = [0];
   disposed = false;
