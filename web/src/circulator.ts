@@ -112,7 +112,7 @@ export class Circulator<Item extends number = number> {
 
   /** What it shows where it stands; `NONE` if there is nothing around the item. */
   get current(): Item {
-    if (this.era.length === 0) this.refuse();
+    if (this.era.first < 0) this.refuse();
     return this.item as Item;
   }
 
@@ -121,13 +121,13 @@ export class Circulator<Item extends number = number> {
    * `NONE` if there is nothing around the item.
    */
   get halfedge(): Halfedge {
-    if (this.era.length === 0) this.refuse();
+    if (this.era.first < 0) this.refuse();
     return this.at as Halfedge;
   }
 
   /** Steps on, and returns what it shows there. */
   next(): Item {
-    if (this.era.length === 0) this.refuse();
+    if (this.era.first < 0) this.refuse();
     const link = this.follow[this.at ^ this.before];
     if (!(link >= 0)) return this.search(this.course.walk);
     const h = (link ^ this.after) & SMALL;
@@ -141,7 +141,7 @@ export class Circulator<Item extends number = number> {
 
   /** Steps back, and returns what it shows there. */
   prev(): Item {
-    if (this.era.length === 0) this.refuse();
+    if (this.era.first < 0) this.refuse();
     const { links, course } = this;
     const walk = reverse(course.walk);
     const h = step(links, walk, this.at);
@@ -157,7 +157,7 @@ export class Circulator<Item extends number = number> {
    * without making one.
    */
   moveTo(item: number, start?: HalfedgeLike): this {
-    if (typeof item !== 'number' || start !== undefined || this.era.length === 0) {
+    if (typeof item !== 'number' || start !== undefined || this.era.first < 0) {
       return this.moveSlowly(item, start);
     }
     const anchor = this.anchors[item];

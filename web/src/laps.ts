@@ -31,8 +31,8 @@ export interface Lap {
 // way out that V8 copies no loop around. So:
 //
 // - They are many and short, rather than few that decide. They have no loops.
-// - What is wrong is found by looking up what isn't there: element 0 of views that were detached or of an era
-//   that is over, element -1 for a link that can't be. V8 makes a comparison of that, without a branch, and
+// - What is wrong is found by looking up what isn't there: element 0 of views that were detached, element -1
+//   when the era is over, and for a link that can't be. V8 makes a comparison of that, without a branch, and
 //   without the look-up, since it knows that what is there is a number.
 // - Branches that most programs never take are taken once by `warmUp`.
 // - Whatever hands the lap on is a method: V8 compiles no property access that has never happened.
@@ -80,7 +80,7 @@ const indexAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, view } = orbit;
   const { prev } = orbit.links;
-  if (orbit.era[0] === undefined || prev[0] === undefined) return orbit.advanceSlowly(lap);
+  if (prev[orbit.era.first] === undefined) return orbit.advanceSlowly(lap);
   if (at < 0) return at;
   const h = ((prev[at] ?? NONE) ^ (walk & TURN)) & SMALL;
   if (prev[left] === undefined || prev[h] === undefined) return orbit.advanceSlowly(lap);
@@ -93,7 +93,7 @@ const indexAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, view } = orbit;
   const { next } = orbit.links;
-  if (orbit.era[0] === undefined || next[0] === undefined) return orbit.advanceSlowly(lap);
+  if (next[orbit.era.first] === undefined) return orbit.advanceSlowly(lap);
   if (at < 0) return at;
   const h = (next[at ^ (walk & TURN)] ?? NONE) & SMALL;
   if (next[left] === undefined || next[h] === undefined) return orbit.advanceSlowly(lap);
@@ -107,7 +107,7 @@ const indexAlongNext = (lap: Lap): number => {
 const vertexAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { prev, toVertex } = orbit.links;
-  if (orbit.era[0] === undefined || prev[0] === undefined || toVertex[0] === undefined) {
+  if (prev[orbit.era.first] === undefined || toVertex[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -122,7 +122,7 @@ const vertexAlongPrev = (lap: Lap): number => {
 const vertexAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { next, toVertex } = orbit.links;
-  if (orbit.era[0] === undefined || next[0] === undefined || toVertex[0] === undefined) {
+  if (next[orbit.era.first] === undefined || toVertex[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -141,7 +141,7 @@ const faceAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, home } = orbit;
   const { prev, face } = orbit.links;
-  if (orbit.era[0] === undefined || prev[0] === undefined || face[0] === undefined) {
+  if (prev[orbit.era.first] === undefined || face[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -170,7 +170,7 @@ const faceAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, home } = orbit;
   const { next, face } = orbit.links;
-  if (orbit.era[0] === undefined || next[0] === undefined || face[0] === undefined) {
+  if (next[orbit.era.first] === undefined || face[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -204,7 +204,7 @@ export const nextOfEdge = function (this: Lap): Result {
 const advanceAcross = (lap: Lap): number => {
   const { orbit, at } = lap;
   const { links, view, home } = orbit;
-  if (orbit.era[0] === undefined) orbit.refuse();
+  if (orbit.era.first < 0) orbit.refuse();
   if (at < 0) return at;
   let h = at ^ 1;
   let item = shown(links, view, h);

@@ -73,7 +73,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
 
 function nextLive(this: Pass): Result {
   const { items, at } = this;
-  if (items.era[0] === undefined) items.refuse();
+  if (items.era.first < 0) items.refuse();
   let item: number = NONE;
   if (at < items.count) {
     item = this.slots[at << items.shift] >= NONE ? at : items.liveFrom(at);

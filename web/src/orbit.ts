@@ -66,10 +66,9 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    */
   into(buffer: Int32Array | Uint32Array): number {
     const { links, home, walk, view } = this;
-    if (this.era[0] === undefined) this.refuse();
+    if (links.next[this.era.first] === undefined) this.revive();
     const room = roomIn(buffer);
     if (home < 0) return 0;
-    if (links.next.length === 0) links.revive();
     // This loop decides as little as it can, and stops at whatever is not as usual.
     const follow = (walk & ALONG_NEXT) === 0 ? links.prev : links.next;
     const before = turnBefore(walk);
@@ -116,10 +115,9 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    * @internal
    */
   advanceSlowly(lap: Lap): number {
-    if (this.era[0] === undefined) this.refuse();
+    this.revive();
     let { at } = lap;
     if (at < 0) return at;
-    this.links.revive();
     const { links, home, walk, view } = this;
     for (let { left } = lap; left >= 0; left--) {
       const h = step(links, walk, at);
@@ -132,6 +130,12 @@ export class Orbit<Item extends number> implements Iterable<Item> {
       return item;
     }
     return this.fail();
+  }
+
+  /** Mends views that growth of the memory had detached. Throws after a change. */
+  private revive(): void {
+    if (this.era.first < 0) this.refuse();
+    this.links.revive();
   }
 
   /** @internal */
