@@ -5,14 +5,9 @@ import { checkIndex, disposedError } from './links.js';
 import type { Core } from './loader.js';
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
-const forgotten = new FinalizationRegistry<{
-  core: Core;
-  address: number;
-  watch: WeakRef<Viewer>;
-}>(({ core, address, watch }) => {
-  unwatchGrowth(watch);
-  core.destroyDirectedEdges(address);
-});
+const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
+  core.destroyDirectedEdges(address),
+);
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, DirectedLinks>();
 
@@ -58,7 +53,7 @@ export class DirectedLinks implements Viewer {
     this.#core = core;
     this.#address = address;
     this.#watch = watchGrowth(this);
-    forgotten.register(this, { core, address, watch: this.#watch }, this);
+    forgotten.register(this, { core, address }, this);
     this.refresh();
   }
 

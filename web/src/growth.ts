@@ -9,11 +9,16 @@ export interface Viewer {
 
 /** All that there are. Weakly, so that forgotten meshes can be freed. */
 const viewers = new Set<WeakRef<Viewer>>();
+const forgotten = new FinalizationRegistry<WeakRef<Viewer>>(unwatchGrowth);
 
-/** Has `viewer` told of each growth from now on, until `unwatchGrowth` of what this returns. */
+/**
+ * Has `viewer` told of each growth from now on, until `unwatchGrowth` of what this returns, or until it is
+ * forgotten.
+ */
 export function watchGrowth(viewer: Viewer): WeakRef<Viewer> {
   const watch = new WeakRef(viewer);
   viewers.add(watch);
+  forgotten.register(viewer, watch);
   return watch;
 }
 

@@ -8,14 +8,9 @@ import type { Core } from './loader.js';
  * Frees the meshes that were forgotten rather than disposed of. Watches the links, not the mesh:
  * iterators and live views keep the links alive, and so the memory under them.
  */
-const forgotten = new FinalizationRegistry<{
-  core: Core;
-  address: number;
-  watch: WeakRef<Viewer>;
-}>(({ core, address, watch }) => {
-  unwatchGrowth(watch);
-  core.destroyMesh(address);
-});
+const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
+  core.destroyMesh(address),
+);
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, Links>();
 
@@ -123,7 +118,7 @@ export class Links implements Viewer {
     this.#core = core;
     this.#address = address;
     this.#watch = watchGrowth(this);
-    forgotten.register(this, { core, address, watch: this.#watch }, this);
+    forgotten.register(this, { core, address }, this);
     this.refresh();
   }
 

@@ -5,9 +5,9 @@ import { OPPOSITE_FACE } from './walks.js';
 let isWarm = false;
 
 /**
- * Goes around a face without neighbours, both ways, some times: once at all, before the first mesh. V8 moves
- * what doesn't change out of a loop only if each branch there was taken once, and the branches past sides
- * without a face aren't in most programs. It takes notes from the third time or so. See laps.ts.
+ * Goes around a face without neighbours, both ways, some times: once at all, when the first mesh is made.
+ * V8 moves what doesn't change out of a loop only if each branch there was taken once, and the branches past
+ * sides without a face aren't in most programs. It takes notes from the third time or so. See laps.ts.
  */
 export function warmUp(): void {
   if (isWarm) return;
