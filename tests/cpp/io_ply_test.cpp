@@ -181,6 +181,27 @@ TEST(Ply, TakesRowsOnAnyLines) {
   EXPECT_EQ(ply_error(vertices + "3 0 1\n").substr(0, 18), "truncated: line 15");
 }
 
+TEST(Ply, SaysThatTheFileEndsWithinAValueThatIsPassedOver) {
+  // In an element of its own, beside what is read, and in a list that only some rows have.
+  const std::string rows = "0 0\n0\n1 0\n0\n0 1 0\n";
+  for (const std::string end : {"", "\n", "\n\n", " \n # no more\n", "\r\n\t"}) {
+    EXPECT_EQ(ply_error(header("ascii", kVertices + "element edge 1\nproperty int a\n"
+                                                    "property int b\n") +
+                        rows + "7" + end)
+                  .substr(0, 11),
+              "truncated: ");
+    EXPECT_EQ(ply_error(header("ascii", kVertices + kFaces + "property list int int more\n") +
+                        rows + "3 0 1 2 2 7" + end)
+                  .substr(0, 11),
+              "truncated: ");
+    EXPECT_EQ(ply_error(header("ascii", kVertices + "element material 1\n"
+                                                    "property list uchar int more\n") +
+                        rows + "1" + end)
+                  .substr(0, 11),
+              "truncated: ");
+  }
+}
+
 TEST(Ply, PassesOverWhatARowHasMoreThanTheHeaderSays) {
   const std::string colors = "0 0 0 255\n1 0 0 0 0\n0 1 0\n3 0 1 2 1 2 3\n";
   const Parsed file = parse_ply(header("ascii") + colors);

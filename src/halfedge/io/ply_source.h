@@ -109,12 +109,13 @@ class PlyText {
     ++long_rows_;
     text_.skip_line();
   }
-  /// From the end of a line to the next value, where rows are broken over lines. False, without
-  /// moving, if that is not so. Asked last, where a value is missing: most rows have all of theirs.
+  /// From the end of a line to the next value, where rows are broken over lines; false if that is
+  /// not so, or if there is none. Asked last, where a value is missing: most rows have all of
+  /// theirs.
   [[nodiscard]] HALFEDGE_NOINLINE bool goes_on() {
-    if (!text_.at_line_end() || text_.at_end() || lines() <= rows_) return false;
+    if (!text_.at_line_end() || lines() <= rows_) return false;
     text_.skip_to_token();
-    return true;
+    return !text_.at_end();
   }
   /// Lines with something on them. Counted when first asked for.
   [[nodiscard]] std::uint64_t lines() {
