@@ -157,6 +157,29 @@ TEST(Obj, KeepsTheLineAfterACommentOrANameThatEndsWithABackslash) {
             (Floats{1, 2, 3, 4, 5, 6}));
 }
 
+// One that isn't read goes as far as one that is: else attributes would decide what is a face.
+TEST(Obj, JoinsLinesOfWhatItPassesOver) {
+  const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+  for (const std::string start : {"vt 0 1", "vt", "vn 0 0 1", "vn", "s", "s 1", "l 1 2", "p 1",
+                                  "curv 0 1 1 2", "surf 0 1", "parm u 0", "vp 1", "cstype"}) {
+    const std::string text = corners + start + " \\\nf 1 2 3\n" + start + "\\ \n 1 \\\r\n1\n";
+    for (const bool attributes : {true, false}) {
+      const Parsed file = test::flatten(read_obj(test::bytes_of(text), {.attributes = attributes}));
+      EXPECT_EQ(file.error, "");
+      EXPECT_EQ(file.faces, (Faces{{0, 1, 2}})) << start << attributes;
+      for (const std::string& note : file.notes) EXPECT_EQ(note.find("unknown"), note.npos) << note;
+    }
+  }
+  for (const std::string start :
+       {"g a", "o a", "usemtl C:", "mtllib C:", "usemap C:", "call a", "what"}) {
+    for (const bool attributes : {true, false}) {
+      const Parsed file = test::flatten(
+          read_obj(test::bytes_of(corners + start + "\\\nf 3 2 1\n"), {.attributes = attributes}));
+      EXPECT_EQ(file.faces, (Faces{{0, 1, 2}, {2, 1, 0}})) << start << attributes;
+    }
+  }
+}
+
 TEST(Obj, IgnoresWhatAVertexHasBesidesItsPosition) {
   EXPECT_EQ(parse_obj("v 1 2 3 1.0\nv 4 5 6 0.5 0.25 nan\nv 7 8 9 1 \\\n0 0 1\n").positions,
             (Floats{1, 2, 3, 4, 5, 6, 7, 8, 9}));

@@ -27,15 +27,23 @@ enum class Statement : std::uint8_t {
   kLine,
   kFreeForm,
   kOther,
+  kOtherName,
   kUnknown
 };
 
-/// Statements that carry nothing for a mesh, and need no note.
+/// Statements that carry nothing for a mesh, and need no note: of numbers and keywords, and of
+/// names.
 constexpr std::array kOtherWords = std::to_array<std::string_view>(
-    {"vp",    "vc",    "mg",   "lod", "usemap", "maplib", "shadow_obj", "trace_obj",
-     "bevel", "call",  "csh",  "deg", "bmat",   "step",   "cstype",     "parm",
-     "trim",  "hole",  "scrv", "sp",  "end",    "con",    "c_interp",   "d_interp",
-     "ctech", "stech", "bsp",  "bzp", "cdc",    "cdp",    "res"});
+    {"vp",    "vc",    "mg",   "lod",  "bevel", "deg", "bmat", "step",     "cstype",
+     "parm",  "trim",  "hole", "scrv", "sp",    "end", "con",  "c_interp", "d_interp",
+     "ctech", "stech", "bsp",  "bzp",  "cdc",   "cdp", "res"});
+constexpr std::array kOtherNames =
+    std::to_array<std::string_view>({"usemap", "maplib", "shadow_obj", "trace_obj", "call", "csh"});
+
+template <std::size_t kCount>
+bool is_one_of(const std::array<std::string_view, kCount>& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 Statement longer_statement_of(std::string_view word) {
   if (word == "vt") return Statement::kTexture;
@@ -44,8 +52,8 @@ Statement longer_statement_of(std::string_view word) {
   if (word == "usemtl") return Statement::kMaterial;
   if (word == "mtllib") return Statement::kLibrary;
   if (word == "curv" || word == "curv2" || word == "surf") return Statement::kFreeForm;
-  const bool known = std::find(kOtherWords.begin(), kOtherWords.end(), word) != kOtherWords.end();
-  return known ? Statement::kOther : Statement::kUnknown;
+  if (is_one_of(kOtherWords, word)) return Statement::kOther;
+  return is_one_of(kOtherNames, word) ? Statement::kOtherName : Statement::kUnknown;
 }
 
 Statement statement_of(std::string_view word) {
@@ -142,28 +150,35 @@ bool ObjReader::read_statement() {
       return read_face();
     case Statement::kTexture:
     case Statement::kNormal:
+    case Statement::kSmoothing:
+      if (options_.attributes) read_attribute(statement);
+      break;
     case Statement::kGroup:
     case Statement::kObject:
     case Statement::kMaterial:
-    case Statement::kSmoothing:
     case Statement::kLibrary:
       if (options_.attributes) read_attribute(statement);
       return true;
     case Statement::kPoint:
       ++points_;
-      return true;
+      break;
     case Statement::kLine:
       ++lines_;
-      return true;
+      break;
     case Statement::kFreeForm:
       ++free_form_;
-      return true;
+      break;
     case Statement::kOther:
+      break;
+    case Statement::kOtherName:
       return true;
     case Statement::kUnknown:
       if (unknown_++ == 0) first_unknown_ = start;
       return true;
   }
+  // With what a backslash joins to the line. Names and what is unknown may end with one of their
+  // own.
+  text_.skip_tokens();
   return true;
 }
 
