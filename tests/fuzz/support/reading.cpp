@@ -4,6 +4,7 @@
 #include <halfedge/build/build.h>
 #include <halfedge/repair/transfer.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -102,6 +103,19 @@ void stop_at_failures() {
 
 namespace {
 
+// Whether attributes are read decides nothing about the polygons.
+void expect_same_without_attributes(std::span<const std::uint8_t> bytes, const Reader& read,
+                                    ParseOptions options, const PolygonSoup& soup) {
+  options.attributes = false;
+  const Result<ParsedFile> other = read(bytes, options);
+  ASSERT_TRUE(other) << other.error().message;
+  const PolygonSoup& same = other.value().soup;
+  EXPECT_TRUE(std::ranges::equal(std::as_bytes(soup.positions.span()),
+                                 std::as_bytes(same.positions.span())));
+  EXPECT_TRUE(std::ranges::equal(soup.sizes, same.sizes));
+  EXPECT_TRUE(std::ranges::equal(soup.corners, same.corners));
+}
+
 void expect_file(std::span<const std::uint8_t> bytes, const Reader& read,
                  const ParseOptions& options) {
   const MemoryMeter meter;
@@ -116,6 +130,7 @@ void expect_file(std::span<const std::uint8_t> bytes, const Reader& read,
   for (const std::string& note : file.notes) expect_sentence({"note", note});
   expect_whole(file, options);
   expect_lines(bytes, file);
+  expect_same_without_attributes(bytes, read, options, file.soup);
   const Polygons polygons = file.soup.view();
   expect_strict_verdict(polygons);
   test::Repaired repaired(polygons);
