@@ -123,6 +123,13 @@ describe('init', () => {
     }
   });
 
+  test('refuses options that there are not', async () => {
+    const api = await fresh();
+    const error = await rejection(api.init({ locateFile: () => '' } as never));
+    expect(error).toBeInstanceOf(TypeError);
+    expect(error.message).toBe('options has the name "locateFile"; expected wasm.');
+  });
+
   test('refuses a buffer that was transferred away', async () => {
     const api = await fresh();
     const { buffer } = Uint8Array.from(bytes);

@@ -231,11 +231,3 @@ export function bytesOf(argument: string, source: unknown): Uint8Array | undefin
 function isBuffer(source: unknown): boolean {
   return /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(source));
 }
-
-/** Throws unless `options` is an object that can have options: no list; returns it. */
-export function checkOptions(options: unknown, argument = 'options'): object {
-  if (typeof options === 'object' && options !== null) {
-    if (!Array.isArray(options) && !ArrayBuffer.isView(options)) return options;
-  }
-  throw new TypeError(`${argument} is ${describe(options)}; expected an object.`);
-}

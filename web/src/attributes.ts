@@ -1,9 +1,10 @@
-import { checkOptions, describe, lengthOfArrayLike } from './arguments.js';
+import { describe, lengthOfArrayLike } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { done, KINDS, kindIndex, modeOf } from './edit.js';
 import type { ItemKind } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import { withInputs } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 
 /** The types of the numbers of an attribute; in the order of the enum Scalar in C++. */
@@ -44,6 +45,13 @@ export interface AttributeOptions<Type extends AttributeType = AttributeType> {
   /** Default: 'interpolate'. */
   onSplit?: OnSplit;
 }
+
+const ATTRIBUTE_OPTIONS: OptionNames<AttributeOptions> = {
+  type: true,
+  components: true,
+  default: true,
+  onSplit: true,
+};
 
 /** An attribute as it was added. */
 export interface AttributeInfo {
@@ -257,7 +265,7 @@ function settingsOf(options: AttributeOptions) {
     components = 1,
     default: given = 0,
     onSplit = 'interpolate',
-  } = checkOptions(options) as AttributeOptions;
+  } = checkOptions(options, ATTRIBUTE_OPTIONS);
   indexOfChoice('type', type, TYPE_NAMES);
   indexOfChoice('onSplit', onSplit, POLICIES);
   if (!(Number.isInteger(components) && components >= 1 && components <= 16)) {

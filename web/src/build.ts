@@ -1,7 +1,6 @@
 import {
   checkFloats,
   checkNotNegative,
-  checkOptions,
   describe,
   indices,
   isIndex,
@@ -18,6 +17,7 @@ import { counted } from './counted.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { type Block, withInputs } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 
 /** Faces as two arrays: how many corners each has, and the vertices of all corners in a row. */
@@ -45,16 +45,18 @@ export interface FaceOptions extends StorageOptions {
   vertexCount?: number;
 }
 
-/** Whether the options ask for prev; throws a sentence for what is no option. */
-export function storesPrev(options: unknown): boolean {
-  const { storePrev = true } = checkOptions(options) as StorageOptions;
+export const STORAGE_OPTIONS: OptionNames<StorageOptions> = { storePrev: true };
+const FACE_OPTIONS: OptionNames<FaceOptions> = { ...STORAGE_OPTIONS, vertexCount: true };
+
+/** Whether the options ask for prev. */
+export function storesPrev({ storePrev = true }: StorageOptions): boolean {
   checkFlag('options.storePrev', storePrev);
   return storePrev;
 }
 
 /** The mesh of an index buffer. */
 export function triangleLinks(positions: unknown, triangles: unknown, options: unknown): Links {
-  const withPrev = storesPrev(options);
+  const withPrev = storesPrev(checkOptions(options, STORAGE_OPTIONS));
   const { points, corners } = triangleArrays(positions, triangles);
   return buildLinks(points, undefined, corners, 'indices', withPrev);
 }
@@ -85,7 +87,7 @@ function triangleArrays(
 
 /** The mesh of polygons in either form. */
 export function polygonLinks(positions: unknown, faces: unknown, options: unknown): Links {
-  const withPrev = storesPrev(options);
+  const withPrev = storesPrev(checkOptions(options, STORAGE_OPTIONS));
   const points = positionArray(positions);
   const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
   return buildLinks(points, sizes, corners, 'corners', withPrev);
@@ -93,9 +95,10 @@ export function polygonLinks(positions: unknown, faces: unknown, options: unknow
 
 /** The mesh of faces without geometry: every vertex is at the origin. */
 export function faceLinks(faces: unknown, options: unknown): Links {
-  const withPrev = storesPrev(options);
+  const given = checkOptions(options, FACE_OPTIONS);
+  const withPrev = storesPrev(given);
+  const { vertexCount = 0 } = given;
   const { sizes, corners } = isPolygons(faces) ? polygonArrays(faces) : flatten(faces);
-  const { vertexCount = 0 } = options as FaceOptions;
   if (!(isIndex(vertexCount) && vertexCount <= MOST_VERTICES)) {
     throw new RangeError(
       `options.vertexCount is ${describe(vertexCount)}; expected an integer from 0 to ${MOST_VERTICES}.`,

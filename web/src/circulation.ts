@@ -1,4 +1,4 @@
-import { checkOptions, describe } from './arguments.js';
+import { describe } from './arguments.js';
 import * as around from './around.js';
 import { BulkRings } from './bulk.js';
 import * as circulator from './circulator.js';
@@ -16,6 +16,7 @@ import type {
 } from './items.js';
 import { LiveItems } from './live.js';
 import * as navigation from './navigation.js';
+import { checkOptions, type OptionNames } from './options.js';
 import * as orbit from './orbit.js';
 import type { RingKind } from './rings.js';
 import * as walks from './walks.js';
@@ -45,6 +46,8 @@ export interface CirculateOptions {
    */
   start?: HalfedgeLike;
 }
+
+export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: true, start: true };
 
 /**
  * Circulators: what lies around one item, one lap of it.
@@ -160,7 +163,7 @@ export abstract class Circulation extends BulkRings {
     let direction: Direction = 'ccw';
     let start: HalfedgeLike | undefined;
     if (options !== undefined) {
-      ({ direction = 'ccw', start } = checkOptions(options) as CirculateOptions);
+      ({ direction = 'ccw', start } = checkOptions(options, CIRCULATE_OPTIONS));
     }
     const around = KINDS[kind] as circulator.Kind | undefined;
     if (around === undefined) throw noSuchKind(kind);

@@ -1,6 +1,7 @@
 import { bytesOf, describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { messageOf } from './loader.js';
+import { checkOptions } from './options.js';
 
 declare global {
   // The types of the browser have these. A consumer in Node may do without them, but not without names.
@@ -25,7 +26,7 @@ export function wasmOption(options: InitOptions): InitOptions['wasm'] {
   if (options === null || typeof options !== 'object') {
     throw new TypeError(`options is ${describe(options)}; expected an object such as { wasm }.`);
   }
-  return options.wasm;
+  return checkOptions<InitOptions>(options, { wasm: true }).wasm;
 }
 
 /** Compiles what `init` was given. */

@@ -1,4 +1,3 @@
-import { checkOptions } from './arguments.js';
 import { checkCount, checkFlag, indexOfChoice } from './checks.js';
 import { Circulation } from './circulation.js';
 import {
@@ -17,6 +16,7 @@ import {
 import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike } from './items.js';
 import { checkItem, type Links } from './links.js';
 import { linksOf } from './navigation.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 import { takeMaps } from './transfer.js';
 
@@ -25,6 +25,8 @@ export interface DeleteOptions {
   /** Whether vertices stay that have no edge any more. Default: false, they are deleted too. */
   keepIsolatedVertices?: boolean;
 }
+
+const DELETE_OPTIONS: OptionNames<DeleteOptions> = { keepIsolatedVertices: true };
 
 /** In the order of the core: see `reorder`. */
 const VERTEX_ORDERS = ['morton', 'breadth-first'] as const;
@@ -278,7 +280,7 @@ export abstract class Construction extends Circulation {
 
 function deletion(links: Links, options: DeleteOptions | undefined): number {
   if (options === undefined) return modeOf(links);
-  const { keepIsolatedVertices = false } = checkOptions(options) as DeleteOptions;
+  const { keepIsolatedVertices = false } = checkOptions(options, DELETE_OPTIONS);
   checkFlag('keepIsolatedVertices', keepIsolatedVertices);
   return modeOf(links) | (keepIsolatedVertices ? OPTION : 0);
 }

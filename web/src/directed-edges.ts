@@ -1,10 +1,10 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { checkOptions, describe } from './arguments.js';
+import { describe } from './arguments.js';
 import { buildDirectedEdges } from './build.js';
 import { refuse } from './checks.js';
-import type { CirculateOptions, CirculatorKind } from './circulation.js';
+import { CIRCULATE_OPTIONS, type CirculateOptions, type CirculatorKind } from './circulation.js';
 import { after, DirectedLinks } from './directed-edges-links.js';
 import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
 import {
@@ -31,6 +31,7 @@ import { corrupt, Links } from './links.js';
 import { core } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { linksOf } from './navigation.js';
+import { checkOptions } from './options.js';
 import { unwrap } from './reports.js';
 import { checkLevel, findings } from './topology.js';
 import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './walks.js';
@@ -241,7 +242,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
     item: number,
     options: CirculateOptions = {},
   ): DirectedCirculator<Shown<Name>> {
-    const { direction = 'ccw', start } = checkOptions(options) as CirculateOptions;
+    const { direction = 'ccw', start } = checkOptions(options, CIRCULATE_OPTIONS);
     const around = KINDS[kind] as Kind | undefined;
     if (around === undefined) throw noSuchKind(kind);
     const links = directedLinksOf(this);

@@ -1,4 +1,3 @@
-import { checkOptions } from './arguments.js';
 import { checkFlag, indexOfChoice } from './checks.js';
 import { Construction } from './construction.js';
 import {
@@ -24,6 +23,7 @@ import type {
   VertexLike,
 } from './items.js';
 import { linksOf } from './navigation.js';
+import { checkOptions, type OptionNames } from './options.js';
 
 /** What a collapse may leave. */
 export interface CollapseOptions {
@@ -42,6 +42,9 @@ export interface SplitVertexOptions {
   left?: 'triangle' | 'corner';
   right?: 'triangle' | 'corner';
 }
+
+const COLLAPSE_OPTIONS: OptionNames<CollapseOptions> = { permissive: true };
+const SPLIT_VERTEX_OPTIONS: OptionNames<SplitVertexOptions> = { left: true, right: true };
 
 /**
  * The Euler operations, each beside its inverse: what changes edges, faces and vertices of one surface. The
@@ -372,14 +375,14 @@ export abstract class EulerOperations extends Construction {
 
 function condition(options: CollapseOptions | undefined): number {
   if (options === undefined) return 0;
-  const { permissive = false } = checkOptions(options) as CollapseOptions;
+  const { permissive = false } = checkOptions(options, COLLAPSE_OPTIONS);
   checkFlag('permissive', permissive);
   return permissive ? OPTION : 0;
 }
 
 function sides(options: SplitVertexOptions | undefined): number {
   if (options === undefined) return 0;
-  const { left, right } = checkOptions(options) as SplitVertexOptions;
+  const { left, right } = checkOptions(options, SPLIT_VERTEX_OPTIONS);
   return OPTION * side('left', left) + 4 * OPTION * side('right', right);
 }
 

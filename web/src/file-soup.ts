@@ -1,6 +1,6 @@
 // What a file holds, without a mesh: for those who only read.
 
-import { checkOptions, newArray } from './arguments.js';
+import { newArray } from './arguments.js';
 import { type AttributeType, type AttributeView, TYPE_NAMES, TYPES } from './attributes.js';
 import type { Polygons } from './build.js';
 import { checkFlag } from './checks.js';
@@ -8,6 +8,7 @@ import type { RawColumn, RawWords } from './core.mjs';
 import { contentOf } from './file-content.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 import {
   type AttributeNames,
   claimOf,
@@ -25,6 +26,12 @@ export interface FileSoupOptions extends Pick<ParseOptions, 'format' | 'attribut
    */
   weld?: boolean;
 }
+
+const FILE_SOUP_OPTIONS: OptionNames<FileSoupOptions> = {
+  format: true,
+  attributes: true,
+  weld: true,
+};
 
 /** A column of numbers that a file has beside its polygons. */
 export interface FileAttribute {
@@ -62,7 +69,7 @@ const NO_ROW = 0xffffffff;
 
 /** The polygons of a file. */
 export function parseSoup(data: unknown, options: unknown): FileSoup {
-  const { format, attributes = true, weld = true } = checkOptions(options) as FileSoupOptions;
+  const { format, attributes = true, weld = true } = checkOptions(options, FILE_SOUP_OPTIONS);
   const claimed = claimOf(format);
   checkFlag('options.attributes', attributes);
   checkFlag('options.weld', weld);

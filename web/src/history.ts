@@ -1,8 +1,8 @@
-import { checkOptions } from './arguments.js';
 import { checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import type { Links } from './links.js';
 import { outOfMemory } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 
 /** How far back history reaches. */
 export interface HistoryLimits {
@@ -11,6 +11,8 @@ export interface HistoryLimits {
   /** So many bytes, 12 for each word that an edit replaced. Default: Infinity. */
   bytes?: number;
 }
+
+const HISTORY_LIMITS: OptionNames<HistoryLimits> = { steps: true, bytes: true };
 
 /**
  * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and free then.
@@ -110,7 +112,7 @@ export class History {
    * any case. Steps that were undone are forgotten.
    */
   limit(limits: HistoryLimits): void {
-    const { steps = Infinity, bytes = Infinity } = checkOptions(limits) as HistoryLimits;
+    const { steps = Infinity, bytes = Infinity } = checkOptions(limits, HISTORY_LIMITS, 'limits');
     checkLimit('steps', steps);
     checkLimit('bytes', bytes);
     const { core, address } = this.#links;

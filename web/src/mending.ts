@@ -1,9 +1,9 @@
-import { checkOptions } from './arguments.js';
 import { checkFlag, refuse } from './checks.js';
 import { modeOf } from './edit.js';
 import type { Problem } from './errors.js';
 import { Modelling } from './modelling.js';
 import { linksOf } from './navigation.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { problemOf, unwrap } from './reports.js';
 import { take } from './rings.js';
 
@@ -100,6 +100,12 @@ export interface FillOptions {
   maxAngle?: number;
 }
 
+const STITCH_OPTIONS: OptionNames<StitchOptions> = { tolerance: true };
+const ORIENT_OPTIONS: OptionNames<OrientOptions> = { open: true, nested: true };
+const DROP_OPTIONS: OptionNames<DropOptions> = { faces: true, area: true, diagonal: true };
+const DEGENERATE_OPTIONS: OptionNames<DegenerateOptions> = { tolerance: true };
+const FILL_OPTIONS: OptionNames<FillOptions> = { maxEdges: true, maxAngle: true };
+
 /**
  * Repairs of a mesh that is there. Each does all that it can, and reports the rest. A mesh that is valid at
  * level 4 stays so; live items keep their indices; each repair is one step of history.
@@ -125,7 +131,7 @@ export abstract class Mending extends Modelling {
    */
   stitchBoundaries(options: StitchOptions = {}): MendReport {
     linksOf(this).checkAlive();
-    const { tolerance = 0 } = checkOptions(options) as StitchOptions;
+    const { tolerance = 0 } = checkOptions(options, STITCH_OPTIONS);
     checkFrom0('options.tolerance', tolerance);
     return mend(this, REPAIRS.stitch, tolerance);
   }
@@ -152,7 +158,7 @@ export abstract class Mending extends Modelling {
    */
   orientOutward(options: OrientOptions = {}): MendReport {
     linksOf(this).checkAlive();
-    const { open = false, nested = false } = checkOptions(options) as OrientOptions;
+    const { open = false, nested = false } = checkOptions(options, ORIENT_OPTIONS);
     checkFlag('options.open', open);
     checkFlag('options.nested', nested);
     return mend(this, REPAIRS.orient, Number(open), Number(nested));
@@ -166,7 +172,7 @@ export abstract class Mending extends Modelling {
    */
   dropSmallComponents(options: DropOptions): MendReport {
     linksOf(this).checkAlive();
-    const { faces = 0, area = 0, diagonal = 0 } = checkOptions(options) as DropOptions;
+    const { faces = 0, area = 0, diagonal = 0 } = checkOptions(options, DROP_OPTIONS);
     checkItems('options.faces', faces);
     checkShare('options.area', area);
     checkShare('options.diagonal', diagonal);
@@ -188,7 +194,7 @@ export abstract class Mending extends Modelling {
    */
   removeDegenerateFaces(options: DegenerateOptions = {}): MendReport {
     linksOf(this).checkAlive();
-    const { tolerance = 0 } = checkOptions(options) as DegenerateOptions;
+    const { tolerance = 0 } = checkOptions(options, DEGENERATE_OPTIONS);
     checkFrom0('options.tolerance', tolerance);
     return mend(this, REPAIRS.removeDegenerate, tolerance);
   }
@@ -210,7 +216,8 @@ export abstract class Mending extends Modelling {
     linksOf(this).checkAlive();
     const { maxEdges = Number.POSITIVE_INFINITY, maxAngle = 160 } = checkOptions(
       options,
-    ) as FillOptions;
+      FILL_OPTIONS,
+    );
     checkItems('options.maxEdges', maxEdges);
     if (!(typeof maxAngle === 'number' && maxAngle >= 0 && maxAngle <= 180)) {
       refuse('options.maxAngle', maxAngle, 'a number of degrees from 0 to 180', 'number');

@@ -7,6 +7,7 @@ import {
   faceLinks,
   type Polygons,
   polygonLinks,
+  STORAGE_OPTIONS,
   type StorageOptions,
   storesPrev,
   triangleLinks,
@@ -20,6 +21,7 @@ import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
+import { checkOptions } from './options.js';
 import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
 import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
 import { unwrap } from './reports.js';
@@ -348,7 +350,7 @@ printed('HalfedgeMesh', HalfedgeMesh, (mesh) => {
 });
 
 function emptyLinks(options: unknown): Links {
-  const withPrev = storesPrev(options);
+  const withPrev = storesPrev(checkOptions(options, STORAGE_OPTIONS));
   const wasm = core();
   const address = wasm.createMesh(withPrev);
   if (address === 0) throw outOfMemory('a mesh');

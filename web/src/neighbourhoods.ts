@@ -1,16 +1,11 @@
-import {
-  checkNotNegative,
-  checkOptions,
-  describe,
-  indices,
-  type NumberArray,
-} from './arguments.js';
+import { checkNotNegative, describe, indices, type NumberArray } from './arguments.js';
 import { refuse } from './checks.js';
 import { Editing } from './editing.js';
 import type { VertexLike } from './items.js';
 import type { Links } from './links.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
+import { checkObject } from './options.js';
 import { unwrap } from './reports.js';
 import { type Rows, take } from './rings.js';
 
@@ -99,7 +94,7 @@ export abstract class Neighbourhoods extends Editing {
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
   links.checkAlive();
   const { core } = links;
-  const lists = listsOf(checkOptions(items, 'items'));
+  const lists = listsOf(checkObject(items, 'items'));
   const raw = withInputs(core, (inputs) => {
     const blocks = Object.entries(lists).flatMap(([name, list]) => {
       const { address, count } = inputs.indices(`items.${name}`, itemList(`items.${name}`, list));

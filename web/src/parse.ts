@@ -1,11 +1,12 @@
-import { type StorageOptions, storesPrev } from './build.js';
+import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice } from './checks.js';
 import type { RawRepair } from './core.mjs';
 import { contentOf } from './file-content.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
-import { follow, type ProgressOptions } from './progress.js';
+import { checkOptions, type OptionNames } from './options.js';
+import { follow, PROGRESS_OPTIONS, type ProgressOptions } from './progress.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
 import { fileReport, sentence, unwrap } from './reports.js';
 
@@ -34,6 +35,14 @@ export interface ParseOptions extends StorageOptions, ProgressOptions {
   attributes?: boolean;
 }
 
+export const PARSE_OPTIONS: OptionNames<ParseOptions> = {
+  ...STORAGE_OPTIONS,
+  ...PROGRESS_OPTIONS,
+  format: true,
+  repair: true,
+  attributes: true,
+};
+
 /** What reading a file has found: what was repaired, and after that what was ignored. */
 export interface ParseReport extends RepairReport {
   /** The format of the content. */
@@ -52,9 +61,9 @@ export type AttributeNames = Readonly<Record<string, readonly string[]>>;
 
 /** The mesh in a file. */
 export function parseFile(data: unknown, options: unknown): { links: Links; report: ParseReport } {
-  const withPrev = storesPrev(options);
-  const { claimed, repair, attributes } = checkParseOptions(options as ParseOptions);
-  const follower = follow(options as ParseOptions);
+  const given = checkOptions(options, PARSE_OPTIONS);
+  const { claimed, repair, attributes, withPrev } = checkParseOptions(given);
+  const follower = follow(given);
   const bytes = contentOf(data);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
@@ -78,7 +87,7 @@ export function checkParseOptions(options: ParseOptions) {
   const { format, repair = true, attributes = true } = options;
   checkFlag('options.repair', repair);
   checkFlag('options.attributes', attributes);
-  return { claimed: claimOf(format), repair, attributes };
+  return { claimed: claimOf(format), repair, attributes, withPrev: storesPrev(options) };
 }
 
 /** What the core is told of the format. */

@@ -1,6 +1,7 @@
 import { checkCallback, refuse } from './checks.js';
 import type { RawFailure } from './core.mjs';
 import { HalfedgeError } from './errors.js';
+import type { OptionNames } from './options.js';
 
 declare global {
   // As of the browser. A consumer in Node may do without its types, but not without names.
@@ -26,6 +27,8 @@ export interface ProgressOptions {
   /** Cancels: `signal.reason` is thrown. In the same thread that can only happen in `onProgress`. */
   signal?: AbortSignal;
 }
+
+export const PROGRESS_OPTIONS: OptionNames<ProgressOptions> = { onProgress: true, signal: true };
 
 /** The other side of `onProgress`. */
 export interface Follower {

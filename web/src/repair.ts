@@ -1,5 +1,4 @@
 import {
-  checkOptions,
   indices,
   lengthOf,
   lengthOfArrayLike,
@@ -9,7 +8,7 @@ import {
   refuseIndex,
   typedArrayName,
 } from './arguments.js';
-import { type Polygons, type StorageOptions, storesPrev } from './build.js';
+import { type Polygons, STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
 import { counted } from './counted.js';
@@ -17,6 +16,7 @@ import type { Problem } from './errors.js';
 import { Links } from './links.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { problemOf, unwrap } from './reports.js';
 import { take } from './rings.js';
 
@@ -53,6 +53,12 @@ export interface SoupOptions extends StorageOptions {
   dropIsolated?: boolean;
 }
 
+export const SOUP_OPTIONS: OptionNames<SoupOptions> = {
+  ...STORAGE_OPTIONS,
+  weld: true,
+  dropIsolated: true,
+};
+
 /** What became of a face of the input that was touched. */
 export interface FaceVerdict {
   readonly face: number;
@@ -88,8 +94,7 @@ export function soupLinks(
   faces: unknown,
   options: unknown,
 ): { links: Links; report: RepairReport } {
-  const withPrev = storesPrev(options);
-  const { weld, dropIsolated } = soupOptions(options);
+  const { weld, dropIsolated, withPrev } = soupOptions(checkOptions(options, SOUP_OPTIONS));
   const { points, sizes, corners } = soupArrays(positions, faces);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
@@ -206,15 +211,20 @@ function verdictsOf(words: Uint32Array): FaceVerdict[] {
   return verdicts;
 }
 
-/** A tolerance, negative where vertices stay apart. */
-export function soupOptions(options: unknown): { weld: number; dropIsolated: boolean } {
-  const { weld = false, dropIsolated = false } = checkOptions(options) as SoupOptions;
+/** Options as the core takes them: `weld` is a tolerance, negative where vertices stay apart. */
+export function soupOptions(options: SoupOptions): {
+  weld: number;
+  dropIsolated: boolean;
+  withPrev: boolean;
+} {
+  const { weld = false, dropIsolated = false } = options;
+  const withPrev = storesPrev(options);
   checkFlag('options.dropIsolated', dropIsolated);
-  if (typeof weld === 'boolean') return { weld: weld ? 0 : -1, dropIsolated };
+  if (typeof weld === 'boolean') return { weld: weld ? 0 : -1, dropIsolated, withPrev };
   if (!(Number.isFinite(weld) && weld >= 0)) {
     refuse('options.weld', weld, 'true, false or a finite distance from 0', 'number');
   }
-  return { weld, dropIsolated };
+  return { weld, dropIsolated, withPrev };
 }
 
 /** Faces in any of the three forms. */

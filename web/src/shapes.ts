@@ -1,10 +1,10 @@
-import { checkOptions } from './arguments.js';
-import { type StorageOptions, storesPrev } from './build.js';
+import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice, refuse } from './checks.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import type { HalfedgeMesh } from './mesh.js';
 import { Neighbourhoods } from './neighbourhoods.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 
 /** The static methods that make shapes; in the order of `polygons_of` in wasm/making_bindings.cpp. */
@@ -91,6 +91,21 @@ export interface TorusOptions extends QuadOptions {
 /** A sphere of meridians and circles of latitude. */
 export interface UvSphereOptions extends QuadOptions, SphereOptions {}
 
+const SPHERE_OPTIONS: OptionNames<SphereOptions> = { ...STORAGE_OPTIONS, radius: true };
+const CUBE_OPTIONS: OptionNames<CubeOptions> = { ...STORAGE_OPTIONS, size: true };
+const PRISM_OPTIONS: OptionNames<PrismOptions> = { ...SPHERE_OPTIONS, height: true };
+const CONE_OPTIONS: OptionNames<ConeOptions> = { ...PRISM_OPTIONS, base: true };
+const QUAD_OPTIONS: OptionNames<QuadOptions> = { ...STORAGE_OPTIONS, triangles: true };
+const CYLINDER_OPTIONS: OptionNames<CylinderOptions> = {
+  ...PRISM_OPTIONS,
+  ...QUAD_OPTIONS,
+  rings: true,
+  caps: true,
+};
+const GRID_OPTIONS: OptionNames<GridOptions> = { ...QUAD_OPTIONS, width: true, height: true };
+const TORUS_OPTIONS: OptionNames<TorusOptions> = { ...QUAD_OPTIONS, radius: true, tube: true };
+const UV_SPHERE_OPTIONS: OptionNames<UvSphereOptions> = { ...QUAD_OPTIONS, radius: true };
+
 /** Makes a mesh of links: `HalfedgeMesh`, which is built on this class, says how. */
 let meshOf: (links: Links) => HalfedgeMesh;
 export function makeMeshesWith(make: typeof meshOf): void {
@@ -113,7 +128,7 @@ export abstract class Shapes extends Neighbourhoods {
 
   /** 8 vertices, 12 edges, 6 quads. Bits 0, 1, 2 of a vertex say on which side of x, y, z it is. */
   static cube(options: CubeOptions = {}): HalfedgeMesh {
-    const { size = 1 } = checkOptions(options) as CubeOptions;
+    const { size = 1 } = checkOptions(options, CUBE_OPTIONS);
     return make('cube', options, { lengths: { size } });
   }
 
@@ -134,7 +149,7 @@ export abstract class Shapes extends Neighbourhoods {
 
   /** n quads and two n-gons: 2n vertices, 3n edges, n + 2 faces. `sides` from 3 on. */
   static prism(sides = 6, options: PrismOptions = {}): HalfedgeMesh {
-    const { radius = 1, height = 1 } = checkOptions(options) as PrismOptions;
+    const { radius = 1, height = 1 } = checkOptions(options, PRISM_OPTIONS);
     const parts = [count('sides', sides, 3)];
     return make('prism', options, { parts, lengths: { radius, height } });
   }
@@ -144,7 +159,7 @@ export abstract class Shapes extends Neighbourhoods {
    * `cone(4)` is a pyramid. The vertices of the base come first, then the apex. `segments` from 3 on.
    */
   static cone(segments = 32, options: ConeOptions = {}): HalfedgeMesh {
-    const { radius = 1, height = 1, base } = checkOptions(options) as ConeOptions;
+    const { radius = 1, height = 1, base } = checkOptions(options, CONE_OPTIONS);
     const parts = [count('segments', segments, 3)];
     return make('cone', options, { parts, lengths: { radius, height }, caps: cap('base', base) });
   }
@@ -154,7 +169,7 @@ export abstract class Shapes extends Neighbourhoods {
    * top; fans have their middles after that. `segments` from 3 on.
    */
   static cylinder(segments = 32, options: CylinderOptions = {}): HalfedgeMesh {
-    const { radius = 1, height = 1, rings = 1, caps } = checkOptions(options) as CylinderOptions;
+    const { radius = 1, height = 1, rings = 1, caps } = checkOptions(options, CYLINDER_OPTIONS);
     const parts = [count('segments', segments, 3), count('options.rings', rings, 1)];
     return make('cylinder', options, {
       parts,
@@ -168,7 +183,7 @@ export abstract class Shapes extends Neighbourhoods {
    * column`, from the lower left to the upper right; triangles have the diagonal in that direction.
    */
   static grid(columns = 10, rows = columns, options: GridOptions = {}): HalfedgeMesh {
-    const { width = 1, height = 1 } = checkOptions(options) as GridOptions;
+    const { width = 1, height = 1 } = checkOptions(options, GRID_OPTIONS);
     const parts = [count('columns', columns, 1), count('rows', rows, 1)];
     return make('grid', options, { parts, lengths: { width, height } });
   }
@@ -178,7 +193,7 @@ export abstract class Shapes extends Neighbourhoods {
    * on.
    */
   static torus(rings = 32, sides = 16, options: TorusOptions = {}): HalfedgeMesh {
-    const { radius = 1, tube = 0.4 } = checkOptions(options) as TorusOptions;
+    const { radius = 1, tube = 0.4 } = checkOptions(options, TORUS_OPTIONS);
     const parts = [count('rings', rings, 3), count('sides', sides, 3)];
     return make('torus', options, { parts, lengths: { radius, tube } });
   }
@@ -188,7 +203,7 @@ export abstract class Shapes extends Neighbourhoods {
    * which those at the poles are triangles. `segments` from 3 on, `rings` from 2 on.
    */
   static uvSphere(segments = 32, rings = 16, options: UvSphereOptions = {}): HalfedgeMesh {
-    const { radius = 1 } = checkOptions(options) as UvSphereOptions;
+    const { radius = 1 } = checkOptions(options, UV_SPHERE_OPTIONS);
     const parts = [count('segments', segments, 3), count('rings', rings, 2)];
     return make('uvSphere', options, { parts, lengths: { radius } });
   }
@@ -198,14 +213,14 @@ export abstract class Shapes extends Neighbourhoods {
    * vertices, 30 q edges, 20 q triangles, nearly all valences 6.
    */
   static icoSphere(subdivisions = 3, options: SphereOptions = {}): HalfedgeMesh {
-    const { radius = 1 } = checkOptions(options) as SphereOptions;
+    const { radius = 1 } = checkOptions(options, SPHERE_OPTIONS);
     const parts = [count('subdivisions', subdivisions, 0)];
     return make('icoSphere', options, { parts, lengths: { radius } });
   }
 }
 
-function solid(shape: (typeof SHAPES)[number], options: unknown): HalfedgeMesh {
-  const { radius = 1 } = checkOptions(options) as SphereOptions;
+function solid(shape: (typeof SHAPES)[number], options: SphereOptions): HalfedgeMesh {
+  const { radius = 1 } = checkOptions(options, SPHERE_OPTIONS);
   return make(shape, options, { lengths: { radius } });
 }
 
@@ -218,7 +233,7 @@ interface Parameters {
 
 function make(
   shape: (typeof SHAPES)[number],
-  options: unknown,
+  options: StorageOptions & QuadOptions,
   { parts: [a = 0, b = 0] = [], lengths, caps = 0 }: Parameters,
 ): HalfedgeMesh {
   const withPrev = storesPrev(options);
@@ -245,8 +260,7 @@ function cap(option: string, value: unknown = 'polygon'): number {
   return indexOfChoice(`options.${option}`, value, CAPS);
 }
 
-function trianglesAsked(options: unknown): boolean {
-  const { triangles = false } = options as QuadOptions;
+function trianglesAsked({ triangles = false }: QuadOptions): boolean {
   checkFlag('options.triangles', triangles);
   return triangles;
 }

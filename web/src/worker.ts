@@ -1,14 +1,21 @@
-import { bytesOf, checkOptions } from './arguments.js';
-import { type Polygons, storesPrev } from './build.js';
+import { bytesOf } from './arguments.js';
+import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import { checkText } from './file-content.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { owned, transferable } from './ownership.js';
-import { checkParseOptions, type ParseOptions, type ParseReport } from './parse.js';
+import { checkParseOptions, PARSE_OPTIONS, type ParseOptions, type ParseReport } from './parse.js';
 import { cancelled, checkSignal, type ProgressOptions } from './progress.js';
-import { type RepairReport, type SoupOptions, soupArrays, soupOptions } from './repair.js';
+import {
+  type RepairReport,
+  SOUP_OPTIONS,
+  type SoupOptions,
+  soupArrays,
+  soupOptions,
+} from './repair.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
 import { fromSent, isBlob, type Job, type Reply } from './worker-messages.js';
@@ -39,6 +46,13 @@ export interface MeshWorkerOptions {
    */
   worker?: () => WorkerLike;
 }
+
+const JOB_OPTIONS: OptionNames<JobOptions> = { signal: true, transfer: true };
+const PARSE_JOB_OPTIONS: OptionNames<ParseOptions & JobOptions> = {
+  ...PARSE_OPTIONS,
+  ...JOB_OPTIONS,
+};
+const WORKER_OPTIONS: OptionNames<MeshWorkerOptions> = { worker: true };
 
 /** As ProgressOptions, with undefined as well. */
 type Following = { [Key in keyof ProgressOptions]: ProgressOptions[Key] | undefined };
@@ -76,7 +90,7 @@ export class MeshWorker {
     options: ParseOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
     this.#checkOpen();
-    const content = checkParse(source, options);
+    const content = checkParse(source, checkOptions(options, PARSE_JOB_OPTIONS));
     const { signal, transfer = false, onProgress, ...rest } = options;
     const tells = onProgress !== undefined;
     const [data] = owned([content], transfer);
@@ -92,8 +106,8 @@ export class MeshWorker {
     options: SoupOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: RepairReport }> {
     this.#checkOpen();
+    checkOptions(options, { ...SOUP_OPTIONS, ...JOB_OPTIONS });
     checkJobOptions(options);
-    storesPrev(options);
     soupOptions(options);
     const arrays = soupArrays(positions, faces);
     const { signal, transfer = false, ...rest } = options;
@@ -252,7 +266,7 @@ export class MeshWorker {
  * @throws HalfedgeError `not-initialised`, `worker-failed`
  */
 export function createMeshWorker(options: MeshWorkerOptions = {}): MeshWorker {
-  const { worker } = checkOptions(options) as MeshWorkerOptions;
+  const { worker } = checkOptions(options, WORKER_OPTIONS);
   checkCallback('options.worker', worker, 'a function that makes a worker');
   return new MeshWorker(options);
 }
@@ -273,7 +287,8 @@ export async function parseInWorker(
   source: string | ArrayBuffer | ArrayBufferView | Blob,
   options: ParseOptions & JobOptions & MeshWorkerOptions = {},
 ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
-  const { worker: make, ...rest } = checkOptions(options) as MeshWorkerOptions;
+  const names = { ...PARSE_JOB_OPTIONS, ...WORKER_OPTIONS };
+  const { worker: make, ...rest } = checkOptions<typeof options>(options, names);
   checkParse(source, rest); // no thread is started in vain
   const worker = createMeshWorker(make === undefined ? {} : { worker: make });
   try {
@@ -289,8 +304,7 @@ const failed = (why: string, cause?: unknown) =>
 const meshOf = (bytes: Uint8Array) => new HalfedgeMesh(linksOfBytes(bytes, true));
 
 /** Throws also if the job is cancelled already. */
-function checkJobOptions(options: JobOptions): void {
-  const { signal, transfer = false } = checkOptions(options) as JobOptions;
+function checkJobOptions({ signal, transfer = false }: JobOptions): void {
   checkFlag('options.transfer', transfer);
   checkSignal(signal);
   signal?.throwIfAborted();
@@ -300,7 +314,6 @@ function checkJobOptions(options: JobOptions): void {
 function checkParse(source: unknown, options: ParseOptions & JobOptions): unknown {
   checkJobOptions(options);
   checkCallback('options.onProgress', options.onProgress);
-  storesPrev(options);
   checkParseOptions(options);
   if (typeof source === 'string') checkText('source', source);
   if (typeof source === 'string' || isBlob(source)) return source;

@@ -1,8 +1,8 @@
-import { checkOptions } from './arguments.js';
 import { checkCallback, checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
 import { outOfMemory, withInputs } from './memory.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
@@ -30,6 +30,13 @@ export interface WriteOptions {
   /** Called with a sentence for each attribute that isn't in the file, or not as it was. */
   onNote?: (sentence: string) => void;
 }
+
+const WRITE_OPTIONS: OptionNames<WriteOptions> = {
+  encoding: true,
+  attributes: true,
+  names: true,
+  onNote: true,
+};
 
 /** The bytes of the file, or its text. */
 export function writeFile(links: Links, format: unknown, options: unknown): string | Uint8Array {
@@ -65,7 +72,7 @@ function takeContent(
 }
 
 function checkWriteOptions(options: unknown, format: FileFormat) {
-  const { encoding, attributes = true, names = {}, onNote } = checkOptions(options) as WriteOptions;
+  const { encoding, attributes = true, names = {}, onNote } = checkOptions(options, WRITE_OPTIONS);
   checkFlag('options.attributes', attributes);
   checkCallback('options.onNote', onNote);
   return { encoding: encodingOf(encoding, format), attributes, names: textOf(names), onNote };

@@ -1,12 +1,11 @@
 import type { InstancedMesh, Mesh } from 'three';
-import { checkOptions } from '../arguments.js';
-import { storesPrev } from '../build.js';
 import { checkFlag } from '../checks.js';
 import { HalfedgeError, type Problem } from '../errors.js';
 import { contentOf } from '../file-content.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
-import { type RepairReport, type SoupOptions, soupOptions } from '../repair.js';
+import { checkOptions, type OptionNames } from '../options.js';
+import { type RepairReport, SOUP_OPTIONS, type SoupOptions, soupOptions } from '../repair.js';
 import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
@@ -30,6 +29,15 @@ export interface ReadGltfOptions extends SoupOptions, GltfResources, GltfDecoder
    */
   repair?: boolean;
 }
+
+const READ_GLTF_OPTIONS: OptionNames<ReadGltfOptions> = {
+  ...SOUP_OPTIONS,
+  repair: true,
+  baseUrl: true,
+  resource: true,
+  dracoLoader: true,
+  meshoptDecoder: true,
+};
 
 /** What reading a file has found. Vertices and faces of the input are those of its buffers, in a row. */
 export interface GltfReport extends RepairReport {
@@ -130,9 +138,8 @@ const MOST_CORNERS = 2 ** 26;
 
 /** Before anything is fetched; `HalfedgeMesh.fromSoup` checks them once more. */
 function checkReadOptions(options: ReadGltfOptions): void {
-  const { repair = true } = checkOptions(options) as ReadGltfOptions;
+  const { repair = true } = checkOptions(options, READ_GLTF_OPTIONS);
   checkFlag('options.repair', repair);
-  storesPrev(options);
   soupOptions(options);
 }
 

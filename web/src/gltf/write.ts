@@ -1,10 +1,10 @@
-import { checkOptions } from '../arguments.js';
 import { checkCallback, indexOfChoice, refuse } from '../checks.js';
 import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
+import { checkOptions, type OptionNames } from '../options.js';
 import { type Buffers, buffersOf, columnsOf, type Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 
@@ -16,6 +16,8 @@ export interface WriteGltfOptions {
   onNote?: (sentence: string) => void;
 }
 
+const WRITE_GLTF_OPTIONS: OptionNames<WriteGltfOptions> = { format: true, onNote: true };
+
 /** The bytes of a GLB file, or the text of a glTF file. */
 export async function writeMesh(
   mesh: unknown,
@@ -23,7 +25,7 @@ export async function writeMesh(
 ): Promise<Uint8Array | string> {
   if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
   linksOf(mesh).checkAlive();
-  const { format = 'glb', onNote } = checkOptions(options) as WriteGltfOptions;
+  const { format = 'glb', onNote } = checkOptions(options, WRITE_GLTF_OPTIONS);
   indexOfChoice('options.format', format, ['glb', 'gltf']);
   checkCallback('options.onNote', onNote);
   const notes: string[] = [];

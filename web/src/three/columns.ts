@@ -6,6 +6,7 @@ import { refuse } from '../checks.js';
 import type { Column, CornerValues } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
+import type { OptionNames } from '../options.js';
 import { cornerNormals, vertexNormals } from './normals.js';
 
 /** How normals are made: see {@link GeometryOptions}. */
@@ -21,6 +22,8 @@ export interface GeometryOptions {
   /** The names of the attributes of vertices and halfedges to show. Default: all. */
   attributes?: readonly string[];
 }
+
+export const GEOMETRY_OPTIONS: OptionNames<GeometryOptions> = { normals: true, attributes: true };
 
 const NORMALS: readonly unknown[] = ['smooth', 'flat', 'none'];
 

@@ -1,5 +1,7 @@
 import type { Ray } from 'three';
 import type { SerializedBVH } from 'three-mesh-bvh';
+import { checkCallback } from '../checks.js';
+import { checkOptions, type OptionNames } from '../options.js';
 import type { WorkerLike } from '../thread.js';
 import {
   distanceToTriangle,
@@ -34,6 +36,8 @@ export interface FaceTreeOptions {
   begin?: () => Promise<void>;
 }
 
+export const FACE_TREE_OPTIONS: OptionNames<FaceTreeOptions> = { worker: true, begin: true };
+
 /**
  * Finds the face that a ray hits first. After an edit, the triangles of the faces that changed are taken out
  * of the tree, and those that came instead lie loose beside it: so an edit costs what it touched, whatever
@@ -51,7 +55,10 @@ export class FaceTree {
   #stopWorker = () => {};
   #ready: Promise<void> = Promise.resolve();
 
-  constructor(shown: ShownFaces, { worker = () => null, begin }: FaceTreeOptions = {}) {
+  constructor(shown: ShownFaces, options: FaceTreeOptions = {}) {
+    const { worker = () => null, begin } = checkOptions(options, FACE_TREE_OPTIONS);
+    checkCallback('options.worker', worker, 'a function that makes a worker');
+    checkCallback('options.begin', begin);
     this.#makeWorker = worker;
     this.#begin = begin;
     this.#tree = new TriangleTree(shown.allTriangles());

@@ -1,6 +1,7 @@
 import { Color, type ColorRepresentation, Group } from 'three';
-import { checkOptions, describe } from '../arguments.js';
+import { describe } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
+import { checkObject, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
@@ -20,6 +21,12 @@ export interface HelperOptions {
   pixel?: number;
 }
 
+export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
+  color: true,
+  linewidth: true,
+  pixel: true,
+};
+
 /**
  * What is drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines are as wide
  * as they are told to be, in CSS pixels, at any distance. Call `update()` after edits. Rays go through it: what
@@ -36,7 +43,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 
   constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation) {
     super();
-    checkOptions(options);
+    checkObject(options, 'options');
     this.mesh = checkMesh(mesh);
     const { linewidth = 1.5, pixel = typicalEdge(mesh) / 56 } = options;
     this.pixel = checkLength('pixel', pixel);

@@ -5,8 +5,9 @@ import type { CirculatorKind } from '../circulation.js';
 import type { Problem, Witness } from '../errors.js';
 import type { Direction } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
+import { checkOptions, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
-import { type HelperOptions, MeshHelper } from './helper.js';
+import { HELPER_OPTIONS, type HelperOptions, MeshHelper } from './helper.js';
 
 // The colours of the explorer in a light theme: told apart under every colour vision.
 const ARROW = 0x2485f7;
@@ -24,6 +25,12 @@ export interface HalfedgesOptions extends HelperOptions {
   /** Only the halfedges of these faces, and the boundary across their edges. Default: all, at most 8,000. */
   faces?: Iterable<number>;
 }
+
+const HALFEDGES_OPTIONS: OptionNames<HalfedgesOptions> = {
+  ...HELPER_OPTIONS,
+  boundaryColor: true,
+  faces: true,
+};
 
 /**
  * All halfedges as half-arrows inside of their faces, where they never cross, however thin the face; those on
@@ -43,7 +50,7 @@ export class HalfedgesHelper extends MeshHelper {
   faces: readonly number[] | undefined;
 
   constructor(mesh: HalfedgeMesh, options: HalfedgesOptions = {}) {
-    super(mesh, options, ARROW);
+    super(mesh, checkOptions(options, HALFEDGES_OPTIONS), ARROW);
     this.boundaryColor = new Color(options.boundaryColor ?? BOUNDARY);
     checkIterable('options.faces', options.faces, 'faces to iterate over');
     this.faces = options.faces && [...options.faces];
@@ -75,7 +82,7 @@ export class BoundaryLoopsHelper extends MeshHelper {
   override readonly type = 'BoundaryLoopsHelper' as 'Group';
 
   constructor(mesh: HalfedgeMesh, options: HelperOptions = {}) {
-    super(mesh, { linewidth: 2.25, ...options }, BOUNDARY);
+    super(mesh, { linewidth: 2.25, ...checkOptions(options, HELPER_OPTIONS) }, BOUNDARY);
     this.update();
   }
 
@@ -97,6 +104,13 @@ export interface CirculatorOptions extends HelperOptions {
   currentColor?: ColorRepresentation;
 }
 
+const CIRCULATOR_OPTIONS: OptionNames<CirculatorOptions> = {
+  ...HELPER_OPTIONS,
+  direction: true,
+  steps: true,
+  currentColor: true,
+};
+
 /** The trace of a circulator: the halfedges that it has been at, the last in a colour of its own. */
 export class CirculatorHelper extends MeshHelper {
   override readonly type = 'CirculatorHelper' as 'Group';
@@ -113,7 +127,7 @@ export class CirculatorHelper extends MeshHelper {
     item: number,
     options: CirculatorOptions = {},
   ) {
-    super(mesh, { linewidth: 2.5, ...options }, TRAIL);
+    super(mesh, { linewidth: 2.5, ...checkOptions(options, CIRCULATOR_OPTIONS) }, TRAIL);
     const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor = ARROW } = options;
     if (typeof steps !== 'number' || !(steps >= 0)) {
       throw new RangeError(`options.steps is ${describe(steps)}; expected a number from 0.`);
@@ -154,6 +168,8 @@ export interface ProblemsOptions extends HelperOptions {
   problems?: readonly Partial<Pick<Problem, 'kind' | 'index' | 'witness'>>[];
 }
 
+const PROBLEMS_OPTIONS: OptionNames<ProblemsOptions> = { ...HELPER_OPTIONS, problems: true };
+
 /**
  * The items that problems or refusals are about: edges, the outlines of faces, the edges at vertices.
  *
@@ -168,7 +184,7 @@ export class ProblemsHelper extends MeshHelper {
   problems: ProblemsOptions['problems'];
 
   constructor(mesh: HalfedgeMesh, options: ProblemsOptions = {}) {
-    super(mesh, { linewidth: 3.5, ...options }, PROBLEM);
+    super(mesh, { linewidth: 3.5, ...checkOptions(options, PROBLEMS_OPTIONS) }, PROBLEM);
     this.problems = options.problems;
     this.update();
   }

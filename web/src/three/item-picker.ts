@@ -1,7 +1,7 @@
 import { type Camera, type Matrix4, Ray, Vector3 } from 'three';
-import { checkOptions } from '../arguments.js';
 import { checkIterable, indexOfChoice, refuse } from '../checks.js';
 import type { ItemKind } from '../items.js';
+import { checkObject, checkOptions, type OptionNames } from '../options.js';
 import { ARROWS_FROM, arrowSizes } from './arrows.js';
 import type { FaceTree } from './face-tree.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
@@ -20,6 +20,8 @@ export interface PickOptions {
   /** Boundary halfedges whose arrows are drawn, outside of the surface. Default: none. */
   boundary?: Iterable<number>;
 }
+
+const PICK_OPTIONS: OptionNames<PickOptions> = { mode: true, reach: true, boundary: true };
 
 /** An item under the pointer. */
 export interface PickedItem {
@@ -74,7 +76,7 @@ export class ItemPicker {
    * @throws TypeError or RangeError for wrong arguments, such as a mode that there isn't
    */
   pick(x: number, y: number, view: PickView, options: PickOptions = {}): PickedItem | null {
-    const { mode = 'auto', reach = 1, boundary = [] } = checkOptions(options) as PickOptions;
+    const { mode = 'auto', reach = 1, boundary = [] } = checkOptions(options, PICK_OPTIONS);
     indexOfChoice('options.mode', mode, MODES);
     if (typeof reach !== 'number' || !(reach > 0)) {
       refuse('options.reach', reach, 'a positive number', 'number');
@@ -246,7 +248,7 @@ export class ItemPicker {
 function checkPlace(x: unknown, y: unknown, view: unknown): void {
   if (typeof x !== 'number') refuse('x', x, 'a number of pixels');
   if (typeof y !== 'number') refuse('y', y, 'a number of pixels');
-  const { camera, width, height } = checkOptions(view, 'view') as Partial<PickView>;
+  const { camera, width, height } = checkObject(view, 'view') as Partial<PickView>;
   if (!camera?.isCamera) refuse('view.camera', camera, 'a Camera of three.js');
   if (typeof width !== 'number') refuse('view.width', width, 'a number of pixels');
   if (typeof height !== 'number') refuse('view.height', height, 'a number of pixels');

@@ -1,9 +1,9 @@
 import { Group, Vector3 } from 'three';
 import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
-import { checkOptions } from '../arguments.js';
 import { indexOfChoice, refuse } from '../checks.js';
 import { type ItemKind, LETTERS, PLURALS } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
+import { checkOptions, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
@@ -19,6 +19,13 @@ export interface LabelsOptions {
   /** As for the arrows that labels of halfedges stand beside: a pixel in units of the mesh. Default: 0.01. */
   pixel?: number;
 }
+
+const LABELS_OPTIONS: OptionNames<LabelsOptions> = {
+  kinds: true,
+  most: true,
+  className: true,
+  pixel: true,
+};
 
 function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
   if (kinds !== undefined) {
@@ -39,7 +46,7 @@ export class IndexLabelsHelper extends Group {
 
   constructor(mesh: HalfedgeMesh, options: LabelsOptions = {}) {
     super();
-    checkOptions(options);
+    checkOptions(options, LABELS_OPTIONS);
     this.mesh = checkMesh(mesh);
     checkLabels(options);
     this.#options = {

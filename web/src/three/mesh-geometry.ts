@@ -1,9 +1,15 @@
 import { Box3, BufferGeometry, Sphere } from 'three';
-import { checkOptions } from '../arguments.js';
 import { refuse } from '../checks.js';
 import type { HalfedgeMesh } from '../mesh.js';
+import { checkOptions } from '../options.js';
 import { fitBox, fitSphere, widen } from './bounds.js';
-import { checkMesh, checkNormals, type GeometryOptions, shownAttributes } from './columns.js';
+import {
+  checkMesh,
+  checkNormals,
+  GEOMETRY_OPTIONS,
+  type GeometryOptions,
+  shownAttributes,
+} from './columns.js';
 import { CornerRows } from './corner-rows.js';
 import type { GeometryRows } from './geometry-rows.js';
 import { MeshChanges } from './mesh-changes.js';
@@ -59,7 +65,7 @@ export class MeshGeometry extends BufferGeometry {
    */
   constructor(mesh: HalfedgeMesh, options: GeometryOptions = {}) {
     super();
-    checkOptions(options);
+    checkOptions(options, GEOMETRY_OPTIONS);
     this.mesh = checkMesh(mesh);
     const way = checkNormals(options.normals);
     this.#options = { ...options };

@@ -1,10 +1,10 @@
 // Picking with three-mesh-bvh, which is a peer dependency of this entry.
 
 import type { Matrix4, Mesh } from 'three';
-import { checkOptions, describe } from '../arguments.js';
-import { checkCallback } from '../checks.js';
+import { describe } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
+import { checkOptions } from '../options.js';
+import { FACE_TREE_OPTIONS, FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
 import { ItemPicker, type PickTarget } from './item-picker.js';
 import { MeshGeometry } from './mesh-geometry.js';
 import { newPickingWorker } from './picking-worker.js';
@@ -46,10 +46,9 @@ export class MeshPicker extends ItemPicker {
     if (!(geometry instanceof MeshGeometry)) {
       throw new TypeError(`object is ${describe(object)}; expected a Mesh with a MeshGeometry.`);
     }
-    const { worker = newPickingWorker } = checkOptions(options) as FaceTreeOptions;
-    checkCallback('options.worker', worker, 'a function that makes a worker');
     const shown = new GeometryFaces(geometry);
-    const tree = new FaceTree(shown, { worker });
+    const { worker = newPickingWorker, ...rest } = checkOptions(options, FACE_TREE_OPTIONS);
+    const tree = new FaceTree(shown, { worker, ...rest });
     super(new ObjectTarget(object, tree));
     this.object = object;
     this.#tree = tree;

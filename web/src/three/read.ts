@@ -1,11 +1,12 @@
 import type { BufferGeometry } from 'three';
-import { checkOptions, describe, newArray } from '../arguments.js';
+import { describe, newArray } from '../arguments.js';
 import { checkFlag } from '../checks.js';
 import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
 import { addAttributes, type CornerAttribute, cornersOf } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
-import type { RepairReport, SoupOptions } from '../repair.js';
+import { checkOptions, type OptionNames } from '../options.js';
+import { type RepairReport, SOUP_OPTIONS, type SoupOptions } from '../repair.js';
 import type { Rows } from '../rings.js';
 import {
   checkAttribute,
@@ -27,6 +28,8 @@ export interface FromGeometryOptions extends SoupOptions {
   /** Whether triangles that make no manifold are mended, and reported; else they are an error. Default: true. */
   repair?: boolean;
 }
+
+const FROM_GEOMETRY_OPTIONS: OptionNames<FromGeometryOptions> = { ...SOUP_OPTIONS, repair: true };
 
 /** What became what. "None" is -1. */
 export interface GeometryMaps {
@@ -75,7 +78,7 @@ export function fromBufferGeometry(
     repair = true,
     dropIsolated,
     storePrev,
-  } = checkOptions(options) as FromGeometryOptions;
+  } = checkOptions(options, FROM_GEOMETRY_OPTIONS);
   checkFlag('options.repair', repair);
   const geometry = checkGeometry(given);
   if (geometry.attributes.position === undefined) {

@@ -1,9 +1,9 @@
 import { BufferAttribute, BufferGeometry } from 'three';
-import { checkOptions } from '../arguments.js';
 import { checkFlag } from '../checks.js';
 import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { checkMesh, columnsToShow, type GeometryOptions } from './columns.js';
+import { checkOptions } from '../options.js';
+import { checkMesh, columnsToShow, GEOMETRY_OPTIONS, type GeometryOptions } from './columns.js';
 import { GROUP } from './read.js';
 import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.js';
 
@@ -39,7 +39,8 @@ export function toBufferGeometry(
   given: HalfedgeMesh,
   options: ToGeometryOptions = {},
 ): MeshBuffers {
-  const { groups = true } = checkOptions(options) as ToGeometryOptions;
+  const names = { ...GEOMETRY_OPTIONS, groups: true } as const;
+  const { groups = true } = checkOptions<ToGeometryOptions>(options, names);
   checkFlag('options.groups', groups);
   const mesh = checkMesh(given);
   const columns = columnsToShow(mesh, options);
