@@ -98,6 +98,19 @@ TEST(Off, ReadsRecordsBrokenOverLines) {
   expect_square_and_triangle("OFF\n4 2 5\n0 0\n0\n1\n0 0\n1 1 0\n0 1 0\n4\n0 1\n2 3\n3 0 1 2\n");
 }
 
+// What isn't read goes as far as what is: else attributes would decide what is a vertex.
+TEST(Off, JoinsLinesOfWhatItPassesOver) {
+  const std::string text =
+      "COFF\n3 1 0\n0 0 0 1 1 1\\\n1\n1 0 0 1 1 \\\r\n1 1\n0 1 0 1 1 1 1\n3 0 1 2 1 0 \\\n0\n";
+  for (const bool attributes : {true, false}) {
+    const Parsed file = test::flatten(read_off(test::bytes_of(text), {.attributes = attributes}));
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.positions, (std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{{0, 1, 2}}));
+    EXPECT_TRUE(file.notes.empty());
+  }
+}
+
 TEST(Off, ReadsSeveralVerticesOnALine) {
   expect_square_and_triangle("OFF\n4 2 5\n0 0 0 1 0 0\n1 1 0 0 1 0\n4 0 1 2 3\n3 0 1 2\n");
   expect_square_and_triangle("OFF\n4 2 5\n0 0 0 1 0 0 1 1 0 0 1 0\n4 0 1 2 3\n3 0 1 2\n");

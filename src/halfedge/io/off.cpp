@@ -126,7 +126,7 @@ bool OffReader::read_vertex() {
   }
   const bool has_more = header_.columns > header_.coordinates || !text_.at_line_end();
   if (packed_ || (options_.attributes && has_more)) read_values_of_vertex();
-  if (!packed_) text_.skip_line();
+  if (!packed_) text_.skip_tokens();
   out_.add_vertex(p[0], p[1], p[2]);
   return true;
 }
@@ -169,7 +169,7 @@ bool OffReader::read_face() {
   for (std::int64_t corner = 0; corner < degree; ++corner) {
     if (!read_corner(corner, degree)) return false;
   }
-  if (text_.at_line_end() || !read_behind_face()) text_.skip_line();
+  if (text_.at_line_end() || !read_behind_face()) text_.skip_tokens();
   out_.end_face();
   return true;
 }
