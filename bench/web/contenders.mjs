@@ -76,6 +76,13 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg 
       },
     },
     {
+      title: 'one-rings: a circulator for each, clockwise',
+      run: {
+        halfedge: () => oneRingsByCirculatorsCw(made.halfedge),
+        hand: () => oneRingsByHandCw(views()),
+      },
+    },
+    {
       title: 'one-rings: one circulator, moved',
       run: {
         halfedge: () => oneRingsByMovedCirculator(made.halfedge),
@@ -167,6 +174,21 @@ function oneRingsByCirculators(mesh) {
   return sum;
 }
 
+function oneRingsByCirculatorsCw(mesh) {
+  let sum = 0;
+  const { vertexSlots } = mesh;
+  for (let v = 0; v < vertexSlots; v++) {
+    const ring = mesh.circulate('vertexVertices', v, { direction: 'cw' });
+    const first = ring.halfedge;
+    if (first === NONE) continue;
+    do {
+      sum = (sum + (ring.current ^ v)) | 0;
+      ring.next();
+    } while (ring.halfedge !== first);
+  }
+  return sum;
+}
+
 function oneRingsByMovedCirculator(mesh) {
   let sum = 0;
   const { vertexSlots } = mesh;
@@ -229,6 +251,20 @@ function oneRingsByHand({ prev, toVertex, vertexHalfedge }) {
     do {
       h = prev[h] ^ 1;
       sum = (sum + (toVertex[h] ^ v)) | 0;
+    } while (h !== first);
+  }
+  return sum;
+}
+
+function oneRingsByHandCw({ next, toVertex, vertexHalfedge }) {
+  let sum = 0;
+  for (let v = 0; v < vertexHalfedge.length; v++) {
+    const first = vertexHalfedge[v];
+    if (first < 0) continue;
+    let h = first;
+    do {
+      sum = (sum + (toVertex[h] ^ v)) | 0;
+      h = next[h ^ 1];
     } while (h !== first);
   }
   return sum;

@@ -1,4 +1,5 @@
 import * as around from './around.js';
+import { refuse } from './checks.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
 import * as orbit from './orbit.js';
@@ -94,7 +95,7 @@ export class Circulator<Item extends number = number> {
 
   /** @internal */
   constructor(links: Links, { ccw, cw }: Kind, direction: Direction) {
-    const course = direction === 'ccw' || walkAround(ccw.centre, direction) === ccw.walk ? ccw : cw;
+    const course = direction === 'ccw' ? ccw : direction === 'cw' ? cw : wrong.direction(direction);
     const { centre, view } = course;
     this.links = links;
     this.course = course;
@@ -129,14 +130,17 @@ export class Circulator<Item extends number = number> {
   next(): Item {
     if (this.era.first < 0) this.refuse();
     const link = this.follow[this.at ^ this.before];
-    if (!(link >= 0)) return this.search(this.course.walk);
-    const h = (link ^ this.after) & SMALL;
-    const side = h ^ this.side;
-    const item = this.shift < 0 ? this.table[side] : side >> this.shift;
-    if (!(item >= 0)) return this.search(this.course.walk);
-    this.at = h;
-    this.item = item;
-    return item as Item;
+    if (link >= 0) {
+      const h = (link ^ this.after) & SMALL;
+      const side = h ^ this.side;
+      const item = this.shift < 0 ? this.table[side] : side >> this.shift;
+      if (item >= 0) {
+        this.at = h;
+        this.item = item;
+        return item as Item;
+      }
+    }
+    return this.search(this.course.walk);
   }
 
   /** Steps back, and returns what it shows there. */
@@ -157,25 +161,25 @@ export class Circulator<Item extends number = number> {
    * without making one.
    */
   moveTo(item: number, start?: HalfedgeLike): this {
-    if (typeof item !== 'number' || start !== undefined || this.era.first < 0) {
-      return this.moveSlowly(item, start);
+    // One way out for all that isn't as usual: V8 inlines so many bytecodes into a loop, and then no more.
+    if (typeof item === 'number' && start === undefined && this.era.first >= 0) {
+      const anchor = this.anchors[item];
+      if (anchor >= 0) {
+        const stays = this.course.beginsAtAnchor;
+        const link = stays ? anchor ^ this.after : this.follow[anchor ^ this.before];
+        const h = (link ^ this.after) & SMALL;
+        if (link >= 0 && h < this.follow.length) {
+          const side = h ^ this.side;
+          const first = this.shift < 0 ? this.table[side] : side >> this.shift;
+          if (first >= 0) {
+            this.at = h;
+            this.item = first;
+            return this;
+          }
+        }
+      }
     }
-    const anchor = this.anchors[item];
-    if (!(anchor >= 0)) return this.moveSlowly(item, start);
-    let h = anchor;
-    if (this.course.beginsAtAnchor === false) {
-      const link = this.follow[anchor ^ this.before];
-      if (!(link >= 0)) return this.moveSlowly(item, start);
-      h = (link ^ this.after) & SMALL;
-    } else if (h >= this.follow.length) {
-      return this.moveSlowly(item, start);
-    }
-    const side = h ^ this.side;
-    const first = this.shift < 0 ? this.table[side] : side >> this.shift;
-    if (!(first >= 0)) return this.moveSlowly(item, start);
-    this.at = h;
-    this.item = first;
-    return this;
+    return this.moveSlowly(item, start);
   }
 
   /**
@@ -234,6 +238,9 @@ export class Circulator<Item extends number = number> {
     throw staleError(this.links);
   }
 }
+
+/** A method, because V8 compiles no property access that has never happened. */
+const wrong = { direction: (way: unknown) => refuse('direction', way, "'ccw' or 'cw'", 'string') };
 
 /** By item, the halfedge where it begins or one step before; edges and loops have no such view. */
 function anchorsOf(links: Links, centre: Centre): Int32Array {

@@ -6,28 +6,32 @@ export type OptionNames<Options> = { readonly [Name in keyof Options]-?: true };
 /**
  * Throws unless `options` is an object that has only options of those names; returns it. A misspelt option
  * would have no effect otherwise, and nobody would know.
+ *
+ * As short as it can be, for the loops that make circulators: see laps.ts.
  */
 export function checkOptions<Options extends object>(
   options: unknown,
   names: OptionNames<Options>,
-  argument = 'options',
+  argument?: string,
 ): Options {
-  const given = checkObject(options, argument);
-  for (const name in given) {
-    if (!Object.hasOwn(names, name)) refuseName(argument, name, Object.keys(names));
+  for (const name in options as Options) {
+    if (names[name] !== true) refuseName(options, name, names, argument);
   }
-  return given as Options;
+  if (typeof options !== 'object' || options === null) checkObject(options, argument);
+  return options as Options;
 }
 
 /** Throws unless `value` is an object, and no list; returns it. */
-export function checkObject(value: unknown, argument: string): object {
+export function checkObject(value: unknown, argument = 'options'): object {
   if (typeof value === 'object' && value !== null) {
     if (!Array.isArray(value) && !ArrayBuffer.isView(value)) return value;
   }
   throw new TypeError(`${argument} is ${describe(value)}; expected an object.`);
 }
 
-function refuseName(argument: string, name: string, names: readonly string[]): never {
-  const known = names.length > 1 ? `${names.slice(0, -1).join(', ')} or ${names.at(-1)}` : names[0];
+function refuseName(options: unknown, name: string, names: object, argument = 'options'): never {
+  checkObject(options, argument); // a list has names, too: 0, 1, 2
+  const all = Object.keys(names);
+  const known = all.length > 1 ? `${all.slice(0, -1).join(', ')} or ${all.at(-1)}` : all[0];
   throw new TypeError(`${argument} has the name ${describe(name)}; expected ${known}.`);
 }

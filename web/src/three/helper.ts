@@ -43,7 +43,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 
   constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation) {
     super();
-    checkObject(options, 'options');
+    checkObject(options);
     this.mesh = checkMesh(mesh);
     const { linewidth = 1.5, pixel = typicalEdge(mesh) / 56 } = options;
     this.pixel = checkLength('pixel', pixel);
