@@ -1,3 +1,4 @@
+#include <halfedge/inlining.h>
 #include <halfedge/io/obj_attributes.h>
 #include <halfedge/io/readers.h>
 #include <halfedge/sentence.h>
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -40,8 +42,7 @@ constexpr std::array kOtherWords = std::to_array<std::string_view>(
 constexpr std::array kOtherNames =
     std::to_array<std::string_view>({"usemap", "maplib", "shadow_obj", "trace_obj", "call", "csh"});
 
-template <std::size_t kCount>
-bool is_one_of(const std::array<std::string_view, kCount>& words, std::string_view word) {
+HALFEDGE_NOINLINE bool is_one_of(std::span<const std::string_view> words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -75,6 +76,22 @@ Statement statement_of(std::string_view word) {
       return Statement::kSmoothing;
     default:
       return Statement::kUnknown;
+  }
+}
+
+/// Names, such as the path of a folder, and what is unknown. In other statements one at the end of
+/// a line joins the next to it.
+bool may_end_with_backslash(Statement statement) {
+  switch (statement) {
+    case Statement::kGroup:
+    case Statement::kObject:
+    case Statement::kMaterial:
+    case Statement::kLibrary:
+    case Statement::kOtherName:
+    case Statement::kUnknown:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -150,15 +167,13 @@ bool ObjReader::read_statement() {
       return read_face();
     case Statement::kTexture:
     case Statement::kNormal:
-    case Statement::kSmoothing:
-      if (options_.attributes) read_attribute(statement);
-      break;
     case Statement::kGroup:
     case Statement::kObject:
     case Statement::kMaterial:
+    case Statement::kSmoothing:
     case Statement::kLibrary:
       if (options_.attributes) read_attribute(statement);
-      return true;
+      break;
     case Statement::kPoint:
       ++points_;
       break;
@@ -169,16 +184,13 @@ bool ObjReader::read_statement() {
       ++free_form_;
       break;
     case Statement::kOther:
-      break;
     case Statement::kOtherName:
-      return true;
+      break;
     case Statement::kUnknown:
       if (unknown_++ == 0) first_unknown_ = start;
-      return true;
+      break;
   }
-  // With what a backslash joins to the line. Names and what is unknown may end with one of their
-  // own.
-  text_.skip_tokens();
+  if (!may_end_with_backslash(statement)) text_.skip_tokens();
   return true;
 }
 

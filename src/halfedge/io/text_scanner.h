@@ -93,7 +93,7 @@ class TextScanner {
 
   /// Past all tokens of this line, and of those that a backslash joins to it.
   void skip_tokens() {
-    for (skip_blanks(); !at_line_end(); skip_blanks()) skip_token();
+    if (!at_line_end()) skip_more_tokens();
   }
 
   /// To the next token of the file, past line ends and comments.
@@ -185,6 +185,9 @@ class TextScanner {
     at_ = next;
     skip_newline();
     return true;
+  }
+  HALFEDGE_NOINLINE void skip_more_tokens() {
+    for (skip_blanks(); !at_line_end(); skip_blanks()) skip_token();
   }
   template <class T>
   [[nodiscard]] bool read_number(T& value);

@@ -103,17 +103,24 @@ void stop_at_failures() {
 
 namespace {
 
-// Whether attributes are read decides nothing about the polygons.
-void expect_same_without_attributes(std::span<const std::uint8_t> bytes, const Reader& read,
-                                    ParseOptions options, const PolygonSoup& soup) {
-  options.attributes = false;
-  const Result<ParsedFile> other = read(bytes, options);
+void expect_same_polygons(const Result<ParsedFile>& other, const PolygonSoup& soup) {
   ASSERT_TRUE(other) << other.error().message;
   const PolygonSoup& same = other.value().soup;
   EXPECT_TRUE(std::ranges::equal(std::as_bytes(soup.positions.span()),
                                  std::as_bytes(same.positions.span())));
   EXPECT_TRUE(std::ranges::equal(soup.sizes, same.sizes));
   EXPECT_TRUE(std::ranges::equal(soup.corners, same.corners));
+}
+
+// Whether attributes are read decides nothing about the polygons, nor does repair where the file
+// has no fault.
+void expect_same_with_other_options(std::span<const std::uint8_t> bytes, const Reader& read,
+                                    ParseOptions options, const PolygonSoup& soup) {
+  options.attributes = false;
+  expect_same_polygons(read(bytes, options), soup);
+  if (options.for_repair) return;
+  options.for_repair = true;
+  expect_same_polygons(read(bytes, options), soup);
 }
 
 void expect_file(std::span<const std::uint8_t> bytes, const Reader& read,
@@ -130,7 +137,7 @@ void expect_file(std::span<const std::uint8_t> bytes, const Reader& read,
   for (const std::string& note : file.notes) expect_sentence({"note", note});
   expect_whole(file, options);
   expect_lines(bytes, file);
-  expect_same_without_attributes(bytes, read, options, file.soup);
+  expect_same_with_other_options(bytes, read, options, file.soup);
   const Polygons polygons = file.soup.view();
   expect_strict_verdict(polygons);
   test::Repaired repaired(polygons);
