@@ -66,11 +66,15 @@ describe('The endless form', () => {
     },
   );
 
-  test('refuses an anchor that is out of range', () => {
+  test.each(directions)('refuses an anchor that is out of range: %s', (direction) => {
     using mesh = build(quadGrid());
     mesh.connectivity.vertexHalfedge[5] = 999;
-    const ring = mesh.circulate('vertexOutgoingHalfedges', 1, { direction: 'cw' });
-    expect(() => ring.moveTo(5)).toThrow(expect.objectContaining({ code: 'corrupt-connectivity' }));
+    for (const kind of ['vertexOutgoingHalfedges', 'vertexVertices'] as const) {
+      const ring = mesh.circulate(kind, 1, { direction });
+      expect(() => ring.moveTo(5)).toThrow(
+        expect.objectContaining({ code: 'corrupt-connectivity' }),
+      );
+    }
   });
 
   test('begins at a start', () => {

@@ -260,6 +260,17 @@ describe('A misspelt option', () => {
     expect(() => HalfedgeMesh.cube(options)).toThrow('options has the name "storePref"');
   });
 
+  test('is none that a page has given to all objects', () => {
+    const prototype = Object.prototype as { extend?: () => void };
+    prototype.extend = () => {};
+    try {
+      expect(HalfedgeMesh.cube({ size: 2 }).faceCount).toBe(6);
+      expect(cube().circulate('vertexFaces', 0, { direction: 'cw' }).current).toBeGreaterThan(-1);
+    } finally {
+      delete prototype.extend;
+    }
+  });
+
   test('is quoted, however long', () => {
     const options = { ['x'.repeat(1000)]: 1, '\n': 1 };
     expect(() => HalfedgeMesh.cube(options as never)).toThrow(

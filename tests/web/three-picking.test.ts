@@ -245,10 +245,10 @@ describe('After edits, MeshPicker', () => {
 describe('Of many faces, MeshPicker', () => {
   const ROWS = 180; // of more triangles than are taken up at once
 
-  function many(worker: () => never) {
+  function many(worker: () => never, others: { begin?: () => Promise<void> } = {}) {
     const mesh = HalfedgeMesh.grid(ROWS, ROWS, { width: 2, height: 2, triangles: true });
     const object = new THREE.Mesh(new MeshGeometry(mesh, { normals: 'none' }));
-    const picker = new MeshPicker(object, { worker });
+    const picker = new MeshPicker(object, { worker, ...others });
     const view = above(0, 2);
     /** In one half of a square of the grid, in pixels. */
     const faceAt = (column: number, row: number) =>
@@ -288,6 +288,19 @@ describe('Of many faces, MeshPicker', () => {
     mesh.history.undo();
     object.geometry.update();
     expect(faceAt(100, 90)).toBe(face);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('lets a worker begin when it may', async () => {
+    const thread = new FakeWorker();
+    let asked = 0;
+    const begin = () => {
+      asked += 1;
+      return Promise.resolve();
+    };
+    const { mesh, picker } = many(() => thread as never, { begin });
+    expect(asked).toBe(1);
     picker.dispose();
     mesh.dispose();
   });

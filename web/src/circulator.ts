@@ -165,8 +165,8 @@ export class Circulator<Item extends number = number> {
     if (typeof item === 'number' && start === undefined && this.era.first >= 0) {
       const anchor = this.anchors[item];
       if (anchor >= 0) {
-        const stays = this.course.beginsAtAnchor;
-        const link = stays ? anchor ^ this.after : this.follow[anchor ^ this.before];
+        const stays = this.course.beginsAtAnchor; // and `after` is 0 then: it follows next
+        const link = stays ? anchor : this.follow[anchor ^ this.before];
         const h = (link ^ this.after) & SMALL;
         if (link >= 0 && h < this.follow.length) {
           const side = h ^ this.side;

@@ -7,7 +7,7 @@ export type OptionNames<Options> = { readonly [Name in keyof Options]-?: true };
  * Throws unless `options` is an object that has only options of those names; returns it. A misspelt option
  * would have no effect otherwise, and nobody would know.
  *
- * As short as it can be, for the loops that make circulators: see laps.ts.
+ * As short as it can be, for the loops that make circulators: see laps.ts. So an empty list passes.
  */
 export function checkOptions<Options extends object>(
   options: unknown,
@@ -15,7 +15,7 @@ export function checkOptions<Options extends object>(
   argument?: string,
 ): Options {
   for (const name in options as Options) {
-    if (names[name] !== true) refuseName(options, name, names, argument);
+    if (names[name] !== true) checkName(options, name, names, argument);
   }
   if (typeof options !== 'object' || options === null) checkObject(options, argument);
   return options as Options;
@@ -29,7 +29,9 @@ export function checkObject(value: unknown, argument = 'options'): object {
   throw new TypeError(`${argument} is ${describe(value)}; expected an object.`);
 }
 
-function refuseName(options: unknown, name: string, names: object, argument = 'options'): never {
+/** Throws for a name that isn't among the names, unless all objects of the page have got it. */
+function checkName(options: unknown, name: string, names: object, argument = 'options'): void {
+  if (name in Object.prototype) return;
   checkObject(options, argument); // a list has names, too: 0, 1, 2
   const all = Object.keys(names);
   const known = all.length > 1 ? `${all.slice(0, -1).join(', ')} or ${all.at(-1)}` : all[0];
