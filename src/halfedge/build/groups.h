@@ -1,49 +1,14 @@
 #pragma once
 
+#include <halfedge/build/each_face.h>
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 
 namespace halfedge {
-
-/// Loops over faces are written once for any size; for triangles the size is a constant.
-using Three = std::integral_constant<Index, 3>;
-
-/// Calls `visit(face, its corners, their number)` for each face.
-template <bool kTriangles, class Visit>
-void for_each_face(const Polygons& polygons, const Visit& visit) {
-  const Index* corners = polygons.corners.data();
-  const Index count = Index(polygons.face_count());
-  for (Index f = 0; f < count; ++f) {
-    if constexpr (kTriangles) {
-      visit(f, corners, Three{});
-      corners += 3;
-    } else {
-      const Index size = polygons.sizes[f];
-      visit(f, corners, size);
-      corners += size;
-    }
-  }
-}
-
-[[nodiscard]] inline Index smallest_vertex(const Index* triangle) {
-  return std::min({triangle[0], triangle[1], triangle[2]});
-}
-[[nodiscard]] inline Index middle_vertex(const Index* triangle) {
-  const Index low = std::min(triangle[0], triangle[1]);
-  const Index high = std::max(triangle[0], triangle[1]);
-  return std::max(low, std::min(high, triangle[2]));
-}
-
-/// Whether two vertices are so near by number that what belongs to them is near in memory.
-[[nodiscard]] constexpr bool are_near(Index a, Index b) {
-  constexpr Index kNearby = 2048;
-  return a - b + kNearby < 2 * kNearby;
-}
 
 /// The halfedges set aside for each vertex. A side of a face *runs up* if it leads from the smaller
 /// vertex of its edge to the larger. No two sides of an edge run the same way, so a vertex has at

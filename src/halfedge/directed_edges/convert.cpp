@@ -18,35 +18,63 @@ Error out_of_memory(Index halfedges) {
 
 // ---- to the full mesh
 
-// Gives each halfedge the index that build_from_polygons would give it: edges are grouped by their
-// smaller vertices, as many to a group as sides lead from it to larger ones, in the order of their
-// first sides; those for which a group has no room come after all groups.
+// The edges of which a vertex is the smaller one, as build_from_polygons numbers them (see
+// build/connect.cpp).
+struct Group {
+  Index up = 0;      // sides that lead to larger vertices: each has an edge
+  Index down = 0;    // sides that come from them
+  Index single = 0;  // of these, those that have no other side
+
+  // Once all groups are counted, the numbers of the next edges: of those with a side that runs up;
+  // of the others, while there is room; and after that.
+  Index next_up = 0;
+  Index next_single = 0;
+  Index room_end = 0;
+  Index next_after = 0;
+
+  [[nodiscard]] Index room() const { return std::max(up, down); }
+  Index number_single() { return next_single < room_end ? next_single++ : next_after++; }
+};
+
+void begin_groups(Array<Group>& groups) {
+  Index begin = 0;
+  for (Group& group : groups) {
+    group.next_up = begin;
+    group.next_single = begin + group.up;
+    begin += group.room();
+    group.room_end = begin;
+  }
+  for (Group& group : groups) {
+    group.next_after = begin;
+    begin += group.up + group.single - group.room();
+  }
+}
+
+// Gives each halfedge the index that build_from_polygons would give it.
 [[nodiscard]] bool number_halfedges(const DirectedLinks& links, Array<Index>& numbers) {
-  const std::size_t vertices = links.vertex_halfedge.size();
-  Array<Index> begin;
-  Array<Index> used;
-  if (!begin.resize(vertices + 1, 0) || !used.resize(vertices, 0) ||
+  Array<Group> groups;
+  if (!groups.resize(links.vertex_halfedge.size(), {}) ||
       !numbers.recreate(links.opposite.size())) {
     return false;
   }
-  for (Index h = 0; h < links.sides; ++h) {
-    const Index from = links.from_vertex(h);
-    begin[from + 1] += from < links.to_vertex[h] ? 1 : 0;
-  }
-  for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
-
-  Index after_groups = begin[vertices];
-  for (Index h = 0; h < links.sides; ++h) {
-    const Index opposite = links.opposite[h];
-    if (opposite < h) continue;
-    const Index from = links.from_vertex(h);
-    const Index to = links.to_vertex[h];
-    const Index low = std::min(from, to);
-    const bool has_room = begin[low] + used[low] < begin[low + 1];
-    const Index edge = has_room ? begin[low] + used[low]++ : after_groups++;
-    numbers[h] = 2 * edge + Index{from > to};
-    numbers[opposite] = numbers[h] ^ 1U;
-  }
+  const auto visit_sides = [&](const auto& visit) {
+    for (Index h = 0; h < links.sides; ++h) {
+      const Index from = links.from_vertex(h);
+      const Index to = links.to_vertex[h];
+      visit(h, groups[std::min(from, to)], from < to, links.is_boundary(links.opposite[h]));
+    }
+  };
+  visit_sides([](Index, Group& group, bool runs_up, bool is_single) {
+    (runs_up ? group.up : group.down) += 1;
+    group.single += !runs_up && is_single ? 1 : 0;
+  });
+  begin_groups(groups);
+  visit_sides([&](Index h, Group& group, bool runs_up, bool is_single) {
+    if (!runs_up && !is_single) return;  // numbered with the side that runs up
+    const Index edge = runs_up ? group.next_up++ : group.number_single();
+    numbers[h] = 2 * edge + Index{!runs_up};
+    numbers[links.opposite[h]] = numbers[h] ^ 1U;
+  });
   return true;
 }
 
