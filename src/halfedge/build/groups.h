@@ -10,62 +10,162 @@
 
 namespace halfedge {
 
-/// The halfedges set aside for each vertex. A side of a face *runs up* if it leads from the smaller
-/// vertex of its edge to the larger. No two sides of an edge run the same way, so a vertex has at
-/// least as many edges to larger vertices as sides run up from it. That many are its *group*:
-/// [begin[v], begin[v + 1]) are their halfedges.
-struct Groups {
-  /// A group of more halfedges than this, two for each edge, is too large to be searched.
-  static constexpr Index kSearched = 32;
+/// A side of a face by its edge: it *runs up* if it leads from the smaller vertex of the edge to
+/// the larger, else it runs down. Compilers make no branch of this, which couldn't be predicted.
+struct Direction {
+  Index low;
+  Index high;
+  Index down;  ///< 1 if the side runs down
 
-  Array<Index> begin;
-  /// The halfedges of all groups that are too large.
-  Index in_large = 0;
-
-  [[nodiscard]] Index end() const { return begin[begin.size() - 1]; }
+  Direction(Index from, Index to)
+      : low(std::min(from, to)), high(from + to - low), down(Index{from > to}) {}
 };
 
-/// Sets up the groups; `repeated` tells whether a face has a vertex twice. `last_face` is scratch,
-/// and has one entry for each vertex after that. False when memory is exhausted.
-template <bool kTriangles>
-[[nodiscard]] bool count_groups(const Polygons& polygons, Array<Index>& last_face, Groups& groups,
-                                bool& repeated) {
-  const std::size_t vertices = polygons.vertex_count();
-  if (!groups.begin.recreate(vertices + 1) || !last_face.recreate(vertices)) return false;
-  std::fill(groups.begin.begin(), groups.begin.end(), 0U);
-  if (!kTriangles) std::fill(last_face.begin(), last_face.end(), kNone);
+/// The sides of all faces, brought together by the smaller vertices of their edges: the *group* of
+/// a vertex. There are three edges to a group on average.
+///
+/// Sides get places, which are numbered from group to group: those that run up have the even ones
+/// of their group, those that run down the odd ones, each in the order in which they come. So the
+/// place of a side that runs up, and the one after it, can be numbers of the halfedges of its edge.
+///
+/// Then each group is matched by itself, by the larger vertices. Nothing is searched for in all of
+/// this: no loop ends where it can't be predicted, and vertices of any valence take as long.
+class Groups {
+ public:
+  /// The places of a group are [begin, end): its sides that run up have the even ones before
+  /// `up_end`, those that run down the odd ones before `down_end`.
+  struct Group {
+    Index low;
+    Index begin;
+    Index up_end;
+    Index down_end;
 
-  Index* const count = groups.begin.data();
-  Index* const last = last_face.data();
+    [[nodiscard]] Index end() const { return std::max(up_end, down_end); }
+    [[nodiscard]] bool has(Index place) const { return place - begin < end() - begin; }
+  };
+
+  /// Sets up the groups of all sides. `repeated` tells whether a face has a vertex twice;
+  /// `last_face` is scratch, and has one entry for each vertex after that. False when memory is
+  /// exhausted.
+  template <bool kTriangles>
+  [[nodiscard]] bool count(const Polygons& polygons, Array<Index>& last_face, bool& repeated);
+
+  /// The place after those of all groups.
+  [[nodiscard]] Index end() const { return end_; }
+
+  /// The place of the next side of this direction, to be moved on by 2 when it is taken.
+  [[nodiscard]] Index& next_place(const Direction& side) {
+    return next_[std::size_t{2} * side.low + side.down];
+  }
+
+  /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
+  /// one entry for each vertex. Returns whether no two sides run the same way along an edge.
+  ///
+  /// `sides` knows what lies at the places:
+  ///   fetch(place, edge_to)      called for each side that runs up, before anything else
+  ///   high_up(place)             the larger vertex of a side that runs up
+  ///   high_down(group, place)    that of one that runs down; called once
+  ///   join(up, down)             these two are the sides of an edge
+  ///   add(group, down, high, place)   this one is the only side of its edge; `place` is the first
+  ///                              of two in its group that no other edge has, or kNone
+  ///   close(group, up, single)   called for all that run up if some are the only side of their
+  ///   edge
+  template <class Sides>
+  [[nodiscard]] bool match(Array<Index>& edge_to, Sides& sides) const;
+
+ private:
+  template <class Sides>
+  [[nodiscard]] static Index match_group(const Group& group, Index* edge_to, Sides& sides);
+
+  Array<Index> next_;  // two places for each vertex, see next_place()
+  Index end_ = 0;
+};
+
+template <bool kTriangles>
+bool Groups::count(const Polygons& polygons, Array<Index>& last_face, bool& repeated) {
+  const std::size_t vertices = polygons.vertex_count();
+  if (!next_.resize(2 * vertices, 0) || !last_face.recreate(vertices)) return false;
+  if (!kTriangles) std::fill(last_face.begin(), last_face.end(), kNone);
+  [[maybe_unused]] Index* const last = last_face.data();
   Index repeats = 0;
   for_each_face<kTriangles>(
-      polygons, [=, &repeats]([[maybe_unused]] Index f, const Index* corners, auto size) {
+      polygons, [&]([[maybe_unused]] Index f, const Index* corners, auto size) {
         if constexpr (kTriangles) {
-          const Index a = corners[0];
-          const Index b = corners[1];
-          const Index c = corners[2];
-          repeats |= Index{a == b} | Index{b == c} | Index{c == a};
+          repeats |= Index{corners[0] == corners[1]} | Index{corners[1] == corners[2]} |
+                     Index{corners[2] == corners[0]};
         }
         for (Index i = 0; i < size; ++i) {
           const Index from = corners[i];
-          const Index to = corners[i + 1 == size ? 0 : i + 1];
-          count[from] += from < to ? 2U : 0U;
           if constexpr (!kTriangles) {
             repeats |= Index{last[from] == f};
             last[from] = f;
           }
+          next_place({from, corners[i + 1 == size ? 0 : i + 1]}) += 2;
         }
       });
   repeated = repeats != 0;
 
-  Index sum = 0;
-  for (Index& entry : groups.begin) {
-    const Index size = entry;
-    entry = sum;
-    sum += size;
-    groups.in_large += size > Groups::kSearched ? size : 0;
+  for (std::size_t i = 0; i < next_.size(); i += 2) {
+    const Index size = std::max(next_[i], next_[i + 1]);
+    next_[i] = end_;
+    next_[i + 1] = end_ + 1;
+    end_ += size;
   }
   return true;
+}
+
+template <class Sides>
+bool Groups::match(Array<Index>& edge_to, Sides& sides) const {
+  std::fill(edge_to.begin(), edge_to.end(), kNone);
+  const Index vertices = Index(next_.size() / 2);
+  Index clashes = 0;
+  Index begin = 0;
+  for (Index low = 0; low < vertices; ++low) {
+    const Index* const next = next_.data() + std::size_t{2} * low;
+    const Group group{low, begin, next[0], next[1] - 1};
+    clashes |= match_group(group, edge_to.data(), sides);
+    begin = group.end();
+  }
+  return clashes == 0;
+}
+
+// `edge_to` holds for each vertex the place of the edge of this group that leads there: the even
+// one as long as a side that runs down can match it, the odd one then. What it holds of other
+// groups counts for nothing.
+template <class Sides>
+Index Groups::match_group(const Group& group, Index* edge_to, Sides& sides) {
+  Index clashes = 0;
+  for (Index up = group.begin; up != group.up_end; up += 2) {
+    sides.fetch(up, edge_to);
+    Index& edge = edge_to[sides.high_up(up)];
+    clashes |= Index{group.has(edge)};
+    edge = up;
+  }
+  Index free = group.up_end;
+  Index added = 0;
+  for (Index odd = group.begin + 1; odd != group.down_end + 1; odd += 2) {
+    const Index high = sides.high_down(group, odd);
+    Index& edge = edge_to[high];
+    const Index found = edge;
+    if (group.has(found) && found % 2 == 0) {
+      edge = found + 1;
+      sides.join(found, odd);
+    } else if (group.has(found)) {
+      return 1;
+    } else {
+      const bool fits = free < group.down_end;
+      edge = group.begin + 1;
+      sides.add(group, odd, high, fits ? free : kNone);
+      free += fits ? 2 : 0;
+      ++added;
+    }
+  }
+  if (group.up_end + 2 * added != group.down_end) {
+    for (Index up = group.begin; up != group.up_end; up += 2) {
+      sides.close(group, up, edge_to[sides.high_up(up)] == up);
+    }
+  }
+  return clashes;
 }
 
 }  // namespace halfedge
