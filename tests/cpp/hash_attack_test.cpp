@@ -139,38 +139,6 @@ double seconds_to_weld_twins(std::vector<float> positions) {
   });
 }
 
-/// Triangles apart at each of 64 hubs. Where they collide, the edges of all hubs lie in the same
-/// sixty-fourth part of the table of edges.
-std::vector<Index> triangles_at_hubs(bool collide) {
-  constexpr Index kHubs = 64;
-  constexpr std::size_t kCorners = 3 * std::size_t{kHubs} * 700;
-  std::vector<Index> corners;
-  for (Index hub = 0; hub < kHubs; ++hub) {
-    Index last = 0;
-    const std::size_t end = (hub + 1) * kCorners / kHubs;
-    for (Index high = 16 * (hub + 4); corners.size() < end; high += 16) {
-      const std::uint32_t hash = (hub * 0x85EB'CA6BU ^ (high / 16)) * 0x9E37'79B1U;
-      if (collide && hash >= 0x0400'0000U) continue;
-      if (last != 0) corners.insert(corners.end(), {hub, last, high});
-      last = last == 0 ? high : 0;
-    }
-  }
-  return corners;
-}
-
-double seconds_to_build(const std::vector<Index>& corners) {
-  const std::vector<float> positions(3 * std::size_t{1 << 22U});
-  return seconds([&] {
-    const Repaired built({positions, {}, corners});
-    EXPECT_EQ(built.mesh.face_count(), corners.size() / 3);
-  });
-}
-
-TEST(HashAttack, MakesBuildingNoSlower) {
-  EXPECT_LT(seconds_to_build(triangles_at_hubs(true)),
-            0.2 + 20 * seconds_to_build(triangles_at_hubs(false)));
-}
-
 TEST(HashAttack, MakesReadingStlNoSlower) {
   EXPECT_LT(seconds_to_read_stl(colliding_in_stl()), 0.2 + 20 * seconds_to_read_stl(ordinary()));
 }

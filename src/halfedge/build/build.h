@@ -36,7 +36,8 @@ struct BuildReport {
 ///
 /// pre: `polygons` doesn't view the arrays of `mesh`
 /// Memory of `mesh` is reused if it suffices, and exactly what is needed where it doesn't; peak
-/// beyond the mesh is at most 8 bytes a vertex, and 8 or so for each boundary edge.
+/// beyond the mesh is at most 8 bytes a vertex, and 12 for some of the boundary edges, which are
+/// given back before positions are copied.
 /// cost: O(vertices + corners); O(n log n) for the fans of a pinched vertex, and for a refusal
 ///
 /// Codes: index-out-of-range, non-finite-position, bad-size (of an array), degree-below-three,

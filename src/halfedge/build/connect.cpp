@@ -191,10 +191,10 @@ class SideConnector {
 
   // ---- links
 
+  // Isolated vertices have their anchor: kNone, as no edge led to them when sides were matched.
   void link_faces() {
     Index* const anchors = links_.vertex_halfedge.data();
     Index* const firsts = links_.face_halfedge.data();
-    std::fill(anchors, anchors + polygons_.vertex_count(), kNone);
     const Index* halfedges = halfedge_of_;
     for_each_face<kTriangles>(polygons_, [&](Index f, const Index* corners, auto size) {
       if constexpr (kCanPrefetch) fetch_links(halfedges);

@@ -15,8 +15,8 @@ enum class ConnectResult : std::uint8_t { kDone, kNotManifold, kTooLarge, kOutOf
 ///
 /// pre: each face has at least three corners, all of them below the number of vertices; there are
 /// at most kMaxSlots corners and vertices
-/// cost: O(vertices + corners), expected; 4 bytes a vertex of scratch memory, and 8 or so for each
-/// boundary edge
+/// cost: O(vertices + corners); 8 bytes a vertex of scratch memory, and 12 for some of the boundary
+/// edges
 template <bool kPrev>
 [[nodiscard]] ConnectResult connect(const Polygons& polygons, Links& links);
 

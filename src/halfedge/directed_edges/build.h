@@ -14,9 +14,8 @@ namespace halfedge {
 ///
 /// pre: `polygons` doesn't view the arrays of `mesh`
 /// Memory of `mesh` is reused if it suffices, and exactly what is needed where it doesn't; peak
-/// beyond the mesh is 4 bytes a vertex, and a little for the boundary.
-/// cost: O(vertices + corners); O(n log n) for n edges that lead from one vertex to larger ones,
-/// where n is above 16, and for the n fans of a pinched vertex; a refusal as there
+/// beyond the mesh is at most 8 bytes a vertex, which are given back before positions are copied.
+/// cost: O(vertices + corners); O(n log n) for the n fans of a pinched vertex; a refusal as there
 [[nodiscard]] bool build_from_triangles(DirectedEdgesMesh& mesh, const Polygons& polygons,
                                         BuildReport& report);
 

@@ -98,9 +98,9 @@ class TriangleConnector {
     }
   }
 
+  // Isolated ones have their anchor: kNone, as no edge led to them when sides were matched.
   void anchor_vertices() {
     Index* const anchors = links_.vertex_halfedge.data();
-    std::fill(anchors, anchors + links_.vertex_halfedge.size(), kNone);
     for (Index side = 0; side < sides_; ++side) anchors[corners_[before(side)]] = side;
   }
 
