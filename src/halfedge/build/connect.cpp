@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 namespace halfedge {
 
@@ -43,7 +44,7 @@ class SideConnector {
     if (groups_.end() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!make_room()) return ConnectResult::kOutOfMemory;
     place_sides();
-    const bool is_manifold = groups_.match(scratch, *this);
+    const bool is_manifold = groups_.match(scratch, Places{to_, side_at_, halfedge_of_, *this});
     if (is_out_of_memory_) return ConnectResult::kOutOfMemory;
     if (!is_manifold) return ConnectResult::kNotManifold;
     const ConnectResult added = add_unforeseen_edges();
@@ -53,42 +54,37 @@ class SideConnector {
     return ConnectResult::kDone;
   }
 
-  // ---- what Groups::match asks for
-
-  [[gnu::always_inline]] void fetch([[maybe_unused]] Index place,
-                                    [[maybe_unused]] const Index* edge_to) const {
-    if constexpr (kCanPrefetch) {
-      const Index ahead = place + kPlacesAhead;
-      if (ahead >= groups_.end()) return;
-      prefetch(edge_to + to_[ahead]);
-      prefetch(halfedge_of_ + side_at_[ahead + 1]);
-    }
-  }
-  [[nodiscard]] Index high_up(Index place) const { return to_[place]; }
-  [[nodiscard]] Index high_down(const Groups::Group& group, Index place) {
-    const Index high = to_[place];
-    to_[place] = group.low;
-    return high;
-  }
-  void join(Index up, Index down) { halfedge_of_[side_at_[down]] = up + 1; }
-
-  HALFEDGE_NOINLINE void add(const Groups::Group& group, Index down, Index high, Index place) {
-    const Index side = side_at_[down];
-    if (place == kNone) {
-      is_out_of_memory_ |= !unforeseen_.push_back({side, group.low, high});
-      return;
-    }
-    halfedge_of_[side] = place + 1;
-    to_[place] = high;
-    mark_boundary(place);
-  }
-
-  void close(const Groups::Group& group, Index up, bool single) {
-    to_[up + 1] = group.low;
-    if (single) mark_boundary(up + 1);
-  }
-
  private:
+  // What lies at the places of groups. By value, so that loops keep it in registers.
+  struct Places {
+    Index* to;
+    Index* side_at;
+    Index* halfedge_of;
+    SideConnector& connector;
+
+    [[gnu::always_inline]] void fetch([[maybe_unused]] Index place,
+                                      [[maybe_unused]] const Index* edge_to) const {
+      if constexpr (kCanPrefetch) {
+        const Index ahead = place + kPlacesAhead;
+        if (ahead >= connector.groups_.end()) return;
+        prefetch(edge_to + to[ahead]);
+        prefetch(halfedge_of + side_at[ahead + 1]);
+      }
+    }
+    [[nodiscard]] Index high_up(Index place) const { return to[place]; }
+    [[nodiscard]] Index high_down(Index place, Index low) const {
+      return std::exchange(to[place], low);
+    }
+    void join(Index up, Index down) const { halfedge_of[side_at[down]] = up + 1; }
+    void add(Index down, Index low, Index high, Index place) const {
+      connector.add_edge(side_at[down], low, high, place);
+    }
+    void close(Index up, Index low, bool is_single) const {
+      to[up + 1] = low;
+      if (is_single) connector.mark_boundary(up + 1);
+    }
+  };
+
   // A side that runs down, alone along its edge, for which its group has no places.
   struct Unforeseen {
     Index side;
@@ -160,6 +156,17 @@ class SideConnector {
       prefetch(to_ + place);
       prefetch(side_at_ + place);
     }
+  }
+
+  // The edge of a side that runs down and is alone.
+  HALFEDGE_NOINLINE void add_edge(Index side, Index low, Index high, Index place) {
+    if (place == kNone) {
+      is_out_of_memory_ |= !unforeseen_.push_back({side, low, high});
+      return;
+    }
+    halfedge_of_[side] = place + 1;
+    to_[place] = high;
+    mark_boundary(place);
   }
 
   // Without `prev`, faces have no array yet.

@@ -32,18 +32,6 @@ struct Direction {
 /// this: no loop ends where it can't be predicted, and vertices of any valence take as long.
 class Groups {
  public:
-  /// The places of a group are [begin, end): its sides that run up have the even ones before
-  /// `up_end`, those that run down the odd ones before `down_end`.
-  struct Group {
-    Index low;
-    Index begin;
-    Index up_end;
-    Index down_end;
-
-    [[nodiscard]] Index end() const { return std::max(up_end, down_end); }
-    [[nodiscard]] bool has(Index place) const { return place - begin < end() - begin; }
-  };
-
   /// Sets up the groups of all sides. `repeated` tells whether a face has a vertex twice;
   /// `last_face` is scratch, and has one entry for each vertex after that. False when memory is
   /// exhausted.
@@ -59,23 +47,35 @@ class Groups {
   }
 
   /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
-  /// one entry for each vertex. Returns whether no two sides run the same way along an edge.
+  /// one entry for each vertex. False if two sides run the same way along an edge.
   ///
-  /// `sides` knows what lies at the places:
+  /// `places` knows what lies there:
   ///   fetch(place, edge_to)      called for each side that runs up, before anything else
   ///   high_up(place)             the larger vertex of a side that runs up
-  ///   high_down(group, place)    that of one that runs down; called once
+  ///   high_down(place, low)      that of one that runs down; called once
   ///   join(up, down)             these two are the sides of an edge
-  ///   add(group, down, high, place)   this one is the only side of its edge; `place` is the first
-  ///                              of two in its group that no other edge has, or kNone
-  ///   close(group, up, single)   called for all that run up if some are the only side of their
-  ///   edge
-  template <class Sides>
-  [[nodiscard]] bool match(Array<Index>& edge_to, Sides& sides) const;
+  ///   add(down, low, high, place)   this one is the only side of its edge; `place` is the first of
+  ///                              two in its group that no other edge has, or kNone
+  ///   close(up, low, is_single)  called for all sides of a group that run up, if some of them are
+  ///                              the only sides of their edges
+  template <class Places>
+  [[nodiscard]] bool match(Array<Index>& edge_to, Places places) const;
 
  private:
-  template <class Sides>
-  [[nodiscard]] static Index match_group(const Group& group, Index* edge_to, Sides& sides);
+  // The places of a group are [begin, begin + size). The sides of `low` that run up have the even
+  // ones before `up_end`, those that run down the odd ones before `down_end`.
+  struct Group {
+    Index low;
+    Index begin;
+    Index size;
+    Index up_end;
+    Index down_end;
+
+    [[nodiscard]] bool has(Index place) const { return place - begin < size; }
+  };
+
+  template <class Places>
+  [[nodiscard]] static Index match_group(const Group& group, Index* edge_to, const Places& places);
 
   Array<Index> next_;  // two places for each vertex, see next_place()
   Index end_ = 0;
@@ -114,17 +114,19 @@ bool Groups::count(const Polygons& polygons, Array<Index>& last_face, bool& repe
   return true;
 }
 
-template <class Sides>
-bool Groups::match(Array<Index>& edge_to, Sides& sides) const {
+template <class Places>
+bool Groups::match(Array<Index>& edge_to, Places places) const {
   std::fill(edge_to.begin(), edge_to.end(), kNone);
   const Index vertices = Index(next_.size() / 2);
   Index clashes = 0;
   Index begin = 0;
   for (Index low = 0; low < vertices; ++low) {
     const Index* const next = next_.data() + std::size_t{2} * low;
-    const Group group{low, begin, next[0], next[1] - 1};
-    clashes |= match_group(group, edge_to.data(), sides);
-    begin = group.end();
+    const Index up_end = next[0];
+    const Index down_end = next[1] - 1;
+    const Index size = std::max(up_end, down_end) - begin;
+    clashes |= match_group({low, begin, size, up_end, down_end}, edge_to.data(), places);
+    begin += size;
   }
   return clashes == 0;
 }
@@ -132,37 +134,36 @@ bool Groups::match(Array<Index>& edge_to, Sides& sides) const {
 // `edge_to` holds for each vertex the place of the edge of this group that leads there: the even
 // one as long as a side that runs down can match it, the odd one then. What it holds of other
 // groups counts for nothing.
-template <class Sides>
-Index Groups::match_group(const Group& group, Index* edge_to, Sides& sides) {
+template <class Places>
+Index Groups::match_group(const Group& group, Index* edge_to, const Places& places) {
   Index clashes = 0;
   for (Index up = group.begin; up != group.up_end; up += 2) {
-    sides.fetch(up, edge_to);
-    Index& edge = edge_to[sides.high_up(up)];
+    places.fetch(up, edge_to);
+    Index& edge = edge_to[places.high_up(up)];
     clashes |= Index{group.has(edge)};
     edge = up;
   }
   Index free = group.up_end;
   Index added = 0;
-  for (Index odd = group.begin + 1; odd != group.down_end + 1; odd += 2) {
-    const Index high = sides.high_down(group, odd);
-    Index& edge = edge_to[high];
-    const Index found = edge;
-    if (group.has(found) && found % 2 == 0) {
-      edge = found + 1;
-      sides.join(found, odd);
-    } else if (group.has(found)) {
+  for (Index down = group.begin + 1; down != group.down_end + 1; down += 2) {
+    const Index high = places.high_down(down, group.low);
+    const Index up = edge_to[high];
+    if (group.has(up) && up % 2 == 0) {
+      edge_to[high] = up + 1;
+      places.join(up, down);
+    } else if (group.has(up)) {
       return 1;
     } else {
       const bool fits = free < group.down_end;
-      edge = group.begin + 1;
-      sides.add(group, odd, high, fits ? free : kNone);
+      edge_to[high] = group.begin + 1;
+      places.add(down, group.low, high, fits ? free : kNone);
       free += fits ? 2 : 0;
       ++added;
     }
   }
   if (group.up_end + 2 * added != group.down_end) {
     for (Index up = group.begin; up != group.up_end; up += 2) {
-      sides.close(group, up, edge_to[sides.high_up(up)] == up);
+      places.close(up, group.low, edge_to[places.high_up(up)] == up);
     }
   }
   return clashes;

@@ -27,12 +27,42 @@ bool sizes_fit(const Polygons& polygons) {
   return large_enough && sum == polygons.corners.size();
 }
 
-// The sign of the difference tells, without a branch: both are below 2^31 if all is well.
+// Two words of 32 bits at a time, which halves the time where compilers don't do so (WebAssembly).
+constexpr std::uint64_t twice(std::uint32_t word) { return std::uint64_t{word} << 32U | word; }
+
+/// Calls `visit` with all words, two at a time; the last of an odd number comes with itself.
+template <class Word, class Visit>
+void for_each_pair(std::span<const Word> words, const Visit& visit) {
+  static_assert(sizeof(Word) == 4);
+  std::size_t i = 0;
+  for (; i + 2 <= words.size(); i += 2) {
+    std::uint64_t pair = 0;
+    std::memcpy(&pair, &words[i], sizeof pair);
+    visit(pair);
+  }
+  if (i == words.size()) return;
+  std::uint32_t word = 0;
+  std::memcpy(&word, &words[i], sizeof word);
+  visit(twice(word));
+}
+
+// The sign of the difference tells, without a branch: all are below 2^31 if all is well. Where the
+// lower one borrows from the upper one, it has told so.
 bool are_below(std::span<const Index> indices, std::size_t count) {
-  const Index last = Index(count) - 1;
-  Index signs = 0;
-  for (const Index index : indices) signs |= index | (last - index);
-  return indices.empty() || (count > 0 && signs >> 31U == 0);
+  const std::uint64_t last = twice(Index(count) - 1);
+  std::uint64_t signs = 0;
+  for_each_pair(indices, [&](std::uint64_t pair) { signs |= pair | (last - pair); });
+  return indices.empty() || (count > 0 && (signs & twice(0x8000'0000)) == 0);
+}
+
+// All bits of the exponent are set in numbers that aren't finite: then 1 more carries into the
+// sign.
+bool are_finite(std::span<const float> numbers) {
+  std::uint64_t carries = 0;
+  for_each_pair(numbers, [&](std::uint64_t pair) {
+    carries |= (pair & twice(0x7FFF'FFFF)) + twice(0x0080'0000);
+  });
+  return (carries & twice(0x8000'0000)) == 0;
 }
 
 }  // namespace
@@ -42,16 +72,8 @@ bool can_be_connected(const Polygons& polygons) {
 }
 
 ConnectResult copy_positions(std::span<const float> from, Array<float>& to) {
-  if (!to.recreate(from.size())) return ConnectResult::kOutOfMemory;
-  float* const copy = to.data();
-  std::uint32_t not_finite = 0;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::uint32_t bits = 0;
-    std::memcpy(&bits, &from[i], sizeof bits);
-    not_finite |= std::uint32_t{(bits & 0x7F80'0000U) == 0x7F80'0000U};
-    copy[i] = from[i];
-  }
-  return not_finite != 0 ? ConnectResult::kNotManifold : ConnectResult::kDone;
+  if (!are_finite(from)) return ConnectResult::kNotManifold;
+  return to.assign(from) ? ConnectResult::kDone : ConnectResult::kOutOfMemory;
 }
 
 bool explain(ConnectResult result, const Polygons& polygons, BuildReport& report) {

@@ -33,41 +33,45 @@ class TriangleConnector {
     if (repeated) return ConnectResult::kNotManifold;
     if (!make_room()) return ConnectResult::kOutOfMemory;
     place_sides();
-    if (!groups_.match(scratch, *this)) return ConnectResult::kNotManifold;
+    if (!groups_.match(scratch, Places{corners_, side_at_, opposite_, *this}))
+      return ConnectResult::kNotManifold;
     if (std::uint64_t{sides_} + boundary_ > kMaxSlots) return ConnectResult::kTooLarge;
     anchor_vertices();
     return write_corners_and_boundary();
   }
 
-  // ---- what Groups::match asks for
+ private:
+  // What lies at the places of groups. By value, so that loops keep it in registers.
+  struct Places {
+    const Index* corners;
+    const Index* side_at;
+    Index* opposite;
+    TriangleConnector& connector;
 
-  [[gnu::always_inline]] void fetch([[maybe_unused]] Index place,
-                                    [[maybe_unused]] const Index* edge_to) const {
-    if constexpr (kCanPrefetch) {
-      const Index ahead = place + kPlacesAhead;
-      if (ahead >= groups_.end()) return;
-      for (const Index side : {side_at_[ahead], side_at_[ahead + 1]}) {
-        prefetch(corners_ + side);
-        prefetch(opposite_ + side);
+    [[gnu::always_inline]] void fetch([[maybe_unused]] Index place, const Index*) const {
+      if constexpr (kCanPrefetch) {
+        const Index ahead = place + kPlacesAhead;
+        if (ahead >= connector.groups_.end()) return;
+        for (const Index side : {side_at[ahead], side_at[ahead + 1]}) {
+          prefetch(corners + side);
+          prefetch(opposite + side);
+        }
       }
     }
-  }
-  [[nodiscard]] Index high_up(Index place) const { return corners_[side_at_[place]]; }
-  [[nodiscard]] Index high_down(const Groups::Group&, Index place) const {
-    return corners_[before(side_at_[place])];
-  }
-  void join(Index up, Index down) {
-    const Index a = side_at_[up];
-    const Index b = side_at_[down];
-    opposite_[a] = b;
-    opposite_[b] = a;
-  }
-  void add(const Groups::Group&, Index down, Index, Index) { leave(side_at_[down]); }
-  void close(const Groups::Group&, Index up, bool single) {
-    if (single) leave(side_at_[up]);
-  }
+    [[nodiscard]] Index high_up(Index place) const { return corners[side_at[place]]; }
+    [[nodiscard]] Index high_down(Index place, Index) const {
+      return corners[before(side_at[place])];
+    }
+    void join(Index up, Index down) const {
+      opposite[side_at[up]] = side_at[down];
+      opposite[side_at[down]] = side_at[up];
+    }
+    void add(Index down, Index, Index, Index) const { connector.leave(side_at[down]); }
+    void close(Index up, Index, bool is_single) const {
+      if (is_single) connector.leave(side_at[up]);
+    }
+  };
 
- private:
   // Of the halfedges of its face the one before it, whose corner is the one that it leaves.
   [[nodiscard]] static Index before(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
