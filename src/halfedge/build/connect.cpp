@@ -125,8 +125,9 @@ class SideConnector {
 
   // ---- places
 
-  // Writes `halfedge_of` those that run down, too: to leave it out takes a branch.
-  void place_sides() {
+  // Writes `halfedge_of` those that run down, too: to leave it out takes a branch. Not inlined,
+  // since g++ makes branches of directions in the midst of run().
+  HALFEDGE_NOINLINE void place_sides() {
     Index first = 0;
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
       if constexpr (kCanPrefetch) fetch_places(corners, first);
