@@ -127,9 +127,9 @@ TEST(StitchBoundaries, LeavesThreeEdgesInOnePlace) {
   ASSERT_EQ(report.problems.size(), 3U);
   EXPECT_EQ(report.problems[0].code, "ambiguous-edge");
   EXPECT_EQ(report.problems[0].message,
-            "Edge 6 lies together with 2 other boundary edges, expected one: which to glue it to "
+            "Edge 0 lies together with 2 other boundary edges, expected one: which to glue it to "
             "can't be told.");
-  EXPECT_EQ(report.problems[0].witness.edges, (std::vector<Index>{6}));
+  EXPECT_EQ(report.problems[0].witness.edges, (std::vector<Index>{0}));
   EXPECT_EQ(report.summary, "3 edges left which several others fit.");
 }
 
@@ -273,7 +273,7 @@ TEST(StitchBoundaries, LeavesEdgesThatRunTheSameWay) {
   EXPECT_EQ(counts_of(mesh), (Counts3{6, 6, 2}));
   EXPECT_EQ(report.summary, "1 edge left between faces of opposite orientation.");
   EXPECT_EQ(report.problems[0].code, "opposite-orientation");
-  EXPECT_EQ(report.problems[0].witness.edges, (std::vector<Index>{4, 5}));
+  EXPECT_EQ(report.problems[0].witness.edges, (std::vector<Index>{0, 2}));
 }
 
 // A quad folded onto itself, of which each half would be a face with a corner twice.
@@ -285,7 +285,7 @@ TEST(StitchBoundaries, SaysWhatNoMeshAllows) {
   EXPECT_EQ(report.summary, "2 edges left that can't be glued.");
   ASSERT_EQ(report.problems.size(), 2U);
   EXPECT_EQ(report.problems[0].message,
-            "Edge 0 and edge 3 lie together but can't be glued: Edge 2 and edge 1 would both join "
+            "Edge 3 and edge 0 lie together but can't be glued: Edge 2 and edge 1 would both join "
             "vertex 3 and vertex 2, expected one edge between two vertices.");
 }
 

@@ -72,6 +72,7 @@ class SideConnector {
       }
     }
     [[nodiscard]] Index high_up(Index place) const { return to[place]; }
+    // The place, odd as it is, will be a halfedge that leads to `low`, of one edge or another.
     [[nodiscard]] Index high_down(Index place, Index low) const {
       return std::exchange(to[place], low);
     }

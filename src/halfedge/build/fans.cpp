@@ -18,15 +18,10 @@ Index end_of_fan(const Links& links, Index first) {
   return h;
 }
 
-void link(Links& links, Index h, Index next) {
-  links.next[h] = next;
-  if (!links.prev.empty()) links.prev[next] = h;
-}
-
 // Joins into one cycle the fans that begin at these outgoing boundary halfedges of a vertex.
 void join_cycles(std::span<const Index> firsts, Links& links) {
   for (std::size_t i = 0; i < firsts.size(); ++i) {
-    link(links, end_of_fan(links, firsts[i]), firsts[i + 1 < firsts.size() ? i + 1 : 0]);
+    links.next[end_of_fan(links, firsts[i])] = firsts[i + 1 < firsts.size() ? i + 1 : 0];
   }
 }
 
@@ -39,7 +34,7 @@ bool join_open_fans(Links& links) {
 
   for (Index h = 0; h < links.next.size(); ++h) {
     if (!is_boundary(h)) continue;
-    link(links, end_of_fan(links, h), h);
+    links.next[end_of_fan(links, h)] = h;
     Index& anchor = links.vertex_halfedge[from(h)];
     if (!is_boundary(anchor)) {
       anchor = h;

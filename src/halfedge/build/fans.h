@@ -14,9 +14,9 @@ namespace halfedge {
 
 /// Joins the open fans of each vertex into one cycle, in the order of the vertices that their
 /// outgoing boundary halfedges lead to, and anchors the vertex on the first of these. So the
-/// boundary halfedges get their `next` and, where it is stored, their `prev`.
+/// boundary halfedges get their `next`.
 ///
-/// pre: all other links are set; no two faces run along a side of an edge in the same direction
+/// pre: all other links but `prev` are set; no two faces run along an edge in the same direction
 /// cost: O(halfedges), and sorting the fans of pinched vertices. False when memory is exhausted.
 [[nodiscard]] bool join_open_fans(Links& links);
 

@@ -11,7 +11,8 @@
 namespace halfedge {
 
 /// A side of a face by its edge: it *runs up* if it leads from the smaller vertex of the edge to
-/// the larger, else it runs down. Compilers make no branch of this, which couldn't be predicted.
+/// the larger, else it runs down. Written so that compilers make no branch of it, which couldn't be
+/// predicted.
 struct Direction {
   Index low;
   Index high;
@@ -29,7 +30,8 @@ struct Direction {
 /// place of a side that runs up, and the one after it, can be numbers of the halfedges of its edge.
 ///
 /// Then each group is matched by itself, by the larger vertices. Nothing is searched for in all of
-/// this: no loop ends where it can't be predicted, and vertices of any valence take as long.
+/// this: what processors can't predict is how large a group is, not where each side is found, and
+/// vertices of any valence take as long.
 class Groups {
  public:
   /// Sets up the groups of all sides. `repeated` tells whether a face has a vertex twice;

@@ -173,6 +173,25 @@ export class ExplorerPage {
     );
   }
 
+  /** How many pixels of two pictures of the same size differ. */
+  async differingPixels(one: Buffer, other: Buffer): Promise<number> {
+    return this.page.evaluate(
+      async (pictures) => {
+        const [a, b] = await Promise.all(
+          pictures.map(async (data) => {
+            const bitmap = await createImageBitmap(await (await fetch(data)).blob());
+            const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+            context?.drawImage(bitmap, 0, 0);
+            const pixels = context?.getImageData(0, 0, bitmap.width, bitmap.height).data;
+            return new Uint32Array(pixels?.buffer ?? []);
+          }),
+        );
+        return a && b ? a.reduce((sum, pixel, i) => sum + (pixel === b[i] ? 0 : 1), 0) : -1;
+      },
+      [one, other].map((picture) => `data:image/png;base64,${picture.toString('base64')}`),
+    );
+  }
+
   /** Drops a file on the page, as from the desktop. */
   async drop(name: string, content: string): Promise<void> {
     const transfer = await this.page.evaluateHandle(
