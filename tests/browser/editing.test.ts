@@ -305,7 +305,7 @@ describe('The picture', () => {
     await moving.goTo('h31');
     await moving.press('z');
     await moving.rest();
-    // Arrows and the numbers at them stay where they are while they would look the same, to some pixels.
+    // A number at an arrow may lie a fraction of a pixel beside where it was.
     const picture = () => page.screenshot({ clip: { x: 0, y: 0, width: 900, height: 740 } });
     const before = await picture();
     await page.clock.install();

@@ -21,8 +21,6 @@ namespace {
 // corners so many places before are at work.
 constexpr std::size_t kTooManyForCache = 300'000;
 constexpr std::size_t kAhead = 48;
-// The same for places in groups.
-constexpr Index kPlacesAhead = 64;
 
 // Finds the halfedge of each side by matching sides in groups (groups.h), and links faces then. The
 // halfedge of a side that runs up is its place. One that runs down takes the opposite of the one
@@ -62,14 +60,9 @@ class SideConnector {
     Index* halfedge_of;
     SideConnector& connector;
 
-    [[gnu::always_inline]] void fetch([[maybe_unused]] Index place,
-                                      [[maybe_unused]] const Index* edge_to) const {
-      if constexpr (kCanPrefetch) {
-        const Index ahead = place + kPlacesAhead;
-        if (ahead >= connector.groups_.end()) return;
-        prefetch(edge_to + to[ahead]);
-        prefetch(halfedge_of + side_at[ahead + 1]);
-      }
+    [[gnu::always_inline]] void fetch(Index place, const Index* edge_to) const {
+      prefetch(edge_to + to[place]);
+      prefetch(halfedge_of + side_at[place + 1]);
     }
     [[nodiscard]] Index high_up(Index place) const { return to[place]; }
     // The place, odd as it is, will be a halfedge that leads to `low`, of one edge or another.

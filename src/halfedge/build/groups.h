@@ -4,6 +4,7 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -52,7 +53,7 @@ class Groups {
   /// one entry for each vertex. False if two sides run the same way along an edge.
   ///
   /// `places` knows what lies there:
-  ///   fetch(place, edge_to)      called for each side that runs up, before anything else
+  ///   fetch(place, edge_to)      this place, and the next, will be needed soon
   ///   high_up(place)             the larger vertex of a side that runs up
   ///   high_down(place, low)      that of one that runs down; called once
   ///   join(up, down)             these two are the sides of an edge
@@ -76,8 +77,11 @@ class Groups {
     [[nodiscard]] bool has(Index place) const { return place - begin < size; }
   };
 
+  // What lies so many places ahead is fetched into the cache.
+  static constexpr Index kAhead = 64;
+
   template <class Places>
-  [[nodiscard]] static Index match_group(const Group& group, Index* edge_to, const Places& places);
+  [[nodiscard]] Index match_group(const Group& group, Index* edge_to, const Places& places) const;
 
   Array<Index> next_;  // two places for each vertex, see next_place()
   Index end_ = 0;
@@ -137,10 +141,12 @@ bool Groups::match(Array<Index>& edge_to, Places places) const {
 // one as long as a side that runs down can match it, the odd one then. What it holds of other
 // groups counts for nothing.
 template <class Places>
-Index Groups::match_group(const Group& group, Index* edge_to, const Places& places) {
+Index Groups::match_group(const Group& group, Index* edge_to, const Places& places) const {
   Index clashes = 0;
   for (Index up = group.begin; up != group.up_end; up += 2) {
-    places.fetch(up, edge_to);
+    if constexpr (kCanPrefetch) {
+      if (up + kAhead < end_) places.fetch(up + kAhead, edge_to);
+    }
     Index& edge = edge_to[places.high_up(up)];
     clashes |= Index{group.has(edge)};
     edge = up;

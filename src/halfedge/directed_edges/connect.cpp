@@ -11,9 +11,6 @@ namespace halfedge {
 
 namespace {
 
-// Of so many places later, what lies there is fetched into the cache.
-constexpr Index kPlacesAhead = 64;
-
 // Finds the opposites by matching sides in groups (build/groups.h). The places take just as much
 // memory as the corners of a closed mesh, so they lie in `to_vertex`, which is written last.
 class TriangleConnector {
@@ -48,14 +45,10 @@ class TriangleConnector {
     Index* opposite;
     TriangleConnector& connector;
 
-    [[gnu::always_inline]] void fetch([[maybe_unused]] Index place, const Index*) const {
-      if constexpr (kCanPrefetch) {
-        const Index ahead = place + kPlacesAhead;
-        if (ahead >= connector.groups_.end()) return;
-        for (const Index side : {side_at[ahead], side_at[ahead + 1]}) {
-          prefetch(corners + side);
-          prefetch(opposite + side);
-        }
+    [[gnu::always_inline]] void fetch(Index place, const Index*) const {
+      for (const Index side : {side_at[place], side_at[place + 1]}) {
+        prefetch(corners + side);
+        prefetch(opposite + side);
       }
     }
     [[nodiscard]] Index high_up(Index place) const { return corners[side_at[place]]; }

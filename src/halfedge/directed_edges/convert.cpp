@@ -19,7 +19,7 @@ Error out_of_memory(Index halfedges) {
 // ---- to the full mesh
 
 // The edges of which a vertex is the smaller one, as build_from_polygons numbers them (see
-// build/connect.cpp).
+// build/groups.h).
 struct Group {
   Index up = 0;      // sides that lead to larger vertices: each has an edge
   Index down = 0;    // sides that come from them

@@ -181,12 +181,14 @@ export class ExplorerPage {
           pictures.map(async (data) => {
             const bitmap = await createImageBitmap(await (await fetch(data)).blob());
             const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-            context?.drawImage(bitmap, 0, 0);
-            const pixels = context?.getImageData(0, 0, bitmap.width, bitmap.height).data;
-            return new Uint32Array(pixels?.buffer ?? []);
+            if (!context) throw new Error('there is no canvas to compare pictures on');
+            context.drawImage(bitmap, 0, 0);
+            const { data: pixels } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+            return new Uint32Array(pixels.buffer);
           }),
         );
-        return a && b ? a.reduce((sum, pixel, i) => sum + (pixel === b[i] ? 0 : 1), 0) : -1;
+        if (!a || !b || a.length !== b.length) throw new Error('the pictures differ in size');
+        return a.reduce((sum, pixel, i) => sum + (pixel === b[i] ? 0 : 1), 0);
       },
       [one, other].map((picture) => `data:image/png;base64,${picture.toString('base64')}`),
     );
