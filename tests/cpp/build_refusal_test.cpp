@@ -305,6 +305,26 @@ TEST(BuildRefusal, OfTwoPillowsThatShareAVertex) {
 
 // ---- many at once
 
+// Numbers are looked at two at a time; a triangle has nine.
+TEST(BuildRefusal, FindsANumberThatIsntFiniteInAnyPlace) {
+  using Limits = std::numeric_limits<float>;
+  for (std::size_t place = 0; place < 9; ++place) {
+    for (const float number : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
+      Shape shape = triangle();
+      shape.positions[place] = number;
+      const BuildReport report = refusal(shape.polygons());
+      ASSERT_EQ(report.problem_count, 1U) << place;
+      EXPECT_EQ(report.problems[0].code, "non-finite-position");
+      EXPECT_EQ(report.problems[0].witness.vertices, std::vector<Index>{Index(place / 3)});
+    }
+    Shape shape = triangle();
+    shape.positions[place] = Limits::lowest();
+    Mesh mesh;
+    BuildReport report;
+    EXPECT_TRUE(build_from_polygons(mesh, shape.polygons(), report)) << place;
+  }
+}
+
 TEST(BuildRefusal, ListsProblemsOfAllKindsInOrder) {
   Shape shape{"", 8, {{0, 1, 2}, {3, 4}, {1, 0, 5}, {0, 1, 6}, {2, 9, 2}, {7, 2, 1}, {7, 1, 2}}};
   shape.positions[0] = std::numeric_limits<float>::infinity();
