@@ -219,3 +219,27 @@ test.each([false, true])('Fits a telephone (dark: %s)', async (dark) => {
   expect(phone.complaints).toEqual([]);
   await phone.close();
 });
+
+test('On a telephone the switch over the picture covers nothing of the mesh', async () => {
+  const phone = await ExplorerPage.open({ width: 390, height: 844, phone: true });
+  await phone.drop('pyramid.off', PYRAMID);
+  await phone.ready('pyramid.off');
+  const inWindow = await phone.projection();
+  const switched = await phone.page.locator('.picture-switch .segments').boundingBox();
+  const picks = await phone.page.locator('.pick-bar').boundingBox();
+  if (!switched || !picks) throw new Error('The switch or the bar below the picture is missing');
+  for (const corner of [
+    [-1, 0, -1],
+    [1, 0, -1],
+    [1, 0, 1],
+    [-1, 0, 1],
+    [0, 1.5, 0],
+    [0, 0, 2],
+  ]) {
+    const [, y] = inWindow(corner);
+    expect(y).toBeGreaterThan(switched.y + switched.height);
+    expect(y).toBeLessThan(picks.y);
+  }
+  expect(phone.complaints).toEqual([]);
+  await phone.close();
+});

@@ -26,6 +26,10 @@ import type { Place } from './soup-shape.js';
 import { SoupView } from './soup-view.js';
 import { WitnessView } from './witness-view.js';
 
+/** What the bar at the top takes of the height, and the switch below it where a file has problems. */
+const TOP_BAR = 64;
+const PICTURE_SWITCH = 44;
+
 /** The picture of the explorer's state: follows its signals, draws when something changed. */
 export class View {
   readonly stage: Stage;
@@ -40,6 +44,7 @@ export class View {
   #palette: Palette = readPalette();
   /** Where the problem is that is lit. */
   #place: Place | null = null;
+  #panel: HTMLElement | null = null;
 
   constructor(explorer: Explorer, canvas: HTMLCanvasElement, labels: HTMLElement) {
     this.#explorer = explorer;
@@ -108,21 +113,26 @@ export class View {
     return this.#picture.pick(x, y, this.#explorer.pickMode.value, reach);
   }
 
-  /** Centres the picture in the part of the window that the panel leaves free. */
+  /** Centres the picture in the part of the window that the panel and the bars leave free. */
   keepClearOf(panel: HTMLElement): void {
-    const measure = () => {
-      const { left, top, width } = panel.getBoundingClientRect();
-      const besides = left > 0 && width < window.innerWidth - 1;
-      this.stage.setInsets({
-        top: 64,
-        right: besides ? window.innerWidth - left : 0,
-        bottom: besides ? 64 : window.innerHeight - top + 52,
-        left: 0,
-      });
-    };
-    new ResizeObserver(measure).observe(panel);
-    window.addEventListener('resize', measure);
-    measure();
+    this.#panel = panel;
+    new ResizeObserver(() => this.#measure()).observe(panel);
+    window.addEventListener('resize', () => this.#measure());
+    this.#measure();
+  }
+
+  #measure(): void {
+    if (!this.#panel) return;
+    const { left, top, width } = this.#panel.getBoundingClientRect();
+    const besides = left > 0 && width < window.innerWidth - 1;
+    // Beside a panel there is room on both sides of the switch; over a sheet it would hide something.
+    const hasSwitch = !besides && this.#explorer.document.value?.diagnosis != null;
+    this.stage.setInsets({
+      top: TOP_BAR + (hasSwitch ? PICTURE_SWITCH : 0),
+      right: besides ? window.innerWidth - left : 0,
+      bottom: besides ? 64 : window.innerHeight - top + 52,
+      left: 0,
+    });
   }
 
   /** See {@link MeshPicture.cameraState}. */
@@ -154,6 +164,7 @@ export class View {
     const { shown } = this.#picture;
     if (!opened || !shown) return;
     const { surface } = shown;
+    this.#measure();
     this.#soup.set(opened.diagnosis, surface.placement);
     this.stage.lookAtAll(surface.points, new Vector3(...opened.view));
     // The vertex that the sample names, or one in plain sight.
