@@ -183,33 +183,17 @@ class FaceNumbers {
   Array<Index>& numbers_;
 };
 
-Result<void> read_links(const Links& from, DirectedLinks& to) {
-  const Index halfedges = Index(from.next.size());
-  const Index vertices = Index(from.vertex_halfedge.size());
-  const std::size_t sides = 3 * from.face_halfedge.size();
-  Array<Index> numbers;
-  if (!numbers.resize(halfedges, kNone)) return out_of_memory(halfedges);
-  Result<void> numbered = FaceNumbers(from, numbers).give();
-  if (!numbered) return numbered;
-
-  const std::size_t boundary = halfedges - sides;
-  if (!to.opposite.recreate(halfedges) || !to.to_vertex.recreate(halfedges) ||
-      !to.boundary_next.recreate(boundary) || !to.boundary_prev.recreate(boundary) ||
-      !to.vertex_halfedge.recreate(vertices)) {
-    return out_of_memory(halfedges);
-  }
-  to.sides = Index(sides);
-
-  std::fill(to.boundary_prev.begin(), to.boundary_prev.end(), kNone);
-
-  // In the order of their opposites, as the builder numbers them; `opposite` is scratch for the
-  // halfedges by number.
+// Numbers what is left, the boundary, in the order of the opposites, as the builder does.
+// `by_number` is scratch with an entry for each halfedge.
+Result<void> number_boundary(const Links& from, Index sides, Array<Index>& by_number,
+                             Array<Index>& numbers) {
+  const Index halfedges = Index(numbers.size());
   for (Index h = 0; h < halfedges; ++h) {
-    if (numbers[h] != kNone) to.opposite[numbers[h]] = h;
+    if (numbers[h] != kNone) by_number[numbers[h]] = h;
   }
-  Index count = to.sides;
+  Index count = sides;
   for (Index n = 0; n < sides; ++n) {
-    const Index o = to.opposite[n] ^ 1U;
+    const Index o = by_number[n] ^ 1U;
     if (numbers[o] != kNone) continue;
     if (from.face[o] != kNone) {
       return corrupt(sentence::of("halfedge {} is not in the loop of its face", o));
@@ -217,30 +201,58 @@ Result<void> read_links(const Links& from, DirectedLinks& to) {
     numbers[o] = count++;
   }
   if (count != halfedges) return corrupt("an edge has no face on either side");
+  return {};
+}
 
+Result<void> read_halfedges(const Links& from, const Array<Index>& numbers, DirectedLinks& to) {
+  const Index halfedges = Index(numbers.size());
+  std::fill(to.boundary_prev.begin(), to.boundary_prev.end(), kNone);
   for (Index h = 0; h < halfedges; ++h) {
     const Index n = numbers[h];
-    if (from.to_vertex[h] >= vertices || from.next[h] >= halfedges) {
+    if (from.to_vertex[h] >= from.vertex_halfedge.size() || from.next[h] >= halfedges) {
       return corrupt(sentence::of("a link of halfedge {} leads out of range", h));
     }
     to.opposite[n] = numbers[h ^ 1U];
     to.to_vertex[n] = from.to_vertex[h];
-    if (n < sides) continue;
+    if (n < to.sides) continue;
     const Index next = numbers[from.next[h]];
-    if (next < sides) {
+    if (next < to.sides) {
       return corrupt(sentence::of("the boundary halfedge {} leads into a face", h));
     }
-    to.boundary_next[n - sides] = next;
-    to.boundary_prev[next - sides] = n;
+    to.boundary_next[n - to.sides] = next;
+    to.boundary_prev[next - to.sides] = n;
   }
-  for (Index v = 0; v < vertices; ++v) {
+  return {};
+}
+
+Result<void> read_anchors(const Links& from, const Array<Index>& numbers, DirectedLinks& to) {
+  for (Index v = 0; v < from.vertex_halfedge.size(); ++v) {
     const Index anchor = from.vertex_halfedge[v];
-    if (anchor != kNone && anchor >= halfedges) {
+    if (anchor != kNone && anchor >= numbers.size()) {
       return corrupt(sentence::of("the anchor of vertex {} is out of range", v));
     }
     to.vertex_halfedge[v] = anchor == kNone ? kNone : numbers[anchor];
   }
   return {};
+}
+
+Result<void> read_links(const Links& from, DirectedLinks& to) {
+  const Index halfedges = Index(from.next.size());
+  Array<Index> numbers;
+  if (!numbers.resize(halfedges, kNone)) return out_of_memory(halfedges);
+  if (Result<void> numbered = FaceNumbers(from, numbers).give(); !numbered) return numbered;
+
+  to.sides = Index(3 * from.face_halfedge.size());
+  const std::size_t boundary = halfedges - to.sides;
+  if (!to.opposite.recreate(halfedges) || !to.to_vertex.recreate(halfedges) ||
+      !to.boundary_next.recreate(boundary) || !to.boundary_prev.recreate(boundary) ||
+      !to.vertex_halfedge.recreate(from.vertex_halfedge.size())) {
+    return out_of_memory(halfedges);
+  }
+  Result<void> result = number_boundary(from, to.sides, to.opposite, numbers);
+  if (result) result = read_halfedges(from, numbers, to);
+  if (result) result = read_anchors(from, numbers, to);
+  return result;
 }
 
 }  // namespace
