@@ -4,6 +4,8 @@
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/operations/append.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -404,6 +406,15 @@ TEST(SplitPinchedVertices, SplitsManyInOneMesh) {
 TEST(SplitPinchedVertices, HandlesTwoThousandFansAtOneVertex) {
   Mesh mesh = reference_build(pinched(2000));
   EXPECT_EQ(mended(mesh, split).vertices.size(), 1999U);
+}
+
+TEST(Stitch, RefusesATolerance) {
+  for (const double tolerance : {std::nan(""), -1.0, std::numeric_limits<double>::infinity()}) {
+    Mesh mesh;
+    const Result<mend::Report> report = stitch_within(tolerance)(mesh);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, "bad-tolerance");
+  }
 }
 
 }  // namespace

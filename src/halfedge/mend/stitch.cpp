@@ -3,6 +3,7 @@
 #include <halfedge/mend/repairs.h>
 #include <halfedge/sentence.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -203,6 +204,11 @@ class Stitcher {
 
 Result<Report> stitch_boundaries(Surface& surface, const StitchOptions& options) {
   Report report;
+  if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
+    return Error{"bad-tolerance",
+                 sentence::of("The tolerance of stitching is {}; expected a finite number from 0.",
+                              sentence::number(options.tolerance))};
+  }
   if (Result<void> done = Stitcher(surface, report).run(options.tolerance); !done) {
     return done.error();
   }
