@@ -97,6 +97,18 @@ TEST(RepairScale, LargeFaces) {
       100'000);
 }
 
+TEST(RepairScale, LargeFacesThatShareTheirSides) {
+  expect_no_quadratic_step(
+      [](Index n) {
+        std::vector<Index> face(n);
+        std::iota(face.begin(), face.end(), 0U);
+        Lists faces(3, face);
+        for (Index i = 0; i < 3; ++i) faces[i].push_back(n + i);
+        return Shape{"large faces that share their sides", n + 3, faces};
+      },
+      20'000);
+}
+
 TEST(RepairScale, AOneSidedStrip) {
   expect_no_quadratic_step(
       [](Index n) {

@@ -15,7 +15,7 @@ class CrowdMatcher {
   CrowdMatcher(Surface& surface, const Crowds& crowds) : surface_(surface), crowds_(crowds) {}
 
   [[nodiscard]] bool run() {
-    if (!partner_.resize(crowds_.sides.size(), kNone)) return false;
+    if (!partner_.resize(crowds_.sides.size(), kNone) || !find_normals()) return false;
     Index begin = 0;
     for (const Index end : crowds_.end) {
       begin_ = begin;
@@ -130,7 +130,21 @@ class CrowdMatcher {
 
   // From the side into its face, perpendicular to the side.
   [[nodiscard]] Vector into_face(Index side) const {
-    const Index f = surface_.face_of[side];
+    const Index* const f = std::lower_bound(faces_.begin(), faces_.end(), surface_.face_of[side]);
+    return cross(normals_[std::size_t(f - faces_.begin())],
+                 vector(surface_.from(side), surface_.to(side)));
+  }
+  // Once for each face, which may have any number of sides here.
+  [[nodiscard]] bool find_normals() {
+    if (!faces_.reserve(crowds_.sides.size())) return false;
+    for (const Index side : crowds_.sides) (void)faces_.push_back(surface_.face_of[side]);
+    introsort(faces_.begin(), faces_.end());
+    (void)faces_.resize(std::size_t(std::unique(faces_.begin(), faces_.end()) - faces_.begin()));
+    if (!normals_.reserve(faces_.size())) return false;
+    for (const Index f : faces_) (void)normals_.push_back(normal_of(f));
+    return true;
+  }
+  [[nodiscard]] Vector normal_of(Index f) const {
     const Index end = surface_.faces.first[f + 1];
     Vector normal{};
     const Index first = surface_.faces.corners[surface_.faces.first[f]];
@@ -139,7 +153,7 @@ class CrowdMatcher {
                                 vector(first, surface_.faces.corners[c + 1]));
       for (std::size_t k = 0; k < 3; ++k) normal[k] += part[k];
     }
-    return cross(normal, vector(surface_.from(side), surface_.to(side)));
+    return normal;
   }
   [[nodiscard]] Vector vector(Index from, Index to) const {
     const float* p = surface_.position(from);
@@ -149,7 +163,9 @@ class CrowdMatcher {
 
   Surface& surface_;
   const Crowds& crowds_;
-  Array<Index> partner_;  // by place in crowds_.sides: the side that it is joined to
+  Array<Index> partner_;   // by place in crowds_.sides: the side that it is joined to
+  Array<Index> faces_;     // that have a side in crowds_.sides, in ascending order
+  Array<Vector> normals_;  // of these
   // Of the edge at hand:
   Index begin_ = 0;
   std::span<const Index> sides_;

@@ -108,7 +108,7 @@ struct RepairReport {
 /// the vertices if no two are at the same position.
 ///
 /// False if there is no mesh, with the error in `report.problems`: bad-size, bad-tolerance,
-/// too-large, out-of-memory. `mesh` is empty then.
+/// too-large, out-of-memory, cancelled. `mesh` is empty then.
 ///
 /// pre: `polygons` doesn't view the arrays of `mesh`
 /// cost: O(n) for polygons that need no repair but welding, else O(n log n) and some 80 bytes a
