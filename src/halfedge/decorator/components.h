@@ -68,7 +68,7 @@ void erase_all(Mesh& mesh, const Array<Edge>& edges) {
 /// and faces. (CGAL: erase_connected_component)
 ///
 /// returns: the number of edges removed
-/// cost: O(component), and one byte for each edge slot. inverse: none
+/// cost: O(component), and five bytes for each edge slot. inverse: none
 /// errors: not-a-halfedge, out-of-memory
 template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>

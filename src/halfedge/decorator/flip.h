@@ -44,6 +44,8 @@ void turn_edge(Mesh& mesh, Halfedge h) {
   const Vertex v3 = mesh.to_vertex(h23);
   const Face left = face_of(mesh, h);
   const Face right = face_of(mesh, o);
+  mesh.copy_corner(h, h23);
+  mesh.copy_corner(o, h01);
   replace_anchor(mesh, v0, h, h01);
   replace_anchor(mesh, v2, o, h23);
   replace_in_face(mesh, left, h23, h);
@@ -78,6 +80,7 @@ void turn_edge(Mesh& mesh, Halfedge h) {
 /// joined by an edge already, or be the same vertex.
 ///
 /// pre: different triangles on the two sides
+/// attributes: the corners at 1 and 3 are divided into two alike, those at 0 and 2 joined
 /// returns: h. cost: O(1). inverse: itself three times; twice turns h around
 /// errors: those of check_flip_edge
 template <Editable Mesh>

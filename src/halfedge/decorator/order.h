@@ -3,6 +3,7 @@
 #include <halfedge/decorator/edit.h>
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 namespace halfedge::decorator {
@@ -128,13 +129,34 @@ void renumber_halfedges(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>&
   permute(links.face, new_of, scratch, false);
 }
 
+/// The values of edges and halfedges follow them. `place` has an entry for each halfedge slot.
+template <class Mesh>
+void renumber_attributes(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>& place) {
+  for (const ItemKind kind : {ItemKind::kHalfedge, ItemKind::kEdge}) {
+    const Index width = kind == ItemKind::kEdge ? 2 : 1;
+    for (const std::unique_ptr<Attribute>& column : mesh.attributes().of(kind)) {
+      for (Index i = 0; i < column->slots(); ++i) {
+        const Halfedge to = new_of[width * i];
+        place[i] = to.valid() ? to.index() / width : i;
+      }
+      for (Index i = 0; i < column->slots(); ++i) {
+        while (place[i] != i) {
+          column->swap(i, place[i], nullptr);
+          std::swap(place[i], place[place[i]]);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace internal
 
 /// Renumbers the edges so that boundary edges come last, with the boundary halfedge on side 1; but
 /// for that they stay in order. Deleted slots stay where they are. (CGAL: normalize_border)
 ///
 /// Handles of edges and halfedges, and what is stored by edge or halfedge outside the mesh, change
-/// as `new_halfedge` says; vertices and faces keep theirs.
+/// as `new_halfedge` says; vertices and faces keep theirs. History is forgotten.
+/// attributes: those of edges and halfedges move with them
 /// post: is_boundary_normalized(mesh)
 /// cost: O(slots), 8 bytes a halfedge of scratch memory. inverse: none; the same again changes
 ///       nothing
@@ -168,6 +190,7 @@ requires StoresFaces<Mesh>
     }
   }
   renumber_halfedges(mesh, order.new_halfedge, scratch);
+  renumber_attributes(mesh, order.new_halfedge, scratch);
   return order;
 }
 

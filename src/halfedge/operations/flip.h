@@ -75,11 +75,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> flip_edge(Mesh& mesh, Edge e) {
   if (Result<void> can = check_flip_edge(mesh, e); !can) return can.error();
-  const Halfedge h = mesh.edge_halfedge(e);
-  const Halfedge o = mesh.opposite(h);
-  mesh.copy_corner(h, mesh.next(h));
-  mesh.copy_corner(o, mesh.next(o));
-  decorator::internal::turn_edge(mesh, h);
+  decorator::internal::turn_edge(mesh, mesh.edge_halfedge(e));
   return e;
 }
 
