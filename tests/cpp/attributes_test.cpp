@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <halfedge/halfedge.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -208,6 +209,51 @@ TEST(Attributes, OfAMeshThatIsChangedEndWhatCouldBeRedone) {
   EXPECT_FALSE(mesh.redo());
 }
 
+// ---- what operations of the decorator carry along ---------------------------------------------
+
+/// Two triangles, each corner of which knows its vertex, and each edge its ends.
+Mesh labelled_square() {
+  Mesh mesh = reference_build(Shape{"square", 4, {{0, 1, 2}, {2, 1, 3}}});
+  Attribute* const tips = mesh.add_attribute(ItemKind::kHalfedge, "tip").value();
+  Attribute* const ends = mesh.add_attribute(ItemKind::kEdge, "ends").value();
+  for (const Halfedge h : mesh.halfedges())
+    tips->set(h.index(), 0, mesh.to_vertex(h).index(), nullptr);
+  for (const Edge e : mesh.edges()) {
+    const Halfedge h = mesh.edge_halfedge(e);
+    const auto [low, high] = std::minmax({mesh.from_vertex(h).index(), mesh.to_vertex(h).index()});
+    ends->set(e.index(), 0, 10 * low + high, nullptr);
+  }
+  return mesh;
+}
+
+TEST(Attributes, FollowTheEdgesThatAreNumberedAnew) {
+  Mesh mesh = labelled_square();
+  ASSERT_FALSE(decorator::is_boundary_normalized(mesh));
+  ASSERT_TRUE(decorator::normalize_boundary(mesh));
+  const Attribute* const tips = mesh.find_attribute(ItemKind::kHalfedge, "tip");
+  const Attribute* const ends = mesh.find_attribute(ItemKind::kEdge, "ends");
+  for (const Halfedge h : mesh.halfedges()) {
+    EXPECT_EQ(tips->get(h.index(), 0), mesh.to_vertex(h).index());
+  }
+  for (const Edge e : mesh.edges()) {
+    const Halfedge h = mesh.edge_halfedge(e);
+    const auto [low, high] = std::minmax({mesh.from_vertex(h).index(), mesh.to_vertex(h).index()});
+    EXPECT_EQ(ends->get(e.index(), 0), 10 * low + high);
+  }
+}
+
+TEST(Attributes, OfCornersFollowAnEdgeThatTheDecoratorFlips) {
+  Mesh mesh = labelled_square();
+  const Halfedge h = mesh.find_halfedge(Vertex(1), Vertex(2));
+  ASSERT_TRUE(decorator::flip_edge(mesh, h));
+  const Attribute* const tips = mesh.find_attribute(ItemKind::kHalfedge, "tip");
+  for (const Face f : mesh.faces()) {
+    for (const Halfedge side : mesh.face_halfedges_ccw(f)) {
+      EXPECT_EQ(tips->get(side.index(), 0), mesh.to_vertex(side).index()) << side.index();
+    }
+  }
+}
+
 // ---- generations ----------------------------------------------------------------------------
 
 TEST(Generations, TellTheItemsOfOneSlotApart) {
@@ -257,6 +303,29 @@ TEST(Generations, OfItemsThatAreMadeAgainAreTheirOwn) {
   EXPECT_EQ(mesh.generation(v), of_vertex);
   EXPECT_EQ(mesh.generation(spoke), of_spoke);
   EXPECT_EQ(mesh.generation(f), of_face);
+}
+
+TEST(Generations, TellApartWhatTookThePlaceOfSomethingUndone) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Vertex v = mesh.add_vertex({});
+  const Index undone = mesh.generation(v);
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());
+  ASSERT_EQ(mesh.add_vertex({}), v);
+  EXPECT_NE(mesh.generation(v), undone);
+}
+
+TEST(Generations, EndWhenTheyAreTurnedOff) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index before = mesh.generation(Face(0));
+  for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace}) {
+    mesh.remove_attribute(kind, "generation");
+  }
+  ASSERT_TRUE(mesh.enable_generations());
+  EXPECT_NE(mesh.generation(Face(0)), before);
 }
 
 TEST(Generations, EndWhenTheMeshIsCompacted) {

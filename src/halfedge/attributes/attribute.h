@@ -99,6 +99,8 @@ class Attribute {
   }
 
   /// The value of new items, in bytes.
+  /// False if there was no memory for it: then the column is of no use.
+  [[nodiscard]] bool has_default() const { return default_.size() == stride_; }
   [[nodiscard]] std::span<const std::byte> default_value() const { return default_.span(); }
 
   /// One component of one item, as a number.

@@ -34,7 +34,7 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
   }
   std::unique_ptr<Attribute> column(new (std::nothrow)
                                         Attribute(std::string(name), kind, options, serials_++));
-  if (column == nullptr || !column->reserve(slots)) {
+  if (column == nullptr || !column->has_default() || !column->reserve(slots)) {
     return Error{"out-of-memory",
                  sentence::of("There is not enough memory for the {}.", quoted(kind, name))};
   }
@@ -72,8 +72,10 @@ void Attributes::resize_columns(ItemKind kind, Index slots, Journal* journal) {
   for (const std::unique_ptr<Attribute>& column : of(kind)) {
     const Index old = column->slots();
     column->resize(slots);
-    if (!column->is_generation() || journal == nullptr) continue;
-    for (Index item = old; item < slots; ++item) column->set_default(item, journal);
+    if (!column->is_generation() || journal == nullptr || slots <= old) continue;
+    // Undo may have taken away other items from these slots.
+    ++generations_;
+    for (Index item = old; item < slots; ++item) column->set(item, 0, generations_, journal);
   }
 }
 

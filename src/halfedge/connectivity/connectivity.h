@@ -104,6 +104,17 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return kind == ItemKind::kEdge ? edge_slots() : face_slots();
   }
 
+  /// So many slots of the items of a kind there is room for.
+  [[nodiscard]] std::size_t capacity(ItemKind kind) const {
+    if (kind == ItemKind::kVertex) {
+      return std::max<std::size_t>(vertex_slots(), links_.vertex_halfedge.capacity());
+    }
+    if (kind == ItemKind::kFace) {
+      return std::max<std::size_t>(face_slots(), links_.face_halfedge.capacity());
+    }
+    return links_.next.capacity() / (kind == ItemKind::kEdge ? 2 : 1);
+  }
+
   /// Vertices and faces can be deleted where they store a halfedge.
   [[nodiscard]] bool is_deleted([[maybe_unused]] Vertex v) const {
     if constexpr (!kStorage.vertex_halfedge) return false;
@@ -226,7 +237,13 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
                                                  const AttributeOptions& options = {}) {
     Result<Attribute*> added =
         attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
-    if (added) forget_redo();  // in which the column has no part
+    if (!added) return added;
+    // Undo grows it in room that is there, as it does the links.
+    if (history() != nullptr && !added.value()->reserve(capacity(kind))) {
+      remove_attribute(kind, name);
+      return Error{"out-of-memory", "There is not enough memory for the attribute."};
+    }
+    forget_redo();  // in which the column has no part
     return added;
   }
   bool remove_attribute(ItemKind kind, std::string_view name) {

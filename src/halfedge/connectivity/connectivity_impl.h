@@ -97,6 +97,7 @@ Result<void> BasicConnectivity<kStored>::enable_generations() {
       remove_attribute(done, "generation");
     }
   }
+  attributes_.end_all_generations();  // those that were enabled before, if any
   forget_redo();
   return {};
 }

@@ -219,7 +219,7 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
       .type = Scalar(type), .components = components, .on_split = OnSplit(on_split)};
   // A column of one item tells what numbers the default is.
   Attribute one("default", ItemKind(kind), options, 0);
-  if (!one.reserve(1)) return no_memory_for_bytes();
+  if (!one.has_default() || !one.reserve(1)) return no_memory_for_bytes();
   one.resize(1);
   copy_little_endian(&content[default_at], one.bytes().data(), stride, width);
   std::array<double, Attribute::kMaxComponents> numbers;
