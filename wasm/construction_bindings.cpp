@@ -36,19 +36,19 @@ HALFEDGE_EXPORT int add_face(Address mesh, Index mode, Address corners, std::siz
 }
 
 HALFEDGE_EXPORT int delete_vertex(Address mesh, Index mode, Index v) {
-  return apply(mesh, mode, [=](auto& m) {
-    return operations::delete_vertex(m, Vertex(v), {(mode & kOption) != 0});
-  });
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_delete_vertex(m, Vertex(v)); },
+      [=](auto& m) { return operations::delete_vertex(m, Vertex(v), {(mode & kOption) != 0}); });
 }
 
 HALFEDGE_EXPORT int delete_edge(Address mesh, Index mode, Index e) {
-  return apply(mesh, mode, [=](auto& m) {
-    return operations::delete_edge(m, Edge(e), {(mode & kOption) != 0});
-  });
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_delete_edge(m, Edge(e)); },
+      [=](auto& m) { return operations::delete_edge(m, Edge(e), {(mode & kOption) != 0}); });
 }
 
 HALFEDGE_EXPORT int delete_face(Address mesh, Index mode, Index f) {
-  return apply(mesh, mode, [=](auto& m) {
-    return operations::delete_face(m, Face(f), {(mode & kOption) != 0});
-  });
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_delete_face(m, Face(f)); },
+      [=](auto& m) { return operations::delete_face(m, Face(f), {(mode & kOption) != 0}); });
 }

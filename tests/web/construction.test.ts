@@ -108,7 +108,18 @@ describe('Deletion', () => {
     expect(mesh.validate().concat(other.validate())).toEqual([]);
   });
 
-  test('is never refused, but of what is deleted already', () => {
+  test('is refused where a face lies on both sides of an edge', () => {
+    using mesh = new HalfedgeMesh();
+    mesh.makeSegment();
+    const before = mesh.toBytes();
+    for (const name of ['Vertex', 'Edge', 'Face'] as const) {
+      expect(mesh[`checkDelete${name}`](0)?.code).toBe('same-loop');
+      expect(() => mesh[`delete${name}`](0)).toThrow('lie in the same loop');
+    }
+    expect(mesh.toBytes()).toEqual(before);
+  });
+
+  test('is never refused elsewhere, but of what is deleted already', () => {
     using mesh = build(twoTriangles());
     expect([mesh.checkDeleteVertex(0), mesh.checkDeleteEdge(0), mesh.checkDeleteFace(0)]).toEqual([
       null,

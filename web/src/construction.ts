@@ -114,6 +114,8 @@ export abstract class Construction extends Circulation {
    * more. O(sum of the valences around it).
    *
    * Inverse: none; undo.
+   *
+   * @throws HalfedgeError `same-loop` (one of the faces lies on both sides of an edge, as in a segment)
    */
   deleteVertex(v: VertexLike, options?: DeleteOptions): void {
     const links = linksOf(this);
@@ -121,16 +123,18 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_vertex(links.address, deletion(links, options), v));
   }
 
-  /** Null: a live vertex can always be deleted. */
   checkDeleteVertex(v: VertexLike): Refusal | null {
-    linksOf(this).checkVertex(v);
-    return null;
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return answer(links, links.core._delete_vertex(links.address, CHECK_ONLY, v));
   }
 
   /**
    * Deletes the one or two faces of an edge, and by that the edge; see {@link deleteFace}.
    *
    * Inverse: `addFace`, where vertices were kept.
+   *
+   * @throws HalfedgeError that of {@link deleteFace}
    */
   deleteEdge(e: EdgeLike, options?: DeleteOptions): void {
     const links = linksOf(this);
@@ -138,10 +142,10 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_edge(links.address, deletion(links, options), e));
   }
 
-  /** Null: a live edge can always be deleted. */
   checkDeleteEdge(e: EdgeLike): Refusal | null {
-    linksOf(this).checkEdge(e);
-    return null;
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return answer(links, links.core._delete_edge(links.address, CHECK_ONLY, e));
   }
 
   /**
@@ -150,6 +154,8 @@ export abstract class Construction extends Circulation {
    * O(sum of the valences of the corners).
    *
    * Inverse: `addFace`, where vertices were kept.
+   *
+   * @throws HalfedgeError `same-loop` (it lies on both sides of an edge, as in a segment)
    */
   deleteFace(f: FaceLike, options?: DeleteOptions): void {
     const links = linksOf(this);
@@ -157,10 +163,10 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_face(links.address, deletion(links, options), f));
   }
 
-  /** Null: a live face can always be deleted. */
   checkDeleteFace(f: FaceLike): Refusal | null {
-    linksOf(this).checkFace(f);
-    return null;
+    const links = linksOf(this);
+    links.checkFace(f);
+    return answer(links, links.core._delete_face(links.address, CHECK_ONLY, f));
   }
 
   /** Deletes all vertices without an edge, and returns how many. O(vertices). */

@@ -154,7 +154,8 @@ export abstract class EulerOperations extends Construction {
    * Inverse: `splitVertex(next(h), opposite(prev(opposite(h))))`, both taken before.
    *
    * @returns `toVertex(h)`
-   * @throws HalfedgeError `boundary-vertices` (both ends lie on the boundary, the edge doesn't),
+   * @throws HalfedgeError `same-loop` (one face lies on both sides of the edge, as in a segment),
+   * `boundary-vertices` (both ends lie on the boundary, the edge doesn't),
    * `common-neighbour`, `same-vertex`, `edge-without-face`, `repeated-vertex`, `leaves-pillow`
    */
   collapse(h: HalfedgeLike, position?: Position, options?: CollapseOptions): Vertex {
@@ -182,7 +183,7 @@ export abstract class EulerOperations extends Construction {
    * Inverse: `collapse` of the halfedge from the new vertex to the old.
    *
    * @returns the new vertex
-   * @throws HalfedgeError `different-vertices`, `same-vertex` (`hl` is `hr`), `nothing-between`,
+   * @throws HalfedgeError `different-vertices`, `loop-edge`, `same-vertex` (`hl` is `hr`), `nothing-between`,
    * `edge-without-face`
    */
   splitVertex(
@@ -271,7 +272,7 @@ export abstract class EulerOperations extends Construction {
    *
    * Inverse: none; undo.
    *
-   * @throws HalfedgeError `boundary-edge`, `faces-share-edges`, `faces-share-vertex`
+   * @throws HalfedgeError `boundary-edge`, `loop-edge`, `faces-share-edges`, `faces-share-vertex`
    */
   dissolveEdge(e: EdgeLike): Face {
     const links = linksOf(this);

@@ -39,7 +39,7 @@ template <EditableSurface Mesh, class Item>
 ///
 /// attributes: all of what stays stay
 /// returns: the number of faces deleted
-/// cost: O(component), and one byte for each edge slot. inverse: none; undo
+/// cost: O(component), and five bytes for each edge slot. inverse: none; undo
 /// errors: those of check_delete_component, out-of-memory
 template <EditableSurface Mesh, class Item>
 [[nodiscard]] Result<Index> delete_component(Mesh& mesh, Item item) {

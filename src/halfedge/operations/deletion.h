@@ -22,6 +22,18 @@ void leave_vertex(Mesh& mesh, Vertex v, const DeleteOptions& options) {
   }
 }
 
+/// same-loop, if a face lies on both sides of one of its edges, as in a segment: a gap can't take
+/// its place.
+template <class Mesh>
+[[nodiscard]] Result<void> check_erase_face(const Mesh& mesh, Face f) {
+  for (const Halfedge h : mesh.face_halfedges_ccw(f)) {
+    const Halfedge o = mesh.opposite(h);
+    if (mesh.face(o) == f) return decorator::internal::in_same_loop(h, o);
+  }
+  return {};
+}
+
+/// pre: check_erase_face(mesh, f)
 template <class Mesh>
 void erase_face(Mesh& mesh, Face f, const DeleteOptions& options) {
   Halfedge h = mesh.face_halfedge(f);
@@ -43,10 +55,13 @@ void erase_face(Mesh& mesh, Face f, const DeleteOptions& options) {
 
 }  // namespace internal
 
-/// Whether delete_face(f) can be done: else not-a-face.
+/// Whether delete_face(f) can be done: else not-a-face; same-loop, if it lies on both sides of an
+/// edge.
+/// cost: O(degree)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_delete_face(const Mesh& mesh, Face f) {
-  return check_live(mesh, f);
+  if (Result<void> live = check_live(mesh, f); !live) return live;
+  return internal::check_erase_face(mesh, f);
 }
 
 /// Deletes a face, and those of its edges that have no other face, and as `options` say its
@@ -64,10 +79,15 @@ template <EditableSurface Mesh>
   return {};
 }
 
-/// Whether delete_edge(e) can be done: else not-an-edge.
+/// Whether delete_edge(e) can be done: else not-an-edge; same-loop, if one of its faces lies on
+/// both sides of an edge. cost: O(degrees of its faces)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_delete_edge(const Mesh& mesh, Edge e) {
-  return check_live(mesh, e);
+  if (Result<void> live = check_live(mesh, e); !live) return live;
+  for (const Face f : mesh.edge_faces(e)) {
+    if (Result<void> can = internal::check_erase_face(mesh, f); !can) return can;
+  }
+  return {};
 }
 
 /// Deletes the faces of an edge, and by that the edge: delete_face for both.
@@ -86,10 +106,16 @@ template <EditableSurface Mesh>
   return {};
 }
 
-/// Whether delete_vertex(v) can be done: else not-a-vertex.
+/// Whether delete_vertex(v) can be done: else not-a-vertex; same-loop, if one of its faces lies on
+/// both sides of an edge.
+/// cost: O(degrees of its faces)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_delete_vertex(const Mesh& mesh, Vertex v) {
-  return check_live(mesh, v);
+  if (Result<void> live = check_live(mesh, v); !live) return live;
+  for (const Face f : mesh.vertex_faces_ccw(v)) {
+    if (Result<void> can = internal::check_erase_face(mesh, f); !can) return can;
+  }
+  return {};
 }
 
 /// Deletes a vertex with the faces around it: delete_face for each, and the vertex, whatever

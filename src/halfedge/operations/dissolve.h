@@ -135,14 +135,17 @@ void straighten(Mesh& mesh, Halfedge out) {
 
 }  // namespace internal
 
-/// Whether dissolve_edge(e) can be done: else not-an-edge; boundary-edge; faces-share-edges or
-/// faces-share-vertex, if the two faces have more in common than `e` and what it goes on in;
-/// out-of-memory.
+/// Whether dissolve_edge(e) can be done: else not-an-edge; boundary-edge; loop-edge;
+/// faces-share-edges or faces-share-vertex, if the two faces have more in common than `e` and what
+/// it goes on in; out-of-memory.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_dissolve_edge(const Mesh& mesh, Edge e) {
   if (Result<void> live = check_live(mesh, e); !live) return live;
   const Halfedge h = mesh.edge_halfedge(e);
   if (mesh.is_boundary(e)) return is_boundary_edge(e, mesh.is_boundary(h) ? h : mesh.opposite(h));
+  if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
+    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+  }
   const internal::SharedEdges shared = internal::shared_edges_around(mesh, h);
   return internal::check_join_along(mesh, shared.first, shared.count);
 }

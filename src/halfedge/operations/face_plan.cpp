@@ -46,13 +46,18 @@ bool PlannedEdges::insert(Vertex a, Vertex b) {
   return true;
 }
 
+// Around both in step, so that a vertex of high valence costs no more than the other one.
 Edge find_edge(const Links& links, Vertex a, Vertex b) {
-  const Index anchor = links.vertex_halfedge[a.index()];
-  Index h = anchor;
+  const Index first_of_a = links.vertex_halfedge[a.index()];
+  const Index first_of_b = links.vertex_halfedge[b.index()];
+  Index from_a = first_of_a;
+  Index from_b = first_of_b;
   do {
-    if (links.to_vertex[h] == b.index()) return Edge(h / 2);
-    h = links.next[h ^ 1U];
-  } while (h != anchor);
+    if (links.to_vertex[from_a] == b.index()) return Edge(from_a / 2);
+    if (links.to_vertex[from_b] == a.index()) return Edge(from_b / 2);
+    from_a = links.next[from_a ^ 1U];
+    from_b = links.next[from_b ^ 1U];
+  } while (from_a != first_of_a && from_b != first_of_b);
   return {};
 }
 
@@ -103,7 +108,7 @@ Result<void> FacePlan::add(const Links& links, std::span<const float> positions,
   } while (h != first.index());
   const std::size_t n = corners_.size();
   largest_ = std::max(largest_, n);
-  if (n == 3) return {};
+  if (n <= 3) return {};  // degenerate complexes have faces of fewer corners
   if (!next_.resize(n) || !prev_.resize(n) || !diagonals_.reserve(n)) return no_memory();
 
   const std::size_t begin = ears_.size();

@@ -153,6 +153,7 @@ template <class Mesh>
 struct CollapseObstacle {
   enum class Kind : std::uint8_t {
     kNone,
+    kSameLoop,        // one face on both sides
     kPinches,         // an interior edge between two boundary vertices
     kSameApex,        // two triangles with the same corners
     kBareEdge,        // the triangle of `side` has no face beyond its other edges
@@ -181,6 +182,7 @@ template <class Mesh>
                                                       LinkCondition condition) {
   using Kind = CollapseObstacle::Kind;
   const CollapseSite site(mesh, h);
+  if (mesh.face(site.h) == mesh.face(site.o)) return {Kind::kSameLoop};
   const bool is_interior = !mesh.is_boundary(site.h) && !mesh.is_boundary(site.o);
   if (is_interior && mesh.is_boundary(site.a) && mesh.is_boundary(site.b)) return {Kind::kPinches};
   if (site.left.valid() && site.left == site.right) return {Kind::kSameApex};
@@ -209,6 +211,8 @@ template <class Mesh>
   const CollapseSite site(mesh, h);
   const Edge e = mesh.edge(h);
   switch (obstacle.kind) {
+    case Kind::kSameLoop:
+      return decorator::internal::in_same_loop(site.h, site.o);
     case Kind::kPinches:
       return joins_boundary_vertices(e, site.a, site.b);
     case Kind::kSameApex:
@@ -248,6 +252,7 @@ template <EditableSurface Mesh>
 /// Whether collapse(h) can be done. With a = from_vertex(h) and b = to_vertex(h), else:
 ///
 ///   not-a-halfedge
+///   same-loop          one face lies on both sides
 ///   boundary-vertices  a and b lie on the boundary, their edge doesn't: b would be pinched
 ///   same-vertex        the triangles on both sides have the same third corner
 ///   edge-without-face  a triangle on one side is on the boundary with its two other edges, which

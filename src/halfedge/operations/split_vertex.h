@@ -36,6 +36,7 @@ template <class Mesh>
 ///
 ///   not-a-halfedge
 ///   different-vertices  they don't leave the same vertex
+///   loop-edge           one of them leads back to it
 ///   same-vertex         they are one halfedge, and both of its sides should get a triangle: its
 ///                       end would be joined to the new vertex twice
 ///   nothing-between     the new vertex would have no edge but the new one
@@ -51,6 +52,9 @@ template <EditableSurface Mesh>
   const Vertex v = mesh.from_vertex(hl);
   if (v != mesh.from_vertex(hr)) {
     return leave_different_vertices(hl, v, hr, mesh.from_vertex(hr));
+  }
+  for (const Halfedge given : {hl, hr}) {
+    if (mesh.to_vertex(given) == v) return decorator::internal::is_loop_edge(given, v);
   }
   const bool left = internal::gets_triangle(mesh, sides.left, hl);
   const bool right = internal::gets_triangle(mesh, sides.right, mesh.opposite(hr));
