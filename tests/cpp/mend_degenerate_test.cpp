@@ -130,6 +130,23 @@ TEST(RemoveDegenerateFaces, LeavesACapWhoseLossWouldPinchAVertex) {
   EXPECT_EQ(report.problems[0].witness.faces, (std::vector<Index>{0}));
 }
 
+TEST(RemoveDegenerateFaces, DeletesATriangleThatHangsByAShortEdge) {
+  const std::vector<std::vector<Point>> lone = {{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}},
+                                                {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}};
+  for (const std::vector<Point>& corners : lone) {
+    Mesh mesh = mesh_of(corners, {{0, 1, 2}});
+    const mend::Report report = mended(mesh, remove_thin);
+    EXPECT_EQ(report.summary, "1 face on the boundary removed.");
+    EXPECT_EQ(counts_of(mesh), (Counts3{0, 0, 0}));
+  }
+  // Beside another one, which keeps the edge.
+  Mesh mesh =
+      mesh_of({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 2, 0}}, {{0, 1, 2}, {1, 0, 4, 3}});
+  const mend::Report report = mended(mesh, remove_thin);
+  EXPECT_TRUE(report.problems.empty());
+  for (const Face f : mesh.faces()) EXPECT_GT(area_of(mesh, f), 0);
+}
+
 TEST(RemoveDegenerateFaces, CutsUpALargerFaceOnALine) {
   // A quad whose corners lie on one side of a square, between that and a square below.
   Mesh mesh = mesh_of(

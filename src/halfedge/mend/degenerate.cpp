@@ -115,7 +115,11 @@ class Remover {
   }
 
   [[nodiscard]] Result<void> remove(Face f, const FaceShape& shape) {
-    if (shape.least <= shape.limit(tolerance_)) return collapse(shape.shortest);
+    if (shape.least <= shape.limit(tolerance_)) {
+      Result<void> done = collapse(shape.shortest);
+      if (done || !hangs_by(f, shape.shortest)) return done;
+      return delete_at_boundary(f, surface_.next(shape.shortest));
+    }
     if (!is_triangle(surface_, f)) return cut_up(f);
     const Halfedge beyond = Surface::opposite(shape.longest);
     if (surface_.is_boundary(beyond)) return delete_at_boundary(f, shape.longest);
@@ -129,6 +133,14 @@ class Remover {
       if (!work_.push_back(moved)) return no_memory();
     }
     return {};
+  }
+
+  // Whether nothing but this side can hold the face: contracted, it would leave an edge without
+  // faces.
+  [[nodiscard]] bool hangs_by(Face f, Halfedge side) const {
+    const Halfedge after = surface_.next(side);
+    return is_triangle(surface_, f) && surface_.is_boundary(Surface::opposite(after)) &&
+           surface_.is_boundary(Surface::opposite(surface_.next(after)));
   }
 
   [[nodiscard]] Result<void> cut_up(Face f) {

@@ -92,7 +92,8 @@ struct DegenerateOptions {
 /// - a short edge is collapsed, where the link condition allows it and no face turns over;
 /// - of a triangle whose corner lies on the opposite side, that side is flipped, where the thinner
 ///   of the two faces becomes wider; beside a larger face it is removed, so that the corner becomes
-///   one of that face; on the boundary the triangle is deleted, unless that pinches a vertex;
+///   one of that face; on the boundary the triangle is deleted, unless that pinches a vertex; so is
+///   one that has nothing beside it, or only beyond its short edge;
 /// - a larger face whose corners lie on a line is cut into triangles, and then so on.
 /// (CGAL: remove_degenerate_faces, remove_almost_degenerate_faces)
 ///
