@@ -118,6 +118,36 @@ TEST(Off, ReadsSeveralVerticesOnALine) {
       "NOFF\n4 2 5\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n4 0 1 2 3\n3 0 1 2\n");
 }
 
+TEST(Off, ReadsSeveralFacesOnALine) {
+  const std::string head = std::string("OFF\n4 4\n") + kVertices;
+  const Faces faces = {{0, 1, 2}, {0, 1, 2, 3}, {2, 1, 0}, {3, 2, 1}};
+  for (const char* rows :
+       {"3 0 1 2 4 0 1 2 3 3 2 1 0 3 3 2 1\n", "3 0 1 2 4 0 1 2 3 3 2 1 0\n# b\n3 3 2 1 # c\n\n",
+        "3 0 1 2\n4 0 1 2 3 3 2 1 0 3 3\n2 1", "3 0 1 2 4 0\n1 2 3 3 2 1 0 3 3 2 1\n"}) {
+    const Parsed file = parse_off(head + rows);
+    EXPECT_EQ(file.error, "") << rows;
+    EXPECT_EQ(file.faces, faces) << rows;
+    EXPECT_TRUE(file.notes.empty());
+  }
+}
+
+// A file that was cut has fewer lines than faces, too.
+TEST(Off, DoesNotTakeColoursForFaces) {
+  const auto cut = [](const std::string& faces, const std::string& rows) {
+    return off_error("OFF\n3 " + faces + " 0\n0 0 0\n1 0 0\n0 1 0\n" + rows);
+  };
+  const auto error = [](const char* line, const char* face) {
+    return std::string("truncated: line ") + line + ": expected the number of vertices of face " +
+           face + ", found the end of the file";
+  };
+  EXPECT_EQ(cut("4", "3 0 1 2 3 0 1 2\n3 0 2 1 3 0 1 2\n"), error("8", "2 of 4"));
+  EXPECT_EQ(cut("3", "3 0 1 2 1 0 0\n"), error("7", "1 of 3"));
+  EXPECT_EQ(cut("3", "3 0 1 2 255 0 0\n3 0 2 1 255 0 0\n"), error("8", "2 of 3"));
+  EXPECT_EQ(cut("3", "3 0 1 2 1 0 1 2\n"), error("7", "1 of 3"));
+  EXPECT_EQ(cut("3", "3 0 1 2 0.5 0 0 1\n3 0 2"),
+            "truncated: line 7: expected vertex 3 of the 3 of face 1, found the end of the file");
+}
+
 TEST(Off, LeavesSmallAndRepeatedFacesToTheBuilder) {
   const Parsed file = parse_off(std::string("OFF\n4 4\n") + kVertices + "0\n1 2\n2 1 3\n3 1 1 2\n");
   EXPECT_EQ(file.error, "");

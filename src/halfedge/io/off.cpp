@@ -15,6 +15,24 @@ namespace halfedge {
 namespace io {
 namespace {
 
+/// Whether the text is so many faces of three corners or more, and nothing else.
+bool is_just_faces(TextScanner text, std::uint64_t faces) {
+  const auto read = [&text](std::int64_t& number) {
+    text.skip_to_token();
+    return text.read_integer(number) && text.at_token_end();
+  };
+  for (; faces > 0; --faces) {
+    std::int64_t degree = 0;
+    std::int64_t vertex = 0;
+    if (!read(degree) || degree < 3) return false;
+    for (; degree > 0; --degree) {
+      if (!read(vertex)) return false;
+    }
+  }
+  text.skip_to_token();
+  return text.at_end();
+}
+
 /// A vertex is three numbers and a face a count with so many indices. Files put each on a line of
 /// its own, and may add colours and such behind; but line breaks mean nothing to Geomview. So lines
 /// are records, which gives errors their place, unless there are too many or too few of them: all
@@ -183,7 +201,9 @@ bool OffReader::read_behind_face() {
   return false;
 }
 
-/// Counted only if it matters: where something follows a face on its line.
+/// Looked at only if it matters: where something follows a face on its line. A file that was cut
+/// has too few lines as well, so what is left must be faces and nothing else; and where each has a
+/// line, the four numbers behind it are a colour, even if they look like a triangle.
 bool OffReader::faces_share_lines() {
   if (packed_faces_) return *packed_faces_;
   std::uint64_t lines = 0;
@@ -193,7 +213,8 @@ bool OffReader::faces_share_lines() {
     ahead.skip_line();
     ahead.skip_to_token();
   }
-  packed_faces_ = lines < left;
+  const bool may_be_color = lines > 1 && text_.columns_of_line() == 4;
+  packed_faces_ = lines < left && !may_be_color && is_just_faces(text_, left - 1);
   return *packed_faces_;
 }
 
