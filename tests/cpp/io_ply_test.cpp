@@ -181,6 +181,18 @@ TEST(Ply, TakesRowsOnAnyLines) {
   EXPECT_EQ(ply_error(vertices + "3 0 1\n").substr(0, 18), "truncated: line 15");
 }
 
+// A file that was cut has fewer lines than rows, as one has whose rows share lines.
+TEST(Ply, DoesNotTakeWhatARowHasMoreForRows) {
+  const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  EXPECT_EQ(ply_error(header("ascii", kVertices + faces) + vertices + "3 0 1 2 1 0 0\n"),
+            "truncated: line 13: the header promises 5 rows, but is followed by only 4 lines: "
+            "expected the end of the file behind the last row, found \"0\"");
+  EXPECT_EQ(
+      parse_ply(header("ascii", kVertices + faces) + vertices + "3 0 1 2 3 2 1 0 # c\n\n").faces,
+      (std::vector<std::vector<Index>>{{0, 1, 2}, {2, 1, 0}}));
+}
+
 TEST(Ply, SaysThatTheFileEndsWithinAValueThatIsPassedOver) {
   // In an element of its own, beside what is read, and in a list that only some rows have.
   const std::string rows = "0 0\n0\n1 0\n0\n0 1 0\n";

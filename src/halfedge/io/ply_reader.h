@@ -100,7 +100,8 @@ std::optional<Error> PlyReader<Source>::read() {
     if (out_.out_of_memory()) break;
     keep_even_lists(element);
   }
-  return check_size(out_);
+  if (std::optional<Error> error = check_size(out_)) return error;
+  return source_.check_end();
 }
 
 template <class Source>

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -86,6 +87,19 @@ class PlyText {
   }
   [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t) const {
     return io::index_error(text_, corner, face);
+  }
+  /// Once all rows have been read. Rows that share lines leave nothing behind them; else each has a
+  /// line, and more values than the header says, and there are fewer than it says.
+  [[nodiscard]] std::optional<Error> check_end() {
+    TextScanner text = text_;
+    text.skip_to_token();
+    if (text.at_end() || lines() >= rows_) return std::nullopt;
+    return error_at(
+        text, "truncated",
+        sentence::of("the header promises {}, but is followed by only {}: expected the end of "
+                     "the file behind the last row, found {}",
+                     sentence::count_of(rows_, "row"), sentence::count_of(lines(), "line"),
+                     text.found()));
   }
   /// Says what was not read, when all rows have been.
   void add_notes(std::vector<std::string>& notes) {
@@ -215,6 +229,7 @@ class PlyBinary {
     error.witness.faces = {static_cast<Index>(face)};
     return error;
   }
+  [[nodiscard]] std::optional<Error> check_end() const { return std::nullopt; }
   void add_notes(std::vector<std::string>& notes) const {
     if (bytes_.left() == 0) return;
     notes.push_back(sentence::of("ignored the {} behind the last element",
