@@ -1,6 +1,7 @@
 // Attributes of OBJ files: what is read, where it goes, and that it is written back.
 
 #include <gtest/gtest.h>
+#include <halfedge/operations/deletion.h>
 
 #include <random>
 #include <string>
@@ -179,6 +180,14 @@ TEST(ObjAttributes, LeavesOutLabelsThatAreNoInt32) {
   const test::MeshFile read = read_mesh(bytes.value().span());
   EXPECT_EQ(describe_all(read.mesh), Strings{"face object int32 1 copy"});
   EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "object"), (Doubles{0, 0, 2147483647, 0}));
+
+  ASSERT_TRUE(
+      operations::delete_face(mesh, Face(2)));  // what is left of it in its slot isn't written
+  notes.clear();
+  (void)write(mesh, Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes,
+            (Strings{"wrote the face attribute \"object\" as numbers that readers take for int32",
+                     "wrote the face attribute \"group\" as numbers that readers take for int32"}));
 }
 
 TEST(ObjAttributes, SaysWhatItCannotHold) {

@@ -32,12 +32,13 @@ bool is_number(const std::string& text) {
   return error == std::errc() && std::to_string(number) == text;
 }
 
-bool fits_int32(const Attribute& column) {
+/// Of what will be written: the slots of deleted faces don't count.
+bool fits_int32(const LiveMesh& mesh, const Attribute& column) {
   if (column.type() != Scalar::kUint32) return true;
-  for (Index f = 0; f < column.slots(); ++f) {
-    if (column.get(f, 0) > INT32_MAX) return false;
-  }
-  return true;
+  bool fits = true;
+  mesh.for_each_face(
+      [&](Index f, std::span<const Index>) { fits &= column.get(f, 0) <= INT32_MAX; });
+  return fits;
 }
 
 class ObjWriter {
@@ -108,7 +109,7 @@ class ObjWriter {
   void choose(Label& label) {
     label.column = mesh_.take(ItemKind::kFace, label.attribute, [this](const Attribute& column) {
       const bool is_label = !is_real(column) && column.components() == 1;
-      if (!is_label || fits_int32(column)) return is_label;
+      if (!is_label || fits_int32(mesh_, column)) return is_label;
       mesh_.leave_out(column, "readers of OBJ take numbers up to 2147483647");
       return false;
     });
