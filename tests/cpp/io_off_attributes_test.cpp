@@ -61,6 +61,31 @@ TEST(OffAttributes, TellIntegersFromFloats) {
             (Strings{"vertex color uint8 4 interpolate", "face color uint8 4 interpolate"}));
 }
 
+TEST(OffAttributes, TakeIntegersBesideFloatsForBytesByRow) {
+  const test::MeshFile read = read_mesh(
+      "COFF\n4 2 0\n0 0 0 255 0 51\n1 0 0 1 0 1\n0 1 0 .5 .5 .5\n1 1 0 255 255 255 51\n"
+      "3 0 1 2 255 0 0\n3 2 1 3 0.5 0.5 0.5\n");
+  ASSERT_EQ(read.error, "");
+  const double fifth = double(0.2F);
+  EXPECT_EQ(describe_all(read.mesh),
+            (Strings{"vertex color float32 4 interpolate", "face color float32 3 interpolate"}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color"),
+            (Doubles{1, 0, fifth, 1, 1, 0, 1, 1, .5, .5, .5, 1, 1, 1, 1, fifth}));
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "color"), (Doubles{1, 0, 0, .5, .5, .5}));
+}
+
+// Beyond 255 they are no bytes, and floats in a binary file are never.
+TEST(OffAttributes, LeaveOtherColoursAsTheyAre) {
+  const test::MeshFile read =
+      read_mesh("COFF\n3 1 0\n0 0 0 300 0 51\n1 0 0 2.0 0 1\n0 1 0 .5 .5 .5\n3 0 1 2\n");
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color"),
+            (Doubles{300, 0, 51, 2, 0, 1, .5, .5, .5}));
+  Mesh mesh = sample_mesh();
+  add(mesh, ItemKind::kVertex, "color", Scalar::kFloat32, 4, OnSplit::kInterpolate)
+      .set(0, 0, 200, nullptr);
+  expect_round_trip(mesh, Format::kOff, Encoding::kBinary);
+}
+
 TEST(OffAttributes, HaveAnAlphaOfOneWhereTheLineHasNone) {
   const test::MeshFile read = read_mesh(
       "COFF\n4 2 0\n0 0 0 .5 .5 .5 -1.0\n1 0 0 .25 .25 .25\n0 1 0 0 0 0 .75\n1 1 0 0 0 0\n"

@@ -32,21 +32,29 @@ namespace {
 
 bool OffColors::add(std::size_t item, std::span<const float> color) {
   if (!values_.reserve_more(4 * (item + 1) - values_.size()) ||
-      !widths_.reserve_more(item + 1 - widths_.size())) {
+      !rows_.reserve_more(item + 1 - rows_.size())) {
     return false;
   }
   (void)values_.resize(4 * item, 0);  // in the room made above, as the rest
-  (void)widths_.resize(item, 0);
+  (void)rows_.resize(item, {});
   have_alpha_ |= color.size() == 4;
   (void)append(values_, color);
   (void)values_.resize(4 * (item + 1), 0);
-  (void)widths_.push_back(static_cast<std::uint8_t>(color.size()));
+  (void)rows_.push_back({static_cast<std::uint8_t>(color.size()), is_of_integers_});
+  are_integers_ &= is_of_integers_;
+  is_of_integers_ = true;
   return true;
+}
+
+bool OffColors::is_byte_row(std::size_t item) const {
+  const float* const color = &values_[4 * item];
+  const float most = *std::max_element(color, color + 4);
+  return rows_[item].is_of_integers && most > 1 && most <= 255;
 }
 
 bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
   if (values_.empty()) return true;
-  if (!values_.resize(4 * count, 0) || !widths_.resize(count, 0)) return false;
+  if (!values_.resize(4 * count, 0) || !rows_.resize(count, {})) return false;
   const std::size_t width = have_alpha_ ? 4 : 3;
   float most = 0;
   for (const float value : values_) most = std::max(most, value);
@@ -60,9 +68,11 @@ bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
   if (!column.values.resize(column.stride() * count)) return false;
   std::byte* to = column.values.data();
   for (std::size_t i = 0; i < count; ++i) {
+    const bool is_scaled = !are_integers_ && is_byte_row(i);
     for (std::size_t k = 0; k < width; ++k) {
       float value = values_[4 * i + k];
-      if (k == 3 && widths_[i] == 3) value = are_bytes ? 255 : 1;
+      if (is_scaled) value /= 255;
+      if (k == 3 && rows_[i].width == 3) value = are_bytes ? 255 : 1;
       if (are_bytes) {
         *to++ = static_cast<std::byte>(value);
       } else {
@@ -72,7 +82,7 @@ bool OffColors::finish(SoupItem item, std::size_t count, ParsedFile& file) {
     }
   }
   values_.reset();
-  widths_.reset();
+  rows_.reset();
   return true;
 }
 

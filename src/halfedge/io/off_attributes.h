@@ -12,14 +12,16 @@
 namespace halfedge::io {
 
 /// Colours as they come: floats from 0 to 1, or integers from 0 to 255. Which it is shows when all
-/// of them are known: integers without a point, unless there is none but 0 and 1.
+/// of them are known: integers without a point, unless there is none but 0 and 1. Where some are
+/// floats, a row of integers above 1 becomes floats from 0 to 1, too.
 class OffColors {
  public:
   /// A number as it is written in a text.
   void see(std::string_view number) {
-    for (const char c : number) are_integers_ &= is_digit(c);
+    for (const char c : number) is_of_integers_ &= is_digit(c);
   }
-  void see_floats() { are_integers_ = false; }
+  /// All numbers of the next row.
+  void see_floats() { is_of_integers_ = false; }
   /// Of the item of this index, after those before; three numbers or four. False when memory is
   /// exhausted.
   [[nodiscard]] bool add(std::size_t item, std::span<const float> color);
@@ -27,8 +29,17 @@ class OffColors {
   [[nodiscard]] bool finish(SoupItem item, std::size_t count, ParsedFile& file);
 
  private:
-  Array<float> values_;         // four for each item
-  Array<std::uint8_t> widths_;  // how many of them it has
+  struct Row {
+    std::uint8_t width = 0;  // how many of the four values it has
+    bool is_of_integers = false;
+  };
+
+  /// Whether the numbers of an item are from 0 to 255, beside floats.
+  [[nodiscard]] bool is_byte_row(std::size_t item) const;
+
+  Array<float> values_;  // four for each item
+  Array<Row> rows_;
+  bool is_of_integers_ = true;  // the next row, as far as it was seen
   bool are_integers_ = true;
   bool have_alpha_ = false;
 };
