@@ -130,6 +130,46 @@ end_header
 6 0 0 1 0 0.5 1 3 0 1 2 -5
 )";
 
+TEST(PlyAttributes, AreFoundInAnyOrderOfTheirProperties) {
+  const auto described = [](const std::string& properties, const std::string& face = "") {
+    const test::MeshFile read = read_mesh(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\n" +
+        properties + "element face 1\nproperty list uchar int vertex_indices\n" + face +
+        "end_header\n0 0 0 1 2 3 4\n1 0 0 5 6 7 8\n0 1 0 9 10 11 12\n3 0 1 2 1 2\n");
+    Strings all = describe_all(read.mesh);
+    if (all.empty()) return std::make_pair(all, Doubles());
+    const ItemKind kind = face.empty() ? ItemKind::kVertex : ItemKind::kFace;
+    const std::string name = all[0].substr(all[0].find(' ') + 1);
+    return std::make_pair(all, values_of(read.mesh, kind, name.substr(0, name.find(' ')).c_str()));
+  };
+  const auto first_row = [](const Doubles& values, std::size_t width) {
+    return Doubles(values.begin(), values.begin() + std::ptrdiff_t(width));
+  };
+  const auto bgr = described("property uchar blue\nproperty uchar green\nproperty uchar red\n");
+  EXPECT_EQ(bgr.first, Strings{"vertex color uint8 3 interpolate"});
+  EXPECT_EQ(first_row(bgr.second, 3), (Doubles{3, 2, 1}));
+  const auto argb = described(
+      "property uchar alpha\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n");
+  EXPECT_EQ(argb.first, Strings{"vertex color uint8 4 interpolate"});
+  EXPECT_EQ(first_row(argb.second, 4), (Doubles{2, 3, 4, 1}));
+  const auto normal = described("property float nz\nproperty float ny\nproperty float nx\n");
+  EXPECT_EQ(normal.first, Strings{"vertex normal float32 3 normalize"});
+  EXPECT_EQ(first_row(normal.second, 3), (Doubles{3, 2, 1}));
+  const auto uv = described("property float t\nproperty float s\n");
+  EXPECT_EQ(uv.first, Strings{"vertex uv float32 2 interpolate"});
+  EXPECT_EQ(first_row(uv.second, 2), (Doubles{2, 1}));
+
+  const auto other = described(
+      "property float alpha\nproperty uchar blue\nproperty uchar green\nproperty uchar red\n");
+  EXPECT_EQ(other.first,
+            (Strings{"vertex alpha float32 1 interpolate", "vertex color uint8 3 interpolate"}));
+  EXPECT_EQ(described("property uchar green\nproperty uchar red\n").first,
+            (Strings{"vertex green uint8 1 copy", "vertex red uint8 1 copy"}));
+  EXPECT_EQ(described("", "property float t\nproperty float s\n").first,
+            (Strings{"face t float32 1 interpolate", "face s float32 1 interpolate"}));
+}
+
 TEST(PlyAttributes, HaveTheUsualNames) {
   const test::MeshFile read = read_mesh(kPlyTriangle);
   ASSERT_EQ(read.error, "");

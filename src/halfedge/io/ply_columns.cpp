@@ -44,6 +44,11 @@ bool is_named(std::span<const SoupAttribute> columns, SoupItem item, std::string
   });
 }
 
+template <class Range, class T>
+bool contains(const Range& range, const T& value) {
+  return std::find(std::begin(range), std::end(range), value) != std::end(range);
+}
+
 class ColumnChooser {
  public:
   ColumnChooser(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
@@ -58,7 +63,7 @@ class ColumnChooser {
     for (std::size_t i = 0; i < targets_.size() && columns_.size() < kMostColumns; ++i) {
       if (!is_free(i)) continue;
       const std::string_view name = element_.properties[i].name;
-      if (!add_group(name) && !add_components(i)) (void)add(name, std::span(&i, 1));
+      if (!add_group(i) && !add_components(i)) (void)add(name, std::span(&i, 1));
     }
     return std::move(targets_);
   }
@@ -70,20 +75,23 @@ class ColumnChooser {
            std::find(taken_.begin(), taken_.end(), &property) == taken_.end();
   }
 
-  /// The group that begins with this property, with as many of its parts as there are.
-  [[nodiscard]] bool add_group(std::string_view first) {
+  /// The group of this property, in whatever order they come, with as many of its parts as there
+  /// are.
+  [[nodiscard]] bool add_group(std::size_t member) {
+    const PlyProperty& property = element_.properties[member];
     for (const Group& group : kGroups) {
-      if (group.properties[0] != first) continue;
+      if (!contains(group.properties, property.name)) continue;
       if (item_ == SoupItem::kFace && std::string_view(group.name) == "uv") continue;
       std::vector<std::size_t> parts;
       for (const std::string_view name : group.properties) {
         const PlyProperty* const found = name.empty() ? nullptr : element_.find(name);
         if (found == nullptr) break;
         const auto i = static_cast<std::size_t>(found - element_.properties.data());
-        if (!is_free(i) || found->type != element_.find(first)->type) break;
+        if (!is_free(i) || found->type != property.type) break;
         parts.push_back(i);
       }
-      if (parts.size() >= group.fewest) return add(group.name, parts);
+      // An alpha of another type than the rest is none.
+      if (parts.size() >= group.fewest && contains(parts, member)) return add(group.name, parts);
     }
     return false;
   }
