@@ -274,6 +274,22 @@ TEST(Ply, ExplainsAWrongHeader) {
        "parse-error: line 3: expected the name of the property, found the end of the line"},
       {"ply\nelement face 1\nelement face 1\n",
        "parse-error: line 3: the header has the element \"face\" already, expected it once"},
+      {"ply\nformat ascii 1.0\nformat binary_little_endian 1.0\n",
+       "parse-error: line 3: the header has a line format already, expected it once"},
+      {"ply\nformat ascii 2.0\n", "parse-error: line 2: expected the version 1.0, found \"2.0\""},
+      {"ply\nformat ascii\n",
+       "parse-error: line 2: expected the version 1.0, found the end of the line"},
+      {"ply\nformat ascii 1.0 junk\n",
+       "parse-error: line 2: expected the end of the line, found \"junk\""},
+      {"ply\nelement vertex 1 junk\n",
+       "parse-error: line 2: expected the end of the line, found \"junk\""},
+      {"ply\nelement vertex 1\nproperty float x junk\n",
+       "parse-error: line 3: expected the end of the line, found \"junk\""},
+      {"ply\nelement vertex 1\nproperty list uchar int x junk\n",
+       "parse-error: line 3: expected the end of the line, found \"junk\""},
+      {header("ascii", kVertices + "property double x\n"),
+       "parse-error: line 7: the element \"vertex\" has the property \"x\" already, expected it "
+       "once"},
       {header("ascii", kFaces), "parse-error: line 5: the header has no element vertex"},
       {header("ascii", "element vertex 1\nproperty float x\nproperty list uchar float y\n"),
        "parse-error: line 6: the element vertex has no property y, expected the numbers x, y and "
@@ -281,6 +297,16 @@ TEST(Ply, ExplainsAWrongHeader) {
       {header("ascii", kVertices + "element face 1\nproperty uchar vertex_indices\n"),
        "parse-error: line 9: the element face has no list vertex_indices (or vertex_index)"}};
   for (const auto& [text, error] : errors) EXPECT_EQ(ply_error(text), error) << text;
+}
+
+TEST(Ply, TakesBlanksBehindTheLinesOfTheHeader) {
+  std::string text;
+  for (const char c : header("ascii")) text += c == '\n' ? " \t\n" : std::string(1, c);
+  EXPECT_EQ(parse_ply(text + kRows).positions, kCorner);
+  // Elements may have properties of the same name.
+  EXPECT_EQ(ply_error(header("ascii", kVertices + kFaces + "property float x # twice\n") +
+                      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 5\n"),
+            "");
 }
 
 TEST(Ply, RefusesCountsBeyondTheFile) {

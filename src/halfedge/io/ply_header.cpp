@@ -36,8 +36,11 @@ class HeaderReader {
   [[nodiscard]] bool read_property();
   [[nodiscard]] bool read_type(PlyType& type);
   [[nodiscard]] bool read_name(std::string_view& name, const char* what);
+  /// Nothing but blanks or a comment follows.
+  [[nodiscard]] bool read_line_end();
   void end();
   [[nodiscard]] bool check_properties();
+  [[nodiscard]] bool check_once(const PlyElement& element, const PlyProperty& property);
   [[nodiscard]] bool check_counts();
 
   /// The token after blanks; moves past it.
@@ -109,6 +112,10 @@ void HeaderReader::end() {
 }
 
 bool HeaderReader::read_format() {
+  if (has_format_) {
+    return fail(
+        error_at(text_, "parse-error", "the header has a line format already, expected it once"));
+  }
   text_.skip_blanks();
   const char* const start = text_.position();
   const std::string_view name = word();
@@ -122,7 +129,10 @@ bool HeaderReader::read_format() {
   } else {
     return fail_expecting(start, "ascii, binary_little_endian or binary_big_endian");
   }
-  return true;
+  text_.skip_blanks();
+  const char* const version = text_.position();
+  if (word() != "1.0") return fail_expecting(version, "the version 1.0");
+  return read_line_end();
 }
 
 bool HeaderReader::read_element() {
@@ -142,7 +152,7 @@ bool HeaderReader::read_element() {
   }
   element.count = static_cast<std::uint64_t>(count);
   header_.elements.push_back(std::move(element));
-  return true;
+  return read_line_end();
 }
 
 bool HeaderReader::read_property() {
@@ -161,7 +171,7 @@ bool HeaderReader::read_property() {
     return false;
   }
   header_.elements.back().properties.push_back(property);
-  return true;
+  return read_line_end();
 }
 
 bool HeaderReader::read_type(PlyType& type) {
@@ -180,6 +190,22 @@ bool HeaderReader::read_name(std::string_view& name, const char* what) {
   return !name.empty() || fail_expecting(start, what);
 }
 
+bool HeaderReader::read_line_end() {
+  text_.skip_blanks();
+  return text_.at_line_end() || fail_expecting(text_.position(), "the end of the line");
+}
+
+bool HeaderReader::check_once(const PlyElement& element, const PlyProperty& property) {
+  const PlyProperty* const end = element.properties.data() + element.properties.size();
+  const PlyProperty* const again = std::find_if(
+      &property + 1, end, [&](const PlyProperty& other) { return other.name == property.name; });
+  if (again == end) return true;
+  text_.move_to(again->name.data());
+  return fail(error_at(text_, "parse-error",
+                       sentence::of("the element {} has the property {} already, expected it once",
+                                    quoted(element.name), quoted(property.name))));
+}
+
 bool HeaderReader::check_properties() {
   const PlyElement* const vertex = header_.find("vertex");
   if (vertex == nullptr) {
@@ -187,7 +213,10 @@ bool HeaderReader::check_properties() {
   }
   for (const std::string_view axis : {"x", "y", "z"}) {
     const PlyProperty* const property = vertex->find(axis);
-    if (property != nullptr && !property->length_type) continue;
+    if (property != nullptr && !property->length_type) {
+      if (!check_once(*vertex, *property)) return false;
+      continue;
+    }
     return fail(error_at(
         text_, "parse-error",
         sentence::of("the element vertex has no property {}, expected the numbers x, y and z",
