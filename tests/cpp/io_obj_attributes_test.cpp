@@ -250,6 +250,31 @@ TEST(ObjAttributes, SaysWhatIsIgnored) {
                                  "ignored 2 normals (vn) to which no face refers"}));
 }
 
+TEST(ObjAttributes, SaysWhatIsNoNumber) {
+  const auto notes_of = [](const std::string& statements) {
+    const test::MeshFile read =
+        read_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + statements + "f 1/1/1 2/1/1 3/1/1\n");
+    EXPECT_EQ(read.error, "");
+    return read.notes;
+  };
+  const auto of = [](const std::string& what) {
+    return Strings{what + " not the numbers expected: what is missing is 0"};
+  };
+  const std::string good = "vt .5 .5\nvn 0 0 1\n";
+  EXPECT_EQ(notes_of(good), Strings());
+  EXPECT_EQ(notes_of("vt .5\nvn 0 0 1 # up\n"), Strings());
+  EXPECT_EQ(notes_of("vt abc 0.5\nvn 0 0 x\n"),
+            of("2 texture coordinates or normals (vt, vn) have"));
+  for (const char* bad : {"vt\nvn 0 0 1\n", "vt .5 .5 0 0\nvn 0 0 1\n", "vt .5 .5x\nvn 0 0 1\n",
+                          "vt .5 .5\nvn 0 1\n", "vt .5 .5\nvn 0 0 1 1\n"}) {
+    EXPECT_EQ(notes_of(bad), of("1 texture coordinate or normal (vt, vn) has")) << bad;
+  }
+  EXPECT_EQ(notes_of(good + "v 1 2 3 junk\n"),
+            Strings{"ignored 1 end of the line of a vertex that is neither weight nor colour"});
+  EXPECT_EQ(notes_of(good + "v 1 2 3 .5 .5\nv 1 2 3 1 1 1 1 x\nv 1 2 3 1 1 1 # c\nv 1 2 3 1 \n"),
+            Strings{"ignored 2 ends of lines of vertices that are neither weights nor colours"});
+}
+
 TEST(ObjAttributes, LimitWhatNamesTake) {
   std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (int i = 0; i < 70000; ++i) text += "g a" + std::to_string(i) + "\n";

@@ -75,7 +75,10 @@ bool read_number(std::string_view name, std::int32_t& number) {
 
 bool ObjAttributes::read_row(TextScanner& text, std::size_t width, Table& table) {
   float row[3] = {};
-  (void)read_floats(text, row);
+  const std::size_t count = read_floats(text, row);
+  // A texture coordinate may have one number alone.
+  const std::size_t fewest = width == 3 ? 3 : 1;
+  malformed_ += count < fewest || !text.at_line_end() ? 1U : 0U;
   depths_ += width == 2 && row[2] != 0 ? 1U : 0U;
   for (std::size_t i = 0; i < width; ++i) {
     if (!table.values.push_back(row[i])) return false;
@@ -86,6 +89,7 @@ bool ObjAttributes::read_row(TextScanner& text, std::size_t width, Table& table)
 bool ObjAttributes::read_color(TextScanner& text, std::size_t vertex) {
   float color[4] = {0, 0, 0, 1};
   const std::size_t count = read_floats(text, color);
+  extra_ += count == 2 || !text.at_line_end() ? 1U : 0U;
   if (count < 3) {
     weights_ += count == 1 && color[0] != 1 ? 1U : 0U;
     return true;
@@ -183,6 +187,12 @@ bool ObjAttributes::finish(std::size_t vertices, std::size_t faces, ParsedFile& 
                      unknown_ == 1 ? " corner has a texture coordinate or normal"
                                    : " corners have texture coordinates or normals"));
   }
+  if (malformed_ > 0) {
+    file.notes.push_back(
+        sentence::of("{}{} not the numbers expected: what is missing is 0", malformed_,
+                     malformed_ == 1 ? " texture coordinate or normal (vt, vn) has"
+                                     : " texture coordinates or normals (vt, vn) have"));
+  }
   note_losses(file);
   return true;
 }
@@ -194,6 +204,8 @@ void ObjAttributes::note_losses(ParsedFile& file) const {
   };
   note(depths_, "third texture coordinate that is not 0",
        "third texture coordinates that are not 0");
+  note(extra_, "end of the line of a vertex that is neither weight nor colour",
+       "ends of lines of vertices that are neither weights nor colours");
   note(weights_, "weight of a vertex", "weights of vertices");
   note(unused_[0], "texture coordinate (vt) to which no face refers",
        "texture coordinates (vt) to which no face refers");

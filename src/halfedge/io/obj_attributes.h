@@ -78,6 +78,8 @@ class ObjAttributes {
   Array<Run> smoothing_;        // the ids are the numbers of groups
   bool is_smooth_ = false;      // one of them isn't 0
   std::size_t unknown_ = 0;     // references to what the file doesn't have
+  std::size_t malformed_ = 0;   // texture coordinates and normals that aren't numbers alone
+  std::size_t extra_ = 0;       // vertices with something else behind their positions
   std::size_t depths_ = 0;      // third texture coordinates that aren't 0
   std::size_t weights_ = 0;     // of vertices, that aren't 1
   std::size_t strange_ = 0;     // numbers of smoothing groups that are none
