@@ -118,6 +118,19 @@ TEST(Off, ReadsSeveralVerticesOnALine) {
       "NOFF\n4 2 5\n0 0 0 0 0 1 1 0 0 0 0 1\n1 1 0 0 0 1 0 1 0 0 0 1\n4 0 1 2 3\n3 0 1 2\n");
 }
 
+TEST(Off, ReadsRecordsThatStartAndEndAnywhere) {
+  expect_square_and_triangle("OFF\n4 2 5\n0 0 0 1\n0 0 1 1\n0\n0 1 0 4\n0\n1\n2 3 3 0\n1\n2\n");
+  expect_square_and_triangle(
+      "OFF\n4 2 5\n0 0 0 1 \n0 0 \n1 1\n0 0 1\n0 # b\n4 0\n1 2 3\n3 0 1\n2\n");
+  expect_square_and_triangle(
+      "4OFF\n4 2 5\n0 0 0\n1 1 0 0\n1 1 1 0\n1 0 1 0 1\n4 0 1\n2\n3\n3 0 1 2\n");
+  // More lines than records for another reason.
+  const Parsed file = parse_off("OFF\n3 1 0\n0 0 0 9 9\n1 0 0 9\n0 1 0\n3 0 1 2\nmore\n");
+  EXPECT_EQ(file.positions, (Floats{0, 0, 0, 1, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(file.faces, (Faces{{0, 1, 2}}));
+  EXPECT_EQ(file.notes.size(), 2U);
+}
+
 TEST(Off, ReadsSeveralFacesOnALine) {
   const std::string head = std::string("OFF\n4 4\n") + kVertices;
   const Faces faces = {{0, 1, 2}, {0, 1, 2, 3}, {2, 1, 0}, {3, 2, 1}};

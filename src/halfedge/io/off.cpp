@@ -36,7 +36,7 @@ bool is_just_faces(TextScanner text, std::uint64_t faces) {
 /// A vertex is three numbers and a face a count with so many indices. Files put each on a line of
 /// its own, and may add colours and such behind; but line breaks mean nothing to Geomview. So lines
 /// are records, which gives errors their place, unless there are too many or too few of them: all
-/// may be on one line.
+/// may be on one line, or a line may end in the middle of each.
 class OffReader {
  public:
   /// `text` is behind the header.
@@ -57,6 +57,8 @@ class OffReader {
   [[nodiscard]] bool read_vertex();
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner(std::int64_t corner, std::int64_t degree);
+  /// Whether what follows a position on its line is the next vertex.
+  [[nodiscard]] bool vertices_cross_lines();
   void read_values_of_vertex();
   [[nodiscard]] bool read_behind_face();
   void read_color_of_face();
@@ -82,6 +84,7 @@ class OffReader {
   OffHeader header_;
   Error error_;
   bool packed_ = false;               // several vertices on a line
+  std::optional<bool> cross_lines_;   // vertices start and end anywhere, once it matters
   std::optional<bool> packed_faces_;  // several faces on a line, once it matters
   std::optional<std::uint64_t> data_lines_;
 };
@@ -142,11 +145,34 @@ bool OffReader::read_vertex() {
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
-  const bool has_more = header_.columns > header_.coordinates || !text_.at_line_end();
+  const bool is_plain = header_.columns == header_.coordinates;
+  if (is_plain && !packed_ && !text_.at_line_end()) packed_ = vertices_cross_lines();
+  const bool has_more = !is_plain || !text_.at_line_end();
   if (packed_ || (options_.attributes && has_more)) read_values_of_vertex();
   if (!packed_) text_.skip_tokens();
   out_.add_vertex(p[0], p[1], p[2]);
   return true;
+}
+
+/// Looked at only if it matters: where something follows a position on its line. There must be more
+/// lines than records, and what is left just the numbers that are missing.
+bool OffReader::vertices_cross_lines() {
+  text_.skip_blanks();
+  if (text_.at_line_end()) return false;
+  if (cross_lines_) return *cross_lines_;
+  cross_lines_ = false;
+  if (data_lines() <= records()) return false;
+  TextScanner ahead = text_;
+  const std::uint64_t vertices = header_.vertices - out_.vertex_count() - 1;
+  for (std::uint64_t left = vertices * static_cast<std::uint64_t>(header_.columns); left > 0;
+       --left) {
+    float number = 0;
+    ahead.skip_to_token();
+    if (!ahead.read_float(number)) return false;
+  }
+  cross_lines_ = is_just_faces(ahead, header_.faces);
+  if (*cross_lines_) packed_faces_ = true;
+  return *cross_lines_;
 }
 
 /// What the vertex has behind its position: all of the line, or so many numbers as it should have.
