@@ -131,7 +131,8 @@ bool HeaderReader::read_format() {
   }
   text_.skip_blanks();
   const char* const version = text_.position();
-  if (word() != "1.0") return fail_expecting(version, "the version 1.0");
+  const std::string_view given = word();
+  if (!given.empty() && given != "1.0") return fail_expecting(version, "the version 1.0");
   return read_line_end();
 }
 
