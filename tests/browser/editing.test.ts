@@ -186,6 +186,16 @@ describe('An operation with two items', () => {
     await shows(mesh);
   });
 
+  test('is begun and completed by keys, from its button', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const first = mesh.faceHalfedge(14);
+    await explorer.goTo(`h${first}`);
+    await explorer.page.focus('[data-operation=insertEdge]');
+    await explorer.press('Enter', 'n', 'n', 'Enter');
+    mesh.insertEdge(first, mesh.next(mesh.next(first)));
+    await shows(mesh);
+  });
+
   test('refuses what does not go together', async () => {
     const mesh = await show('grid', 'Open grid', openGrid(6));
     const [first, second] = [mesh.faceHalfedge(14), mesh.faceHalfedge(0)];
@@ -382,6 +392,18 @@ describe('A refusal', () => {
     expect(await explorer.page.isVisible('.refusal')).toBe(false);
     const labels = explorer.page.locator('.tag.witness:visible');
     expect(await explorer.comesTrue(async () => (await labels.count()) === 0)).toBe(true);
+  });
+
+  test('gives the focus back where it is dismissed', async () => {
+    await show('grid', 'Open grid', openGrid(6));
+    await explorer.goTo('e0');
+    await explorer.page.focus('[data-operation=flipEdge]');
+    await explorer.press('Enter');
+    await explorer.page.focus('.refusal .dismiss');
+    await explorer.press('Enter');
+    const focused = explorer.page.locator(':focus');
+    expect(await focused.getAttribute('data-operation')).toBe('flipEdge');
+    await explorer.page.focus('main.stage canvas');
   });
 });
 

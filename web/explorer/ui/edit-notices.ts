@@ -1,5 +1,6 @@
 import { itemName } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
+import { appearance, focusPicture } from './appear.js';
 import { fill, h, icon } from './dom.js';
 
 /** The sentence of a refusal, and the items that show why, which are lit in the picture. */
@@ -17,8 +18,9 @@ export function refusalNotice(explorer: Explorer): HTMLElement {
     witness,
     dismissButton(() => editor.cancel()),
   );
+  const appear = appearance(notice);
   editor.refused.subscribe((refused) => {
-    notice.hidden = refused === null;
+    appear(refused !== null);
     if (!refused) return;
     title.textContent = `Refused: ${refused.title}`;
     message.textContent = refused.refusal.message;
@@ -68,9 +70,10 @@ export function pendingNotice(explorer: Explorer): HTMLElement {
     h('div', { class: 'witness' }, confirm),
     dismissButton(() => editor.cancel()),
   );
+  const appear = appearance(notice);
   const show = () => {
     const pending = editor.pending.value;
-    notice.hidden = pending === null;
+    appear(pending !== null);
     if (!pending) return;
     const { operation, first } = pending;
     title.textContent = `${operation.label}: from ${itemName(first)} to …`;
@@ -80,7 +83,11 @@ export function pendingNotice(explorer: Explorer): HTMLElement {
     confirm.disabled = !usable;
     confirm.textContent = usable ? `Take ${itemName(selected)}` : `Take the selected one`;
   };
-  editor.pending.subscribe(show);
+  editor.pending.subscribe((pending) => {
+    show();
+    // From the button of the operation, Enter would begin it again instead of taking the second item.
+    if (pending && document.activeElement?.closest('[data-operation]')) focusPicture();
+  });
   explorer.selected.subscribe(show);
   return notice;
 }

@@ -1,6 +1,7 @@
 import { EXTENSIONS } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import type { Signal } from '../app/signal.js';
+import { appearance } from './appear.js';
 import { h, icon } from './dom.js';
 
 /** The sentence about a file that could not be opened. */
@@ -8,8 +9,9 @@ export function failureNotice(explorer: Explorer): HTMLElement {
   const { notice, tell } = noticeCard(() => {
     explorer.failure.value = null;
   });
+  const appear = appearance(notice);
   explorer.failure.subscribe((failure) => {
-    notice.hidden = failure === null;
+    appear(failure !== null);
     if (!failure) return;
     const shown = explorer.document.value?.name;
     const still = shown ? `${shown} is still open.` : 'Choose another mesh above.';

@@ -1,0 +1,24 @@
+/**
+ * Returns how to show or hide a notice. The focus that is in it goes back to where it was before, or else to the
+ * picture.
+ */
+export function appearance(notice: HTMLElement): (shows: boolean) => void {
+  let before: Element | null = null;
+  return (shows) => {
+    const { activeElement } = document;
+    if (shows && notice.hidden) before = activeElement;
+    if (!shows && notice.contains(activeElement)) giveFocusTo(before);
+    notice.hidden = !shows;
+  };
+}
+
+/** Lets the keys walk and orbit: no button takes Enter and Space for itself. */
+export function focusPicture(): void {
+  document.querySelector<HTMLElement>('main.stage canvas')?.focus();
+}
+
+function giveFocusTo(element: Element | null): void {
+  const takes = element instanceof HTMLElement && element.checkVisibility();
+  if (takes && element !== document.body) element.focus();
+  else focusPicture();
+}
