@@ -60,6 +60,21 @@ describe('The circulator player', () => {
     expect(await explorer.visited()).toEqual([]);
   });
 
+  test('keeps the focus at the ends of the lap, and on the visit that is chosen', async () => {
+    const focused = explorer.page.locator(':focus');
+    await explorer.goTo('v0');
+    await explorer.press('End', ',');
+    await explorer.page.focus('[aria-label="Step forward"]');
+    await explorer.press('Enter');
+    expect(await explorer.state('player')).toBe('done');
+    expect(await focused.getAttribute('aria-label')).toBe('Step forward');
+    await explorer.page.focus('ol.visited li:nth-child(2) button');
+    await explorer.press('Enter');
+    expect(await explorer.visited()).toHaveLength(2);
+    expect(await focused.getAttribute('data-ordinal')).toBe('2');
+    await explorer.page.focus('main.stage canvas');
+  });
+
   test('plays to the end of the lap, marks the trail, and plays again', async () => {
     await explorer.goTo('v0');
     await explorer.goTo('v1224');

@@ -139,8 +139,11 @@ function player(explorer: Explorer, direction: HTMLElement) {
     toggle.title = `${playing ? 'Pause' : 'Play'} (space)`;
     fill(toggle, icon(playing ? 'pause' : 'play'));
     toggle.disabled = player.count === 0;
-    forward.disabled = player.done;
-    back.disabled = restart.disabled = position === 0;
+    // For `aria` only: the button that led to an end keeps the focus there.
+    setAttribute(forward, 'aria-disabled', player.done ? 'true' : null);
+    for (const button of [back, restart]) {
+      setAttribute(button, 'aria-disabled', position === 0 ? 'true' : null);
+    }
     scrub.max = String(player.count);
     scrub.value = String(position);
     scrub.disabled = player.count === 0;
@@ -149,7 +152,7 @@ function player(explorer: Explorer, direction: HTMLElement) {
     place.textContent = `${position} of ${player.count}`;
     hop.classList.toggle('idle', position === 0);
     hop.textContent = position === 0 ? idleWords(play) : unbroken(player.words);
-    fill(visited, ...visits(explorer, play));
+    keepFocus(visited, () => fill(visited, ...visits(explorer, play)));
     scrollTo(visited, visited.querySelector<HTMLElement>('[aria-current]'));
   });
   const controls = [
@@ -163,6 +166,18 @@ function player(explorer: Explorer, direction: HTMLElement) {
     hop,
   ];
   return { controls, visited };
+}
+
+/** Rebuilds a list of visits; the focus stays on the same visit, or goes to the last one that is left. */
+function keepFocus(list: HTMLElement, rebuild: () => void): void {
+  const focused = document.activeElement;
+  const had = focused instanceof HTMLElement && list.contains(focused);
+  const same = had ? focused.dataset.ordinal : undefined;
+  rebuild();
+  if (!had) return;
+  const visits = [...list.querySelectorAll('button')];
+  const visit = visits.find(({ dataset }) => dataset.ordinal === same) ?? visits.at(-1);
+  visit?.focus({ preventScroll: true });
 }
 
 /** Brings an entry of a list into sight, and leaves alone what the list lies in. */
@@ -198,6 +213,7 @@ function visits(explorer: Explorer, { player, position }: Play): HTMLElement[] {
         {
           type: 'button',
           'data-item': name,
+          'data-ordinal': ordinal,
           'aria-current': ordinal === position ? 'step' : null,
           onclick: () => explorer.seek(ordinal),
           onmouseenter: () => {
