@@ -22,6 +22,7 @@ const TABS: readonly [Tab, string, string?][] = [
   ['problems', 'Problems', '5'],
 ];
 const SHEETS = ['low', 'half', 'tall'] as const;
+type Sheet = (typeof SHEETS)[number];
 
 /** What the panel does with the camera. */
 export interface Flights {
@@ -37,10 +38,11 @@ export interface Flights {
  */
 export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): HTMLElement {
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
+  const sheetGrip = grip();
   const element = h(
     'aside',
     { class: 'panel card', 'aria-label': 'Panel', 'data-sheet': 'half' },
-    grip(),
+    sheetGrip,
     inspector(explorer),
     tabs,
     h(
@@ -57,7 +59,7 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
   for (const [id, text, key] of TABS) {
     const choose = () => {
       tab.value = id;
-      if (element.dataset.sheet === 'low') element.dataset.sheet = 'half';
+      if (element.dataset.sheet === 'low') pull('half');
     };
     const title = key ? `${text} (${key})` : text;
     const button = h(
@@ -73,25 +75,36 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
     element.dataset.tab = chosen;
   });
 
+  function pull(sheet: Sheet): void {
+    element.dataset.sheet = sheet;
+    sheetGrip.setAttribute('aria-expanded', String(sheet === 'tall'));
+  }
+
   function grip(): HTMLElement {
-    let from: number | null = null;
+    let from = 0;
+    let isPulled = false;
     const move = (by: 1 | -1) => {
-      const at = SHEETS.indexOf(element.dataset.sheet as (typeof SHEETS)[number]);
-      element.dataset.sheet = SHEETS[Math.max(0, Math.min(SHEETS.length - 1, at + by))];
+      const at = SHEETS.indexOf(element.dataset.sheet as Sheet);
+      pull(SHEETS[Math.max(0, Math.min(SHEETS.length - 1, at + by))]);
     };
     return h('button', {
       type: 'button',
       class: 'grip',
       'aria-label': 'Resize the panel',
+      'aria-expanded': 'false',
       onpointerdown: (event) => {
         from = (event as PointerEvent).clientY;
         (event.currentTarget as HTMLElement).setPointerCapture((event as PointerEvent).pointerId);
       },
       onpointerup: (event) => {
-        const by = (from ?? 0) - (event as PointerEvent).clientY;
-        from = null;
-        if (Math.abs(by) > 12) move(by > 0 ? 1 : -1);
-        else element.dataset.sheet = element.dataset.sheet === 'half' ? 'tall' : 'half';
+        const by = from - (event as PointerEvent).clientY;
+        isPulled = Math.abs(by) > 12;
+        if (isPulled) move(by > 0 ? 1 : -1);
+      },
+      onclick: (event) => {
+        // A pull ends in a click of the pointer, too.
+        const endsPull = isPulled && (event as MouseEvent).detail > 0;
+        if (!endsPull) pull(element.dataset.sheet === 'half' ? 'tall' : 'half');
       },
       onkeydown: (event) => {
         const { key } = event as KeyboardEvent;
