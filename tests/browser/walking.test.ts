@@ -126,5 +126,23 @@ describe('The inspector', () => {
       'There is no f5648: this mesh has face 0 to 5647.',
     );
     expect(await explorer.state('selected')).toBe('v5');
+    await explorer.press('h');
+    expect(await explorer.page.inputValue('.goto input')).toBe('');
+  });
+
+  test('turns the picture to an item on the far side', async () => {
+    const depths = async () => {
+      await explorer.rest();
+      const m = ((await explorer.state('camera')) ?? '').split(' ').map(Number);
+      return (v: number) => {
+        const [x, y, z] = mesh.positions.subarray(3 * v, 3 * v + 3);
+        return m[3] * x + m[7] * y + m[11] * z + m[15];
+      };
+    };
+    const depth = await depths();
+    const farthest = [...mesh.vertices()].reduce((a, b) => (depth(a) > depth(b) ? a : b));
+    await explorer.goTo(`v${farthest}`);
+    const isNearer = async () => (await depths())(farthest) < depth(farthest);
+    expect(await explorer.comesTrue(isNearer)).toBe(true);
   });
 });

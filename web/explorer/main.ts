@@ -63,6 +63,7 @@ async function start(): Promise<void> {
       explorer.select(item);
       view.focus();
     },
+    bringIntoSight: (item) => view.travel.bringIntoSight([item]),
     toProblem: () => view.focus(),
     takePicture: (format) => view.picture(format),
   });

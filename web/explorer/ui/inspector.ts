@@ -19,7 +19,7 @@ export function itemTitle({ kind, index }: Item): string {
 }
 
 /** The selected item: what it is, its links as buttons that walk, and its attributes. */
-export function inspector(explorer: Explorer): HTMLElement {
+export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLElement {
   const title = h('h2', { id: 'inspector-title' });
   const facts = h('p', { class: 'facts' });
   const links = h('ul', { class: 'links', 'aria-label': 'Links' });
@@ -56,7 +56,7 @@ export function inspector(explorer: Explorer): HTMLElement {
   return h(
     'section',
     { class: 'inspector', 'aria-labelledby': 'inspector-title' },
-    h('div', { class: 'item-head' }, title, goTo(explorer), facts),
+    h('div', { class: 'item-head' }, title, goTo(explorer, bringIntoSight), facts),
     links,
     attributes,
     remark,
@@ -110,7 +110,7 @@ function linkButton(explorer: Explorer, { number, name, hint, target, key, role 
 }
 
 /** A field that takes the name of an item: `v12`, `face 3`. */
-function goTo(explorer: Explorer): HTMLElement {
+function goTo(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLElement {
   const input = h('input', {
     type: 'text',
     name: 'item',
@@ -119,6 +119,10 @@ function goTo(explorer: Explorer): HTMLElement {
     autocomplete: 'off',
     spellcheck: 'false',
     enterkeyhint: 'go',
+  });
+  // What was refused doesn't stay beside an item that was chosen in another way.
+  explorer.selected.subscribe(() => {
+    input.value = '';
   });
   return h(
     'form',
@@ -132,7 +136,9 @@ function goTo(explorer: Explorer): HTMLElement {
           return;
         }
         explorer.select(item);
-        if (explorer.remark.value === '') input.value = '';
+        if (explorer.remark.value !== '') return;
+        input.value = '';
+        bringIntoSight(item);
       },
     },
     input,

@@ -1,3 +1,4 @@
+import type { Item } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
 import type { Signal } from '../app/signal.js';
 import { circulatorPanel } from './circulator-panel.js';
@@ -28,6 +29,8 @@ type Sheet = (typeof SHEETS)[number];
 export interface Flights {
   readonly takePicture: TakePicture;
   readonly goTo: GoTo;
+  /** Turns the picture to an item that is out of sight. */
+  readonly bringIntoSight: (item: Item) => void;
   /** Back to the problem that is lit. */
   readonly toProblem: () => void;
 }
@@ -43,7 +46,7 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
     'aside',
     { class: 'panel card', 'aria-label': 'Panel', 'data-sheet': 'half' },
     sheetGrip,
-    inspector(explorer),
+    inspector(explorer, flights.bringIntoSight),
     tabs,
     h(
       'div',
