@@ -223,6 +223,7 @@ describe('An operation on the whole mesh', () => {
     expect(await explorer.state('selected')).toBe(`v${maps.vertices[100]}`);
     await explorer.press('Shift+N');
     expect(await outcome()).toBe('Nothing to do: delete isolated.');
+    expect(await explorer.page.textContent('.report')).toBe('Nothing to do: delete isolated.');
     expect(await explorer.state('undo')).toBe('2');
   });
 

@@ -78,7 +78,7 @@ export class Editor {
   readonly edit = new Signal<Edit | null>(null);
   /** What the last key or button did, in words; read out by screen readers. */
   readonly outcome = new Signal('');
-  /** What the last repair did, and what it had to leave; empty after anything else. */
+  /** What the last repair did and had to leave, or that there was nothing to do; empty after anything else. */
   readonly report = new Signal('');
 
   readonly #explorer: Explorer;
@@ -235,7 +235,7 @@ export class Editor {
     const told = (verb: string) => [`${verb}: ${title}.`, report].join(' ').trimEnd();
     if (mesh.version === version) {
       this.outcome.value = told('Nothing to do');
-      this.report.value = report;
+      this.report.value = report || this.outcome.value;
       return;
     }
     const edit = operation.renumbers ? renumbering : motionOf(operation, state, mesh);
