@@ -54,6 +54,14 @@ test('A link leads to the same mesh, selection, circulator, step, names and view
   await closeAll(explorer, other);
 });
 
+test('What is told of a link goes with the mesh that it leads to', async () => {
+  const explorer = await ExplorerPage.open();
+  await share(explorer);
+  await explorer.sample('cube', 'Cube');
+  expect(await explorer.page.isVisible('[data-toast]')).toBe(false);
+  await closeAll(explorer);
+});
+
 test('Edits of a sample are done again, and can be undone', async () => {
   const explorer = await ExplorerPage.open();
   await explorer.sample('cube', 'Cube');

@@ -64,6 +64,10 @@ export function shareButton(explorer: Explorer, sight: Sight) {
     },
     icon('link'),
   );
+  // The link leads to the mesh that was on show.
+  explorer.document.subscribe(() => {
+    outcome.hidden = true;
+  });
   outcome.addEventListener('keydown', (event) => {
     if (event.key === 'Escape') outcome.hidden = true;
   });
