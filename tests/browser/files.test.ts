@@ -90,6 +90,9 @@ describe('A file', () => {
     expect(await explorer.state('selected')).toBe('v0');
     expect(await explorer.page.getAttribute('[data-link]', 'data-target')).toBe('∅');
     expect(await explorer.page.textContent('.hop')).toContain('nothing to visit');
+    expect(await explorer.validity()).toBe(
+      'Valid: all invariants hold; no faces, 2 isolated vertices.',
+    );
   });
 });
 

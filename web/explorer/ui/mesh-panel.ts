@@ -95,8 +95,13 @@ function showValidity(line: HTMLElement, facts: MeshFacts | null): void {
     fill(line, icon('warning'), h('span', {}, `Not valid: ${times}.`));
     return;
   }
-  const parts = [numbers.components === 1 ? 'one component' : `${numbers.components} components`];
-  parts.push(numbers.loops === 0 ? 'closed' : 'with a boundary');
+  const parts: string[] = [];
+  if (numbers.faces === 0) {
+    parts.push('no faces');
+  } else {
+    parts.push(numbers.components === 1 ? 'one component' : `${numbers.components} components`);
+    parts.push(numbers.loops === 0 ? 'closed' : 'with a boundary');
+  }
   if (isolatedVertices > 0) {
     const vertices = isolatedVertices === 1 ? 'vertex' : 'vertices';
     parts.push(`${grouped(isolatedVertices)} isolated ${vertices}`);
