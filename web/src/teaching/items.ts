@@ -118,7 +118,7 @@ export function linksOf(mesh: HalfedgeMesh, of: Item): Link[] {
     case 'edge':
       return ([0, 1] as const).map((side) => ({
         name: `edgeHalfedge, side ${side}`,
-        hint: side === 0 ? 'even' : 'odd',
+        hint: side === 0 ? 'even number' : 'odd number',
         target: item('halfedge', mesh.edgeHalfedge(i, side)),
         key: side === 0 ? 'h' : 'o',
         role: side === 0 ? 'halfedge' : 'opposite',
