@@ -1,6 +1,31 @@
+import type { Page } from 'playwright-core';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
 afterAll(disconnect);
+
+interface Box {
+  readonly x: number;
+  readonly y: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+/** Where the elements are that can be seen. */
+function boxes(page: Page, selector: string): Promise<Box[]> {
+  return page.$$eval(selector, (all) =>
+    all
+      .filter((each) => each.checkVisibility())
+      .map((each) => {
+        const { x, y, right, bottom } = each.getBoundingClientRect();
+        return { x, y, right, bottom };
+      }),
+  );
+}
+
+/** Less than a pixel is no overlap. */
+function overlap(a: Box, b: Box): boolean {
+  return a.x < b.right - 1 && b.x < a.right - 1 && a.y < b.bottom - 1 && b.y < a.bottom - 1;
+}
 
 test('The grip pulls the sheet of a telephone by clicks and by keys', async () => {
   const explorer = await ExplorerPage.open({ width: 390, height: 844, phone: true });
@@ -24,3 +49,36 @@ test('The grip pulls the sheet of a telephone by clicks and by keys', async () =
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test.each([
+  ['asks', 'h0', 'Shift+E', '.pending'],
+  ['refuses', 'e0', 'Shift+F', '.refusal'],
+])('What an operation %s leaves the sheet of a telephone free', async (_name, item, key, card) => {
+  const phone = { width: 390, height: 844, phone: true };
+  const link = `sample=grid&select=${item}`;
+  const explorer = await ExplorerPage.open({ ...phone, link, mesh: 'Open grid' });
+  await explorer.press(key);
+  await explorer.page.waitForSelector(card);
+  for (const sheet of ['half', 'tall']) {
+    const [panel, notice] = await boxes(explorer.page, `${card}, .panel[data-sheet=${sheet}]`);
+    expect(notice.bottom).toBeLessThanOrEqual(panel.y);
+    await explorer.page.click('.grip');
+  }
+  await explorer.close();
+});
+
+test.each([320, 390, 761, 820, 900, 901, 1001])(
+  'No control of the bars lies on another or under the panel in a window %i wide',
+  async (width) => {
+    const link = 'sample=three-faces';
+    const mesh = 'Three faces at an edge';
+    const explorer = await ExplorerPage.open({ width, height: 800, link, mesh });
+    const controls = '.top-bar button, .pick-bar label, .pick-bar button, .panel';
+    const found = await boxes(explorer.page, controls);
+    expect(found.filter(({ x, right }) => x < 0 || right > width)).toEqual([]);
+    for (const [i, one] of found.entries()) {
+      expect(found.slice(0, i).filter((other) => overlap(one, other))).toEqual([]);
+    }
+    await explorer.close();
+  },
+);
