@@ -82,3 +82,34 @@ test.each([
   },
   360_000,
 );
+
+test('What is chosen can be seen in the colours of the system, where those are forced', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v3', mesh: 'Cube' });
+  const { page } = explorer;
+  await page.emulateMedia({ forcedColors: 'active' });
+  const isLit = (selector: string) =>
+    page.$eval(selector, (chosen) => {
+      const lit = document.body.appendChild(document.createElement('i'));
+      lit.style.backgroundColor = 'Highlight';
+      const [one, other] = [chosen, lit].map((each) => getComputedStyle(each).backgroundColor);
+      lit.remove();
+      return one === other;
+    });
+  await explorer.press('.', '.');
+  const unlit: string[] = [];
+  for (const selector of [
+    '.tabs [aria-current=true]',
+    '.pick-bar label:has(:checked)',
+    '.chips label:has(:checked)',
+    '.listing [aria-current]',
+    '.visited [aria-current]',
+  ]) {
+    if (!(await isLit(selector))) unlit.push(selector);
+  }
+  expect(unlit).toEqual([]);
+  await page.click('[data-tab-button=records]');
+  await explorer.press('h');
+  await page.waitForSelector('.record.selected');
+  expect(await isLit('.record.selected')).toBe(true);
+  await explorer.close();
+});
