@@ -305,6 +305,25 @@ describe('History', () => {
   });
 });
 
+test('Leaving the page asks, as long as there are edits that no file has', async () => {
+  const leaving = await ExplorerPage.open({ link: 'sample=cube&select=e3', mesh: 'Cube' });
+  const { page } = leaving;
+  await leaving.press('Shift+V');
+  await leaving.until('undo', '1');
+  const asked = page.waitForEvent('dialog');
+  await page.close({ runBeforeUnload: true });
+  const dialog = await asked;
+  expect(dialog.type()).toBe('beforeunload');
+  await dialog.dismiss();
+  await page.click('[data-tab-button=mesh]');
+  await page.click('[data-download=obj]');
+  const closed = page.waitForEvent('close');
+  await page.close({ runBeforeUnload: true });
+  await closed;
+  expect(leaving.complaints).toEqual([]);
+  await leaving.close();
+});
+
 describe('The picture', () => {
   test('moves from before to after, and is where it belongs when it is interrupted', async () => {
     const moving = await ExplorerPage.open({ motion: true });

@@ -99,6 +99,9 @@ async function start(): Promise<void> {
   await init();
   if (location.hash.length > 1) await followLink(view);
   if (!explorer.document.value) await explorer.openFirstSample();
+  window.addEventListener('beforeunload', (event) => {
+    if (explorer.editor.isUnsaved) event.preventDefault();
+  });
   window.addEventListener('hashchange', () => void followLink(view));
 }
 

@@ -83,6 +83,8 @@ export class Editor {
 
   readonly #explorer: Explorer;
   #done: Step[] = [];
+  /** The last step that a file has which was saved. */
+  #saved: Step | undefined;
   #undone: Step[] = [];
   /** Whether there were steps that are forgotten. */
   #forgot = false;
@@ -104,6 +106,7 @@ export class Editor {
   begin(): void {
     this.#done = [];
     this.#undone = [];
+    this.#saved = undefined;
     this.#forgot = false;
     this.edit.value = null;
     this.#wait(null);
@@ -186,6 +189,16 @@ export class Editor {
   /** All that was done since the mesh was opened; null if not all of it is known any more. */
   get deeds(): readonly string[] | null {
     return this.#forgot ? null : this.#done.map(({ deed }) => deed);
+  }
+
+  /** Whether there are edits that no file has. */
+  get isUnsaved(): boolean {
+    return this.#done.at(-1) !== this.#saved;
+  }
+
+  /** The mesh as it is was saved to a file. */
+  markSaved(): void {
+    this.#saved = this.#done.at(-1);
   }
 
   get #mesh(): HalfedgeMesh | undefined {

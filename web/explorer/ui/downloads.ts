@@ -27,6 +27,7 @@ export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLEle
     try {
       const { name, content, notes } = fileOf(opened, format);
       offer(name, content);
+      explorer.editor.markSaved();
       outcome.textContent = [`Saved ${name}, ${sizeWords(content.size)}.`, ...notes].join(' ');
     } catch (error) {
       outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
