@@ -70,6 +70,13 @@ describe('addFace', () => {
     expect(() => mesh.addFace([0, 1, 2])).toThrow('vertices[2] is vertex 2, which was deleted');
   });
 
+  test('takes a long list by index, whatever iterator it has', () => {
+    using mesh = HalfedgeMesh.grid(20, 20);
+    const indices = Array.from({ length: 100 }, (_, i) => i);
+    const list = Object.assign([...indices], { *[Symbol.iterator]() {} });
+    expect(mesh.checkAddFace(list)).toEqual(mesh.checkAddFace(indices));
+  });
+
   test('survives a list that changes the mesh while it is read', () => {
     using mesh = build(twoTriangles());
     const list = [1, 0, 0];

@@ -1,4 +1,4 @@
-import { describe, lengthOfArrayLike } from './arguments.js';
+import { describe, lengthOfArrayLike, newArray } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
 import type { ItemKind } from './items.js';
@@ -124,10 +124,10 @@ export function withList(
   const count = lengthOfArrayLike(argument, list, `an array of ${plural}`);
   for (let i = 0; i < count; i++) checkListed(links, argument, list, kind, i);
   if (count > SHORT) {
-    return withInputs(core, (inputs) => {
-      const block = inputs.indices(argument, Uint32Array.from(list));
-      return use(block.address, count);
-    });
+    // By index, as it was checked: an iterator of the list's own may give fewer.
+    const copy = newArray(argument, Uint32Array, count);
+    for (let i = 0; i < count; i++) copy[i] = list[i];
+    return withInputs(core, (inputs) => use(inputs.indices(argument, copy).address, count));
   }
   if (shortList.length === 0 || shortList.buffer !== core.memory.buffer) {
     shortList = new Uint32Array(core.memory.buffer, core._short_list() >>> 0, SHORT);
