@@ -181,7 +181,9 @@ describe('removeDegenerateFaces', () => {
     mesh.setPosition(1, mesh.positions.slice(0, 3));
     const { counts, problems } = mended(mesh, (m) => m.removeDegenerateFaces());
     expect(counts).toEqual({ 'zero-length-edge': 1, 'degenerate-face': 2 });
-    expect(problems[0].message).toMatch(/^Edge \d has a length of 0 but can't be collapsed: /);
+    const [short] = problems;
+    expect(short.message).toMatch(/^Edge \d has a length of 0 but can't be collapsed: /);
+    expect(short).toMatchObject({ kind: 'edge', index: short.witness?.edges[0] });
     expect(() => mesh.removeDegenerateFaces({ tolerance: -1 })).toThrow(RangeError);
   });
 });
@@ -205,7 +207,9 @@ describe('fillHoles', () => {
     using mesh = HalfedgeMesh.cylinder(8, { caps: 'open' });
     const small = mended(mesh, (m) => m.fillHoles({ maxEdges: 7 }));
     expect(small.counts).toEqual({ 'large-hole': 2 });
-    expect(small.problems[0].message).toMatch(/of 8 edges, is larger than asked for, expected 7/);
+    const [hole] = small.problems;
+    expect(hole.message).toMatch(/of 8 edges, is larger than asked for, expected 7/);
+    expect(hole).toMatchObject({ kind: 'halfedge', index: hole.witness?.halfedges[0] });
     using sheet = HalfedgeMesh.grid(3, 3);
     const outline = mended(sheet, (m) => m.fillHoles());
     expect(outline.counts).toEqual({ 'folding-hole': 1 });

@@ -30,10 +30,20 @@ export function problemOf(
   return { code, severity, ...subjectOf(witness), message: sentence(message) + advice, witness };
 }
 
-/** What a problem with an input is about: a face or a vertex if it names one, else its first face. */
-function subjectOf({ faces, vertices }: Witness): Pick<Problem, 'kind' | 'index'> {
+/**
+ * What a problem is about: a face or a vertex if it names one, else its first face, else the one edge or
+ * halfedge that it names.
+ */
+function subjectOf({
+  faces,
+  vertices,
+  edges,
+  halfedges,
+}: Witness): Pick<Problem, 'kind' | 'index'> {
   if (vertices.length === 1 && faces.length !== 1) return { kind: 'vertex', index: vertices[0] };
   if (faces.length > 0) return { kind: 'face', index: faces[0] };
+  if (edges.length === 1) return { kind: 'edge', index: edges[0] };
+  if (halfedges.length === 1) return { kind: 'halfedge', index: halfedges[0] };
   return { kind: 'mesh', index: -1 };
 }
 
