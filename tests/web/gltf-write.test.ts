@@ -130,6 +130,45 @@ describe('writeGltf', () => {
     mesh.dispose();
   });
 
+  test('refuses positions that are not finite, of polygons too', async () => {
+    for (const mesh of [HalfedgeMesh.tetrahedron(), HalfedgeMesh.cube()]) {
+      mesh.positions[4] = Number.POSITIVE_INFINITY;
+      const error = await rejection(writeGltf(mesh));
+      expect(error).toMatchObject({ code: 'non-finite-position', witness: { vertices: [1] } });
+      expect(error.message).toMatch(
+        /^Vertex 1 has the position \S+, Infinity, \S+, expected finite numbers in glTF\.$/,
+      );
+      mesh.dispose();
+    }
+  });
+
+  test('brings normals to length 1, clears what is not finite, and says so', async () => {
+    const warn = import.meta.jest.spyOn(console, 'warn').mockImplementation(() => {});
+    using mesh = HalfedgeMesh.tetrahedron();
+    mesh.addVertex(); // without a corner, and so without a normal of one
+    const normal = mesh.attributes.add('halfedge', 'normal', { components: 3 });
+    for (let h = 0; h < mesh.halfedgeSlots; h++) normal.set([0, 0, 1], 3 * h);
+    const written = async () => {
+      const notes: string[] = [];
+      const bytes = await writeGltf(mesh, { onNote: (note) => notes.push(note) });
+      return { notes, again: (await readGltf(bytes)).mesh };
+    };
+    expect((await written()).notes).toEqual([]);
+    mesh.attributes.remove('halfedge', 'normal');
+    mesh.attributes.add('vertex', 'normal', { components: 3 }).set([0, 3, 4, Number.NaN], 3);
+    mesh.attributes.add('vertex', 'uv', { components: 2 }).set([Number.NaN, 1]);
+    const { notes, again } = await written();
+    expect(notes).toEqual([
+      'Wrote the vertex attribute "normal" brought to length 1: glTF has no other normals.',
+      'Wrote 0 where the vertex attribute "uv" is no finite number: glTF has no others.',
+    ]);
+    const read = Array.from(again.attributes.get('vertex', 'normal').subarray(0, 9));
+    expect(read).toEqual([1, 0, 0, 0, Math.fround(0.6), Math.fround(0.8), 1, 0, 0]);
+    expect([...again.attributes.get('vertex', 'uv').subarray(0, 2)]).toEqual([0, 1]);
+    expect(warn).not.toHaveBeenCalled();
+    warn.mockRestore();
+  });
+
   test.each(['glb', 'gltf'] as const)(
     'fails where its own bytes can not be read back: %s',
     async (format) => {

@@ -60,10 +60,10 @@ export function readGltfParts(
  * A GLB file of a mesh, or a glTF file with its buffers in it. Positions keep all their bits. Polygons are
  * cut into triangles, as `mesh.triangulate()` does; vertices are doubled where the corners at them have
  * different attributes. `normal`, `uv` and `color` are written, of vertices or of halfedges; `onNote` tells
- * what is left out. A mesh without faces becomes an empty scene.
+ * what is left out, and what was changed: normals are brought to length 1. A mesh without faces becomes an empty scene.
  *
  * @throws HalfedgeError `missing-dependency` (three.js is not installed), `out-of-memory`, `disposed`,
- * `no-triangulation` and the like where `mesh.triangulate()` fails, `write-error` where three.js does; TypeError
+ * `non-finite-position`, `no-triangulation` and the like where `mesh.triangulate()` fails, `write-error` where three.js does; TypeError
  * or RangeError for wrong arguments
  */
 export function writeGltf(

@@ -5,8 +5,9 @@ import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
-import { type Buffers, buffersOf, columnsOf, type Note } from './corners.js';
+import type { Buffers, Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
+import { checkPositions, writableBuffers } from './writable.js';
 
 /** How to write a glTF file. */
 export interface WriteGltfOptions {
@@ -52,13 +53,14 @@ function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
   if (mesh.faceCount === 0 && mesh.vertexCount > 0) {
     note(`Left out ${counted(mesh.vertexCount, 'vertex', 'vertices')}: there are no faces.`);
   }
-  if (mesh.isTriangleMesh()) return buffersOf(mesh, columnsOf(mesh, note));
+  if (mesh.faceCount > 0) checkPositions(mesh);
+  if (mesh.isTriangleMesh()) return writableBuffers(mesh, note);
   const triangles = mesh.clone();
   try {
     triangles.triangulate();
     const faces = counted(mesh.faceCount, 'face', 'faces');
     note(`Cut ${faces} into ${counted(triangles.faceCount, 'triangle')}: glTF has no polygons.`);
-    return buffersOf(triangles, columnsOf(triangles, note));
+    return writableBuffers(triangles, note);
   } finally {
     triangles.dispose();
   }
