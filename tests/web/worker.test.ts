@@ -54,6 +54,20 @@ describe('parseInWorker', () => {
     expect(mesh.connectivity.prev.length).toBe(0);
   });
 
+  test('hands on the options that it inherits', async () => {
+    const reason = new Error('Too late.');
+    const inherited = (options: object) => Object.create(options);
+    expect(await rejection(parseInWorker(CLASHING, inherited({ repair: false })))).toMatchObject({
+      code: 'opposite-orientation',
+    });
+    const aborted = inherited({ signal: AbortSignal.abort(reason) });
+    expect(await rejection(parseInWorker(SQUARE, aborted))).toBe(reason);
+    const worker = createMeshWorker();
+    const soup = await worker.fromSoup([0, 0, 0], [], inherited({ dropIsolated: true }));
+    worker.terminate();
+    expect(soup.mesh.vertexCount).toBe(0);
+  });
+
   test.each([
     ['a file that is none', 'OFF\n3 1 0\n0 0 zero\n', {}],
     ['a strict build', CLASHING, { repair: false }],

@@ -52,6 +52,7 @@ const PARSE_JOB_OPTIONS: OptionNames<ParseOptions & JobOptions> = {
   ...PARSE_OPTIONS,
   ...JOB_OPTIONS,
 };
+const SOUP_JOB_OPTIONS: OptionNames<SoupOptions & JobOptions> = { ...SOUP_OPTIONS, ...JOB_OPTIONS };
 const WORKER_OPTIONS: OptionNames<MeshWorkerOptions> = { worker: true };
 
 /** As ProgressOptions, with undefined as well. */
@@ -90,8 +91,9 @@ export class MeshWorker {
     options: ParseOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
     this.#checkOpen();
-    const content = checkParse(source, checkOptions(options, PARSE_JOB_OPTIONS));
-    const { signal, transfer = false, onProgress, ...rest } = options;
+    const given = takeOptions(options, PARSE_JOB_OPTIONS);
+    const content = checkParse(source, given);
+    const { signal, transfer = false, onProgress, ...rest } = given;
     const tells = onProgress !== undefined;
     const [data] = owned([content], transfer);
     const job: Job = { kind: 'parse', data, options: rest, tells };
@@ -106,11 +108,11 @@ export class MeshWorker {
     options: SoupOptions & JobOptions = {},
   ): Promise<{ mesh: HalfedgeMesh; report: RepairReport }> {
     this.#checkOpen();
-    checkOptions(options, { ...SOUP_OPTIONS, ...JOB_OPTIONS });
-    checkJobOptions(options);
-    soupOptions(options);
+    const given = takeOptions(options, SOUP_JOB_OPTIONS);
+    checkJobOptions(given);
+    soupOptions(given);
     const arrays = soupArrays(positions, faces);
-    const { signal, transfer = false, ...rest } = options;
+    const { signal, transfer = false, ...rest } = given;
     const data = owned([arrays.points, arrays.sizes, arrays.corners], transfer);
     const [points, sizes, corners] = data;
     const job: Job = {
@@ -288,7 +290,7 @@ export async function parseInWorker(
   options: ParseOptions & JobOptions & MeshWorkerOptions = {},
 ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
   const names = { ...PARSE_JOB_OPTIONS, ...WORKER_OPTIONS };
-  const { worker: make, ...rest } = checkOptions<typeof options>(options, names);
+  const { worker: make, ...rest } = takeOptions<typeof options>(options, names);
   checkParse(source, rest); // no thread is started in vain
   const worker = createMeshWorker(make === undefined ? {} : { worker: make });
   try {
@@ -302,6 +304,17 @@ const failed = (why: string, cause?: unknown) =>
   new HalfedgeError('worker-failed', `The worker failed: ${why.replace(/\.\s*$/, '')}.`, { cause });
 
 const meshOf = (bytes: Uint8Array) => new HalfedgeMesh(linksOfBytes(bytes, true));
+
+/** A copy to be sent, with what is inherited: as `checkOptions`, which accepts that. */
+function takeOptions<Options extends object>(
+  options: Options,
+  names: OptionNames<Options>,
+): Options {
+  checkOptions(options, names);
+  const taken = { ...options };
+  for (const name in names) if (options[name] !== undefined) taken[name] = options[name];
+  return taken;
+}
 
 /** Throws also if the job is cancelled already. */
 function checkJobOptions({ signal, transfer = false }: JobOptions): void {
