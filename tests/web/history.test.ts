@@ -226,6 +226,22 @@ describe('A group', () => {
     expect(mesh.position(0)).toEqual([1, 2, 3]);
   });
 
+  test('within another takes nothing back by itself', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    const before = stateOf(mesh);
+    const failing = () =>
+      history.group(() => {
+        mesh.setPosition(0, [1, 2, 3]);
+        throw new Error('of the user');
+      });
+    history.group(() => expect(failing).toThrow('of the user'));
+    expect(mesh.position(0)).toEqual([1, 2, 3]);
+    history.undo();
+    expect(stateOf(mesh)).toEqual(before);
+  });
+
   test('may dispose of the mesh', () => {
     const mesh = triangles();
     mesh.history.enabled = true;
@@ -241,6 +257,7 @@ describe('A group', () => {
       () => history.undo(),
       () => history.redo(),
       () => history.clear(),
+      () => mesh.clear(),
       () => history.limit({ steps: 1 }),
       () => {
         history.enabled = false;

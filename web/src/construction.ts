@@ -13,6 +13,7 @@ import {
   type Refusal,
   withList,
 } from './edit.js';
+import { checkNoGroup } from './history.js';
 import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike } from './items.js';
 import { checkItem, type Links } from './links.js';
 import { linksOf } from './navigation.js';
@@ -253,9 +254,15 @@ export abstract class Construction extends Circulation {
     done(links, links.core._reserve(links.address, vertices, edges, faces));
   }
 
-  /** Removes all items, with their slots. Attributes stay, without values; history is forgotten. */
+  /**
+   * Removes all items, with their slots. Attributes stay, without values; history is forgotten.
+   *
+   * @throws HalfedgeError `open-group` inside of `history.group`
+   */
   clear(): void {
     const links = linksOf(this);
+    links.checkAlive();
+    checkNoGroup(links, 'clear()', 'called');
     links.core._clear(links.address);
     links.update();
   }

@@ -46,7 +46,7 @@ export class History {
     checkFlag('enabled', enabled);
     const { core, address } = this.#links;
     if (enabled === this.#enabled) return;
-    this.#checkNoGroup('enabled', 'changed');
+    checkNoGroup(this.#links, 'enabled', 'changed');
     if (!enabled) core._disable_history(address);
     else if (core._enable_history(address, this.#limits.steps, this.#limits.bytes) === 0) {
       throw outOfMemory('history');
@@ -85,7 +85,12 @@ export class History {
 
   /**
    * Calls `edit`; all that it changes is one step. Groups within it join it. If it throws, what it has
-   * changed is taken back, and the error goes on; with history off, what was changed stays.
+   * changed is taken back, and the error goes on; with history off, what was changed stays. A group within
+   * another takes nothing back by itself: if its error is caught in there, what it has changed stays; if
+   * it isn't, the outermost group takes back everything.
+   *
+   * No history covers `attributes.add` and `remove`, `generations.enabled`, and `clear()` of the mesh, which
+   * is refused in a group.
    *
    * @returns what `edit` returned
    * @throws TypeError if that is a promise: what comes after an `await` is no part of the group
@@ -116,7 +121,7 @@ export class History {
     checkLimit('steps', steps);
     checkLimit('bytes', bytes);
     const { core, address } = this.#links;
-    this.#checkNoGroup('limit()', 'called');
+    checkNoGroup(this.#links, 'limit()', 'called');
     this.#limits = { steps, bytes };
     if (this.#enabled) core._limit_history(address, steps, bytes);
   }
@@ -124,14 +129,14 @@ export class History {
   /** Forgets all steps. */
   clear(): void {
     const { core, address } = this.#links;
-    this.#checkNoGroup('clear()', 'called');
+    checkNoGroup(this.#links, 'clear()', 'called');
     core._forget_history(address);
   }
 
   #travel(way: 'undo' | 'redo'): boolean {
     const links = this.#links;
     const { core, address } = links;
-    this.#checkNoGroup(`${way}()`, 'called');
+    checkNoGroup(links, `${way}()`, 'called');
     const moved = way === 'undo' ? core._undo(address) : core._redo(address);
     links.update();
     return moved !== 0;
@@ -151,14 +156,15 @@ export class History {
     core._abandon_step(address);
     this.#links.update();
   }
+}
 
-  #checkNoGroup(what: string, done: string): void {
-    if (this.#links.groups === 0) return;
-    throw new HalfedgeError(
-      'open-group',
-      `${what} was ${done} inside of group(); expected it to be ${done} between steps.`,
-    );
-  }
+/** Throws inside of a group: what was `done` ends all steps, or is none. */
+export function checkNoGroup(links: Links, what: string, done: string): void {
+  if (links.groups === 0) return;
+  throw new HalfedgeError(
+    'open-group',
+    `${what} was ${done} inside of group(); expected it to be ${done} between steps.`,
+  );
 }
 
 /** Throws if a function that was to be a group goes on later. */
