@@ -248,6 +248,8 @@ describe('parse', () => {
     'https://example.com/bunny',
     'blob:https://example.com/5f6b',
     '/models/scene.glb',
+    '/my models/bunny.obj',
+    'My Bunny (1).ply',
   ])('tells the name of a file, %s, from what is in it', (name) => {
     for (const read of [() => HalfedgeMesh.parse(name), () => HalfedgeMesh.parseSoup(name)]) {
       const { code, message } = errorOf(read);

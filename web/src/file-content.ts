@@ -38,15 +38,18 @@ export function checkText(argument: string, text: string): void {
   }
 }
 
-/** One word that is an address, or ends as names of files do; no file has nothing else in it. */
+/**
+ * One word that is an address, or a line that ends as names of files do; no file has nothing else in it, but a
+ * statement that names another.
+ */
 function isName(text: string): boolean {
-  return (
-    text.length < 2000 &&
-    /^(?:(?:https?|file|blob|data):\S*|[^#\s]\S*\.(?:obj|off|ply|stl|gltf|glb)(?:[?#]\S*)?)$/i.test(
-      text,
-    )
-  );
+  return text.length < 2000 && (ADDRESS.test(text) || (NAME.test(text) && !STATEMENT.test(text)));
 }
+
+const ADDRESS = /^(?:https?|file|blob|data):\S*$/i;
+const NAME = /^[^#\s][^\r\n]*\.(?:obj|off|ply|stl|gltf|glb)(?:[?#]\S*)?$/i;
+/** Of OBJ and STL. */
+const STATEMENT = /^(?:o|g|s|call|mtllib|usemtl|maplib|usemap|shadow_obj|trace_obj|solid)[ \t]/i;
 
 /** Whether anything is seen behind a NUL, as in no text, and letters that bytes were taken for. */
 function isBinary(text: string): boolean {
