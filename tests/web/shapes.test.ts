@@ -126,6 +126,12 @@ describe('A shape', () => {
         new RangeError('options.size is -1; expected a positive number that fits a 32-bit float.'),
       ],
       [
+        () => HalfedgeMesh.cube({ size: 1e-46 }),
+        new RangeError(
+          'options.size is 1e-46; expected a positive number that fits a 32-bit float.',
+        ),
+      ],
+      [
         () => HalfedgeMesh.icosahedron({ radius: 1e40 }),
         new RangeError(
           'options.radius is 1e+40; expected a positive number that fits a 32-bit float.',

@@ -252,7 +252,8 @@ function count(argument: string, value: unknown, least: number): number {
 }
 
 function length(option: string, value: unknown): number {
-  if (typeof value === 'number' && value > 0 && Number.isFinite(Math.fround(value))) return value;
+  const stored = typeof value === 'number' ? Math.fround(value) : 0;
+  if (stored > 0 && Number.isFinite(stored)) return value as number;
   refuse(`options.${option}`, value, 'a positive number that fits a 32-bit float', 'number');
 }
 
