@@ -31,6 +31,13 @@ describe('write', () => {
     expect(mesh.write('stl', { encoding: 'text' })).toMatch(/^solid\nfacet normal 0 0 1\n/);
   });
 
+  test('has the type of what it returns', () => {
+    const text: string[] = [mesh.write('obj'), mesh.write('off', { attributes: false })];
+    const bytes: Uint8Array[] = [mesh.write('ply'), mesh.write('stl', { encoding: 'binary' })];
+    expect(text.map((content) => typeof content)).toEqual(['string', 'string']);
+    for (const content of bytes) expect(content).toBeInstanceOf(Uint8Array);
+  });
+
   const forms: [FileFormat, WriteOptions][] = [
     ['obj', {}],
     ['off', {}],

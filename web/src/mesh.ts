@@ -204,6 +204,11 @@ export class HalfedgeMesh extends Shapes {
    * `non-finite-position` (in STL), `corrupt-connectivity`, `out-of-memory`
    */
   write(format: 'obj', options?: WriteOptions): string;
+  write(format: 'off', options?: WriteOptions & { encoding?: 'text' }): string;
+  write(
+    format: 'ply' | 'stl',
+    options?: WriteOptions & { encoding?: 'binary' | 'binary-big-endian' },
+  ): Uint8Array;
   write(format: FileFormat, options: WriteOptions & { encoding: 'text' }): string;
   write(
     format: FileFormat,
