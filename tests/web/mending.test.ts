@@ -183,7 +183,7 @@ describe('removeDegenerateFaces', () => {
     expect(counts).toEqual({ 'zero-length-edge': 1, 'degenerate-face': 2 });
     const [short] = problems;
     expect(short.message).toMatch(/^Edge \d has a length of 0 but can't be collapsed: /);
-    expect(short).toMatchObject({ kind: 'edge', index: short.witness?.edges[0] });
+    expect(short).toMatchObject({ kind: 'edge', index: short.witness.edges[0] });
     expect(() => mesh.removeDegenerateFaces({ tolerance: -1 })).toThrow(RangeError);
   });
 });
@@ -209,7 +209,7 @@ describe('fillHoles', () => {
     expect(small.counts).toEqual({ 'large-hole': 2 });
     const [hole] = small.problems;
     expect(hole.message).toMatch(/of 8 edges, is larger than asked for, expected 7/);
-    expect(hole).toMatchObject({ kind: 'halfedge', index: hole.witness?.halfedges[0] });
+    expect(hole).toMatchObject({ kind: 'halfedge', index: hole.witness.halfedges[0] });
     using sheet = HalfedgeMesh.grid(3, 3);
     const outline = mended(sheet, (m) => m.fillHoles());
     expect(outline.counts).toEqual({ 'folding-hole': 1 });

@@ -21,7 +21,7 @@ export interface Problem {
   readonly index: number;
   /** One sentence that names the item, its value and what was expected. */
   readonly message: string;
-  /** The items that show it, of a build. */
+  /** The items that show it, of a build or a repair. */
   readonly witness?: Witness;
 }
 

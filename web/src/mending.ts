@@ -45,7 +45,7 @@ export interface MendReport {
   /** How many items each code was found of. */
   readonly counts: Readonly<Partial<Record<MendCode, number>>>;
   /** What could not be done, and why: a sentence each; at most 100 of each code. */
-  readonly problems: readonly Problem[];
+  readonly problems: readonly Required<Problem>[];
   /** The items that were touched or made: each repair says which. */
   readonly vertices: Uint32Array;
   readonly edges: Uint32Array;

@@ -19,7 +19,7 @@ export function unwrap<T extends object>(raw: T | RawFailure): T {
 export function problemOf(
   { code, message, ...items }: RawProblem,
   severity: Problem['severity'],
-): Problem {
+): Required<Problem> {
   const witness: Witness = {
     vertices: Array.from(items.vertices),
     halfedges: Array.from(items.halfedges),
