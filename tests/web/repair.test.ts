@@ -206,6 +206,13 @@ describe('fromSoup', () => {
     [CORNERS, [], { weld: Number.NaN }, RangeError, 'options.weld is NaN'],
     [CORNERS, [], { dropIsolated: 1 }, TypeError, 'options.dropIsolated is 1'],
     [CORNERS, { sizes: [4], corners: [0, 1, 2] }, {}, HalfedgeError, 'The face sizes add up to 4'],
+    [
+      CORNERS,
+      { sizes: Int32Array.of(-1), corners: [0] },
+      {},
+      RangeError,
+      'sizes[0] is -1; expected',
+    ],
   ])('refuses wrong arguments: %j, %j, %j', (positions, faces, options, kind, message) => {
     const call = () => HalfedgeMesh.fromSoup(positions, faces as never, options as never);
     expect(call).toThrow(kind as never);

@@ -1,4 +1,5 @@
 import {
+  checkNotNegative,
   indices,
   lengthOf,
   lengthOfArrayLike,
@@ -113,6 +114,8 @@ export function soupLinks(
       withPrev,
     );
   });
+  // The core saw unsigned numbers: say what was really given.
+  if ('problems' in raw && sizes !== undefined) checkNotNegative('sizes', sizes);
   const done = unwrap(raw);
   return new Links(wasm, done.mesh).orDispose((links) => {
     return { links, report: repairReport(wasm, done) };
