@@ -269,6 +269,15 @@ describe('A mesh worker', () => {
     expect(await rejection(worker.parse(SQUARE))).toMatchObject({ code: 'worker-terminated' });
   });
 
+  test('declared with using is terminated at the end of its block', async () => {
+    let job: Promise<unknown>;
+    {
+      using disposed = createMeshWorker();
+      job = rejection(disposed.parse(SQUARE));
+    }
+    expect(await job).toMatchObject({ code: 'worker-terminated' });
+  });
+
   test('leaves nothing in memory here but the mesh', async () => {
     const { mesh } = await worker.parse(SQUARE);
     mesh.dispose();

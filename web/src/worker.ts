@@ -1,3 +1,6 @@
+// Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
+/// <reference lib="esnext.disposable" preserve="true" />
+
 import { bytesOf } from './arguments.js';
 import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
@@ -26,6 +29,9 @@ declare global {
   // As of the browser. A consumer in Node may do without its types, but not without names.
   interface Blob {}
 }
+
+/** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
+const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /** How a job is done. */
 export interface JobOptions {
@@ -133,6 +139,11 @@ export class MeshWorker {
       task.reject(error);
     }
     this.#stop();
+  }
+
+  /** `terminate()`, at the end of the block that declares `using worker = ...`. */
+  [disposeSymbol](): void {
+    this.terminate();
   }
 
   /** Before anything is taken from a caller. */
