@@ -5,6 +5,7 @@ import { checkOptions } from './options.js';
 
 declare global {
   // The types of the browser have these. A consumer in Node may do without them, but not without names.
+  interface URL {}
   namespace WebAssembly {
     interface Module {}
     interface Instance {}
