@@ -136,7 +136,7 @@ void renumber_attributes(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>
     const Index width = kind == ItemKind::kEdge ? 2 : 1;
     for (const std::unique_ptr<Attribute>& column : mesh.attributes().of(kind)) {
       for (Index i = 0; i < column->slots(); ++i) {
-        const Halfedge to = new_of[width * i];
+        const Halfedge to = new_of[std::size_t{width} * i];
         place[i] = to.valid() ? to.index() / width : i;
       }
       for (Index i = 0; i < column->slots(); ++i) {
