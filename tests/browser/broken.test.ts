@@ -96,6 +96,8 @@ describe('A broken file', () => {
       'turned over',
       'cut or doubled',
     ]);
+    expect(await explorer.page.isDisabled('[name=pick-mode][value=face]')).toBe(true);
+    expect(await explorer.page.textContent('.inspector .facts')).toContain('switch to Repaired');
     await explorer.projection();
     expect(await explorer.state('camera')).toBe(camera);
     expect(await explorer.colours(250, 150, 400, 500)).not.toBe(repaired);

@@ -126,6 +126,13 @@ test('A broken link is told in a sentence and leaves a mesh to work with', async
   await closeAll(explorer);
 });
 
+test('A link to an item that its mesh does not have says so', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v99', mesh: 'Cube' });
+  const told = await explorer.page.textContent('.notice [data-message]');
+  expect(told).toContain('v99');
+  await closeAll(explorer);
+});
+
 test('An edit in a link that is refused tells why', async () => {
   const link = 'sample=grid&edits=removeVertexOnEdge v24';
   const explorer = await ExplorerPage.open({ link, mesh: 'Open grid' });

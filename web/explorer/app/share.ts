@@ -84,7 +84,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   await openMeshOf(link, explorer);
   repeatEdits(link.get('edits'), explorer);
   const selected = link.get('select');
-  if (selected !== null) explorer.select(selected === 'nothing' ? null : itemOf(selected));
+  if (selected !== null) selectIn(selected, explorer);
   setQuery(link, explorer);
   setCaptions(link, explorer);
   if (link.get('picture') === 'original') explorer.showFile(true);
@@ -173,6 +173,11 @@ function setCaptions(link: URLSearchParams, explorer: Explorer): void {
   }
   if (labels) explorer.labels.value = labels;
   explorer.pointers.value = link.get('pointers') === 'on';
+}
+
+function selectIn(name: string, explorer: Explorer): void {
+  explorer.select(name === 'nothing' ? null : itemOf(name));
+  if (explorer.remark.value !== '') throw new Error(explorer.remark.value);
 }
 
 function itemOf(name: string): Item {

@@ -35,13 +35,20 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
     direction.hidden = !hasDirection(choice.circulator);
   };
   explorer.choice.subscribe(show);
-  explorer.document.subscribe((opened) => {
-    const isEmpty = opened?.mesh.vertexCount === 0;
-    nothing.textContent = isEmpty
-      ? 'There is nothing to walk around.'
-      : 'Pick an item to walk around it.';
-  });
+  const tell = () => {
+    nothing.textContent = emptyWords(explorer);
+  };
+  explorer.document.subscribe(tell);
+  explorer.showsFile.subscribe(tell);
   return section;
+}
+
+/** What to do while nothing is selected. */
+function emptyWords(explorer: Explorer): string {
+  if (explorer.showsFile.value)
+    return 'Switch to Repaired (R) to walk around the items of the mesh.';
+  if (explorer.document.value?.mesh.vertexCount === 0) return 'There is nothing to walk around.';
+  return 'Pick an item to walk around it.';
 }
 
 /** Which item to go around, where there is a choice, and what to list there. */

@@ -33,8 +33,7 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     const mesh = explorer.document.value?.mesh;
     if (!selected || !mesh) {
       title.textContent = 'Nothing selected';
-      const isEmpty = mesh?.vertexCount === 0;
-      fill(facts, isEmpty ? 'There is nothing to pick.' : 'Pick a vertex, edge, halfedge or face.');
+      fill(facts, emptyWords(explorer));
       fill(links);
       fill(attributes);
       return;
@@ -53,6 +52,7 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
   explorer.dialect.subscribe(show);
   explorer.document.subscribe(show);
   explorer.selected.subscribe(show);
+  explorer.showsFile.subscribe(show);
   return h(
     'section',
     { class: 'inspector', 'aria-labelledby': 'inspector-title' },
@@ -61,6 +61,14 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     attributes,
     remark,
   );
+}
+
+/** What to do while nothing is selected. */
+function emptyWords(explorer: Explorer): string {
+  if (explorer.showsFile.value)
+    return 'This is the file as it was: switch to Repaired (R) to pick.';
+  if (explorer.document.value?.mesh.vertexCount === 0) return 'There is nothing to pick.';
+  return 'Pick a vertex, edge, halfedge or face.';
 }
 
 function fact(text: string): HTMLElement {

@@ -31,6 +31,10 @@ export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
     explorer.pickMode.subscribe((current) => {
       input.checked = current === mode;
     });
+    // Of the file as it was nothing can be picked.
+    explorer.showsFile.subscribe((shows) => {
+      input.disabled = shows;
+    });
     modes.append(h('label', { title }, input, text));
   }
   const readout = h('p', { class: 'readout card' });
