@@ -98,9 +98,9 @@ class Attribute {
     return const_cast<Attribute*>(this)->values<T>();
   }
 
-  /// The value of new items, in bytes.
-  /// False if there was no memory for it: then the column is of no use.
+  /// False if there was no memory for the default: then the column is of no use.
   [[nodiscard]] bool has_default() const { return default_.size() == stride_; }
+  /// The value of new items, in bytes.
   [[nodiscard]] std::span<const std::byte> default_value() const { return default_.span(); }
 
   /// One component of one item, as a number.
