@@ -211,6 +211,29 @@ TEST(Adjacency, NamesTheBrokenRingOfALargeMeshOfVaryingValences) {
   }
 }
 
+TEST(Adjacency, NamesTheTriangleThatIsBroken) {
+  Mesh mesh = reference_build(test::triangle_grid(6, 6));
+  const Face f(17);
+  const Halfedge first = mesh.face_halfedge(f);
+  const Halfedge second = mesh.next(first);
+  for (const Halfedge from : {first, second, mesh.next(second)}) {
+    const Halfedge right = mesh.next(from);
+    const Index past_first = second.index();
+    for (const Index wrong : {mesh.halfedge_slots(), kNone, kDeleted, past_first}) {
+      if (wrong == right.index()) continue;
+      mesh.mutable_links().next[from.index()] = wrong;
+      for (const Ring ring : {Ring::kFaceVertices, Ring::kFaceFaces}) {
+        Adjacency result;
+        const Result<void> done = adjacency(mesh, ring, Direction::kCcw, result);
+        ASSERT_FALSE(done.ok()) << from.index() << " leads to " << wrong;
+        EXPECT_EQ(done.error().message,
+                  "the ring around face 17 does not close: validate names the broken links");
+      }
+    }
+    mesh.mutable_links().next[from.index()] = right.index();
+  }
+}
+
 TEST(Adjacency, HasEmptyRowsForDeletedSlots) {
   const Mesh mesh = mesh_with_deleted_slots();
   for (const Kind& kind : kinds()) {

@@ -42,6 +42,27 @@ bool valences_vary(const RawLinks& links) {
   return *std::max_element(count.begin(), count.end()) < kSamples / 8 * 7;
 }
 
+// Whether most faces are triangles. Looks at a few.
+bool most_are_triangles(const RawLinks& links) {
+  using Around = RingOf<Face, walk::LoopCcw, view::Self>;
+  constexpr Index kSamples = 64;
+  Index triangles = 0;
+  for (Index i = 0; i < kSamples; ++i) {
+    const Face f(Index(std::uint64_t{i} * links.slots(Face{}) / kSamples));
+    Index steps = 4;
+    if (!links.is_live(f)) continue;
+    const bool closes = walk_ring<Around>(links, first_of<Around>(links, f), steps, [](Index) {});
+    triangles += closes && steps == 1 ? 1 : 0;
+  }
+  return triangles > kSamples / 2;
+}
+
+// Whether short rings are best written without a loop.
+bool pays_to_unroll(const RawLinks& links, ItemKind centre) {
+  if (centre == ItemKind::kVertex) return valences_vary(links);
+  return centre == ItemKind::kFace && most_are_triangles(links);
+}
+
 // Writes the ring that begins at `first` to `at`, and moves that behind it. False if it is broken,
 // or longer than there is room before `end`. Where items can be missing `steps` counts down the
 // steps; elsewhere the place to write to tells how many were taken.
@@ -64,6 +85,25 @@ bool write_ring_at(const RawLinks& links, Halfedge first, Index*& at, const Inde
     } while (h != first);
     return true;
   }
+}
+
+// The same for rings of a few items, without a branch at each step. False, with `at` where it was,
+// if the ring is longer, broken, or has a missing item.
+template <class Ring>
+bool write_short_at(const RawLinks& links, Halfedge first, Index*& at, const Index* end,
+                    Index& steps) {
+  constexpr bool kCanBeEmpty = Ring::View::kCanBeEmpty;
+  const Index room = kCanBeEmpty ? steps : Index(end - at);
+  Index length = 3;
+  if constexpr (std::is_same_v<typename Ring::Centre, Face>) {
+    if (room < length || !write_triangle<Ring>(links, first, at)) return false;
+  } else {
+    length = write_short_ring<Ring>(links, first, at);
+    if (length > std::min(room, kShortRing)) return false;
+  }
+  at += length;
+  if constexpr (kCanBeEmpty) steps -= length;
+  return true;
 }
 
 // Where the rings of a whole mesh are written, and how far they are.
@@ -89,13 +129,9 @@ Index write_rows(const RawLinks& of_mesh, Index begin, Index stop, Written& writ
     offsets[i] = Index(at - items);
     if (!has_ring(links, Centre(i))) continue;
     const Halfedge first = first_of<Ring>(links, Centre(i));
+    if (!first.valid()) return i;
     if constexpr (kTryShort) {
-      const Index length = write_short_ring<Ring>(links, first, at);
-      if (length <= std::min(steps, kShortRing) && at + length <= end) {
-        at += length;
-        if constexpr (Ring::View::kCanBeEmpty) steps -= length;
-        continue;
-      }
+      if (write_short_at<Ring>(links, first, at, end, steps)) continue;
     }
     if (!write_ring_at<Ring>(links, first, at, end, steps)) return i;
   }
@@ -137,7 +173,7 @@ constexpr RingFunctions functions() {
           [](const RawLinks& links) { return links.slots(Centre{}); },
           [](const RawLinks& links, Index centre) { return links.is_live(Centre(centre)); },
           &write_rows<Ring, false>,
-          &write_rows<Ring, std::is_same_v<Centre, Vertex>>,
+          &write_rows<Ring, !std::is_same_v<Centre, Edge>>,
           &write_one<Ring>};
 }
 
@@ -190,8 +226,8 @@ RingFunctions functions_of(Ring ring, Direction direction) {
 // write_rows does.
 Index write_all(const RawLinks& links, const RingFunctions& functions, const RingLayout& rings,
                 Adjacency& out) {
-  const bool vary = functions.kind == ItemKind::kVertex && valences_vary(links);
-  const auto write = vary ? functions.write_short_rows : functions.write_rows;
+  const auto write =
+      pays_to_unroll(links, functions.kind) ? functions.write_short_rows : functions.write_rows;
   const bool scattered = are_scattered(rings);
   const Index slots = functions.slots(links);
   const Index together = scattered ? kRingsTouched : slots;
