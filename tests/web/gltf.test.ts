@@ -243,6 +243,7 @@ describe('readGltf', () => {
     const nowhere = { baseUrl: pathToFileURL('/no/such/folder/square.gltf') };
     const missing = await rejection(read(elsewhere, nowhere));
     expect(missing.message).toMatch(/folder\/square\.bin can't be loaded: ENOENT/);
+    expect(await rejection(read(elsewhere, Object.create(nowhere)))).toEqual(missing);
     const short = await rejection(read(elsewhere, { resource: () => new Uint8Array(3) }));
     expect(short.message).toBe(
       `glTF: buffers[0] has 3 bytes, expected ${byteLength} as the document says.`,

@@ -228,6 +228,13 @@ describe('IndexLabelsHelper', () => {
     expect(helper.children).toHaveLength(0);
   });
 
+  test('takes options that are inherited, and defaults for those that are undefined', () => {
+    using mesh = HalfedgeMesh.grid(30);
+    const labelled = (options: object) => new IndexLabelsHelper(mesh, options).children;
+    expect(labelled(Object.create({ most: 20 }))).toHaveLength(20);
+    expect(labelled({ kinds: undefined, most: undefined })).toHaveLength(300);
+  });
+
   test('refuses wrong options with a sentence', () => {
     using mesh = HalfedgeMesh.cube();
     const made = (options: object) => () => new IndexLabelsHelper(mesh, options);

@@ -247,6 +247,12 @@ describe('MeshGeometry', () => {
     expect(() => geometry.update()).toThrow(/disposed/);
   });
 
+  test('copies itself with the options that it was given, inherited ones among them', () => {
+    using mesh = HalfedgeMesh.cube();
+    const flat = new MeshGeometry(mesh, Object.create({ normals: 'flat' }));
+    expect([flat.index, flat.clone().index]).toEqual([null, null]);
+  });
+
   test('refuses what is no list of names, and no listener', () => {
     using mesh = HalfedgeMesh.cube();
     mesh.attributes.add('vertex', 'uv', { components: 2 });

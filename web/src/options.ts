@@ -21,6 +21,20 @@ export function checkOptions<Options extends object>(
   return options as Options;
 }
 
+/**
+ * As `checkOptions`, and returns a copy for later: with what the object inherits, and without what is undefined,
+ * which counts as not given.
+ */
+export function takeOptions<Options extends object>(
+  options: Options,
+  names: OptionNames<Options>,
+): Options {
+  checkOptions(options, names);
+  const taken: Partial<Options> = {};
+  for (const name in names) if (options[name] !== undefined) taken[name] = options[name];
+  return taken as Options;
+}
+
 /** Throws unless `value` is an object, and no list; returns it. */
 export function checkObject(value: unknown, argument = 'options'): object {
   if (typeof value === 'object' && value !== null) {

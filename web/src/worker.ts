@@ -8,7 +8,7 @@ import { HalfedgeError } from './errors.js';
 import { checkText } from './file-content.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
-import { checkOptions, type OptionNames } from './options.js';
+import { checkOptions, type OptionNames, takeOptions } from './options.js';
 import { owned, transferable } from './ownership.js';
 import { checkParseOptions, PARSE_OPTIONS, type ParseOptions, type ParseReport } from './parse.js';
 import { cancelled, checkSignal, type ProgressOptions } from './progress.js';
@@ -315,17 +315,6 @@ const failed = (why: string, cause?: unknown) =>
   new HalfedgeError('worker-failed', `The worker failed: ${why.replace(/\.\s*$/, '')}.`, { cause });
 
 const meshOf = (bytes: Uint8Array) => new HalfedgeMesh(linksOfBytes(bytes, true));
-
-/** A copy to be sent, with what is inherited: as `checkOptions`, which accepts that. */
-function takeOptions<Options extends object>(
-  options: Options,
-  names: OptionNames<Options>,
-): Options {
-  checkOptions(options, names);
-  const taken = { ...options };
-  for (const name in names) if (options[name] !== undefined) taken[name] = options[name];
-  return taken;
-}
 
 /** Throws also if the job is cancelled already. */
 function checkJobOptions({ signal, transfer = false }: JobOptions): void {

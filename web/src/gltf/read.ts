@@ -4,7 +4,7 @@ import { HalfedgeError, type Problem } from '../errors.js';
 import { contentOf } from '../file-content.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
-import { checkOptions, type OptionNames } from '../options.js';
+import { type OptionNames, takeOptions } from '../options.js';
 import { type RepairReport, SOUP_OPTIONS, type SoupOptions, soupOptions } from '../repair.js';
 import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
@@ -55,14 +55,16 @@ export interface GltfPart {
 /** All triangles of a file as one mesh. */
 export async function readWhole(
   data: unknown,
-  options: ReadGltfOptions,
+  given: ReadGltfOptions,
 ): Promise<{ mesh: HalfedgeMesh; report: GltfReport }> {
+  const options = takeReadOptions(given);
   const { format, parts, notes } = await loadParts(data, options);
   return meshOf(join(parts.map(({ triangles }) => triangles)), format, notes, options);
 }
 
 /** A mesh for each primitive of a file. */
-export async function readParts(data: unknown, options: ReadGltfOptions): Promise<GltfPart[]> {
+export async function readParts(data: unknown, given: ReadGltfOptions): Promise<GltfPart[]> {
+  const options = takeReadOptions(given);
   const { format, parts, notes } = await loadParts(data, options);
   const made: GltfPart[] = [];
   try {
@@ -85,7 +87,6 @@ interface Loaded {
 const CONTENT = 'a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array';
 
 async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loaded> {
-  checkReadOptions(options);
   const isUrl = Object.prototype.toString.call(data) === '[object URL]';
   const bytes = isUrl ? await load(data as URL) : contentOf(data, CONTENT);
   const file = openGltf(bytes);
@@ -137,10 +138,11 @@ function checkCorners(meshes: readonly Mesh[]): void {
 const MOST_CORNERS = 2 ** 26;
 
 /** Before anything is fetched; `HalfedgeMesh.fromSoup` checks them once more. */
-function checkReadOptions(options: ReadGltfOptions): void {
-  const { repair = true } = checkOptions(options, READ_GLTF_OPTIONS);
-  checkFlag('options.repair', repair);
+function takeReadOptions(given: ReadGltfOptions): ReadGltfOptions {
+  const options = takeOptions(given, READ_GLTF_OPTIONS);
+  checkFlag('options.repair', options.repair ?? true);
   soupOptions(options);
+  return options;
 }
 
 /** The scene, as three.js's own loader makes it. */

@@ -3,7 +3,7 @@ import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import { indexOfChoice, refuse } from '../checks.js';
 import { type ItemKind, LETTERS, PLURALS } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { checkOptions, type OptionNames } from '../options.js';
+import { type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
@@ -46,15 +46,15 @@ export class IndexLabelsHelper extends Group {
 
   constructor(mesh: HalfedgeMesh, options: LabelsOptions = {}) {
     super();
-    checkOptions(options, LABELS_OPTIONS);
+    const given = takeOptions(options, LABELS_OPTIONS);
     this.mesh = checkMesh(mesh);
-    checkLabels(options);
+    checkLabels(given);
     this.#options = {
       kinds: ['vertex'],
       most: 300,
       className: 'halfedge-label',
       pixel: 0.01,
-      ...options,
+      ...given,
     };
     this.update();
   }

@@ -1,7 +1,7 @@
 import { Box3, BufferGeometry, Sphere } from 'three';
 import { refuse } from '../checks.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { checkOptions } from '../options.js';
+import { takeOptions } from '../options.js';
 import { fitBox, fitSphere, widen } from './bounds.js';
 import {
   checkMesh,
@@ -65,10 +65,9 @@ export class MeshGeometry extends BufferGeometry {
    */
   constructor(mesh: HalfedgeMesh, options: GeometryOptions = {}) {
     super();
-    checkOptions(options, GEOMETRY_OPTIONS);
+    this.#options = takeOptions(options, GEOMETRY_OPTIONS);
     this.mesh = checkMesh(mesh);
     const way = checkNormals(options.normals);
-    this.#options = { ...options };
     const attributes = shownAttributes(mesh, options);
     const normals = way !== 'none' && attributes.every(({ name }) => name !== 'normal');
     const isIndexed = way !== 'flat' && attributes.every(({ kind }) => kind === 'vertex');
