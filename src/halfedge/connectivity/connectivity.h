@@ -42,6 +42,12 @@ namespace halfedge {
 ///
 /// Navigation is O(1) and unchecked in release builds: passing a deleted or foreign handle is a
 /// caller's bug, caught by `assert` in debug builds.
+///
+/// The class in the order in which to read it: what is stored and how much of it, navigation and
+/// queries, memory, low-level changes; then what goes along with each change and can be left aside
+/// at first, attributes and history. The circulators come from the base class. What isn't written
+/// here is in connectivity_impl.h, link_writers.h, connectivity_attributes.h and
+/// connectivity_history.h.
 template <Storage kStored>
 class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
  public:
@@ -227,130 +233,6 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Becomes a copy of `other`, slot by slot. False when memory is exhausted; then it is empty.
   [[nodiscard]] bool assign(const BasicConnectivity& other);
 
-  // ---- attributes ---------------------------------------------------------------------------
-  // Named columns that grow and shrink with the mesh. Operations give new items the values that the
-  // policy of each column asks for; the low-level changes below give them its default.
-
-  /// A column of one value, the default, for each slot. The pointer is good until it is removed.
-  /// errors: attribute-exists, bad-attribute, out-of-memory
-  [[nodiscard]] Result<Attribute*> add_attribute(ItemKind kind, std::string_view name,
-                                                 const AttributeOptions& options = {}) {
-    Result<Attribute*> added =
-        attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
-    if (!added) return added;
-    // Undo grows it in room that is there, as it does the links.
-    if (history() != nullptr && !added.value()->reserve(capacity(kind))) {
-      remove_attribute(kind, name);
-      return Error{"out-of-memory", "There is not enough memory for the attribute."};
-    }
-    forget_redo();  // in which the column has no part
-    return added;
-  }
-  bool remove_attribute(ItemKind kind, std::string_view name) {
-    return attributes_.remove(kind, name);
-  }
-  [[nodiscard]] Attribute* find_attribute(ItemKind kind, std::string_view name) {
-    return attributes_.find(kind, name);
-  }
-  [[nodiscard]] const Attributes& attributes() const { return attributes_; }
-
-  /// Sets one number, noted by history.
-  template <class Item>
-  void set_attribute(Attribute& attribute, Item item, Index component, double value) {
-    assert(attribute.kind() == kind_of(item) && is_live(item));
-    attribute.set(item.index(), component, value, journal_.get());
-  }
-  /// The values of an item become those of another, of a mean of two, (1 - t) a + t b, or of the
-  /// mean of several (see Attributes).
-  template <class Item>
-  void copy_attributes(Item to, Item from) {
-    attributes_.copy(kind_of(to), to.index(), from.index(), journal_.get());
-  }
-  template <class Item>
-  void blend_attributes(Item to, Item a, Item b, double t) {
-    attributes_.blend(kind_of(to), to.index(), a.index(), b.index(), t, journal_.get());
-  }
-  /// The same of the values that belong to the corner where a halfedge ends: those that
-  /// interpolate.
-  void copy_corner(Halfedge to, Halfedge from) {
-    attributes_.copy_corner(to.index(), from.index(), journal_.get());
-  }
-  void blend_corners(Halfedge to, Halfedge a, Halfedge b, double t) {
-    attributes_.blend_corners(to.index(), a.index(), b.index(), t, journal_.get());
-  }
-  void swap_corners(Halfedge a, Halfedge b) {
-    attributes_.swap_corners(a.index(), b.index(), journal_.get());
-  }
-  /// The corners at the ends of the edge of `h`, contracted to (1 - t) from(h) + t to(h): see
-  /// Attributes. `before_h`, `before_o` are prev of h and its opposite, `corners` is called with a
-  /// function to be called with the index of each halfedge that ends at one of them, but for h and
-  /// its opposite, which hold the new values of both sides afterwards.
-  template <class Corners>
-  void contract_corners(Halfedge h, Halfedge before_h, Halfedge before_o, double t,
-                        const Corners& corners) {
-    const Index o = opposite(h).index();
-    const Attributes::EdgeCorners sides[2] = {
-        {before_h.index(), h.index(), h.index(), !is_boundary(h)},
-        {o, before_o.index(), o, !is_boundary(opposite(h))}};
-    attributes_.contract_corners(sides, t, corners, journal_.get());
-  }
-  /// `items` is called with a function to be called with the index of each item.
-  template <class Item, class Items>
-  void average_attributes(Item to, const Items& items) {
-    attributes_.average(kind_of(to), to.index(), items, journal_.get());
-  }
-  /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
-  /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
-  /// was kept with the stamp of its item can be told from one to its successor. `clear`, and
-  /// `compact` where it moves something, end all generations. 4 bytes an item. errors:
-  /// attribute-exists, out-of-memory
-  [[nodiscard]] Result<void> enable_generations();
-  /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
-  [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }
-  [[nodiscard]] Index generation(Halfedge h) const { return generation_of(edge(h)); }
-  [[nodiscard]] Index generation(Edge e) const { return generation_of(e); }
-  [[nodiscard]] Index generation(Face f) const { return generation_of(f); }
-  /// Gives the columns as many slots as the mesh has, after code that wrote whole arrays. False
-  /// when memory is exhausted.
-  [[nodiscard]] bool fit_attributes();
-
-  // ---- history ------------------------------------------------------------------------------
-  // Off by default, and then it costs a test for each write. On, every change below is noted and
-  // can be taken back, exactly: after undoing all of them, all arrays are as they were. What
-  // replaces the whole mesh (assign, clear, mutable_links, a build) forgets history.
-
-  /// False when memory is exhausted. Limits say how far back it reaches.
-  [[nodiscard]] bool enable_history(HistoryLimits limits = {}) {
-    journal_.reset(new (std::nothrow) Journal(limits));
-    return journal_ != nullptr;
-  }
-  void disable_history() { journal_.reset(); }
-  /// Changes how far back it reaches, and forgets what lies beyond, and what was undone.
-  void limit_history(HistoryLimits limits) {
-    if (journal_ != nullptr) journal_->limit(limits);
-  }
-  /// Forgets all steps, or those that were undone.
-  void forget_history() {
-    if (journal_ != nullptr) journal_->forget();
-  }
-  void forget_redo() {
-    if (journal_ != nullptr) journal_->forget_redo();
-  }
-  /// How many steps there are, and what they take; null while history is off.
-  [[nodiscard]] const Journal* history() const { return journal_.get(); }
-
-  /// All changes since the last call are one step: undone and redone together.
-  void end_step() {
-    if (journal_ != nullptr) journal_->end_step();
-  }
-  /// Takes back the last step, or does again the one taken back last. False if there is none.
-  bool undo() {
-    return undo([this](Journal::Write& write) { exchange(write); });
-  }
-  bool redo() {
-    return redo([this](Journal::Write& write) { exchange(write); });
-  }
-
   // ---- low-level changes ----------------------------------------------------------------------
   // These keep no invariant by themselves; `validate` tells whether the result holds them. New
   // items take the most recently deleted slot, else a new one at the end; they are empty when
@@ -444,6 +326,119 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] const FreeList& free_edges() const { return free_edges_; }
   [[nodiscard]] const FreeList& free_faces() const { return free_faces_; }
 
+  // ---- attributes ---------------------------------------------------------------------------
+  // Named columns that grow and shrink with the mesh. Operations give new items the values that the
+  // policy of each column asks for; the low-level changes above give them its default.
+
+  /// A column of one value, the default, for each slot. The pointer is good until it is removed.
+  /// errors: attribute-exists, bad-attribute, out-of-memory
+  [[nodiscard]] Result<Attribute*> add_attribute(ItemKind kind, std::string_view name,
+                                                 const AttributeOptions& options = {});
+  bool remove_attribute(ItemKind kind, std::string_view name) {
+    return attributes_.remove(kind, name);
+  }
+  [[nodiscard]] Attribute* find_attribute(ItemKind kind, std::string_view name) {
+    return attributes_.find(kind, name);
+  }
+  [[nodiscard]] const Attributes& attributes() const { return attributes_; }
+
+  /// Sets one number, noted by history.
+  template <class Item>
+  void set_attribute(Attribute& attribute, Item item, Index component, double value) {
+    assert(attribute.kind() == kind_of(item) && is_live(item));
+    attribute.set(item.index(), component, value, journal_.get());
+  }
+  /// The values of an item become those of another, of a mean of two, (1 - t) a + t b, or of the
+  /// mean of several (see Attributes).
+  template <class Item>
+  void copy_attributes(Item to, Item from) {
+    attributes_.copy(kind_of(to), to.index(), from.index(), journal_.get());
+  }
+  template <class Item>
+  void blend_attributes(Item to, Item a, Item b, double t) {
+    attributes_.blend(kind_of(to), to.index(), a.index(), b.index(), t, journal_.get());
+  }
+  /// The same of the values that belong to the corner where a halfedge ends: those that
+  /// interpolate.
+  void copy_corner(Halfedge to, Halfedge from) {
+    attributes_.copy_corner(to.index(), from.index(), journal_.get());
+  }
+  void blend_corners(Halfedge to, Halfedge a, Halfedge b, double t) {
+    attributes_.blend_corners(to.index(), a.index(), b.index(), t, journal_.get());
+  }
+  void swap_corners(Halfedge a, Halfedge b) {
+    attributes_.swap_corners(a.index(), b.index(), journal_.get());
+  }
+  /// The corners at the ends of the edge of `h`, contracted to (1 - t) from(h) + t to(h): see
+  /// Attributes. `before_h`, `before_o` are prev of h and its opposite, `corners` is called with a
+  /// function to be called with the index of each halfedge that ends at one of them, but for h and
+  /// its opposite, which hold the new values of both sides afterwards.
+  template <class Corners>
+  void contract_corners(Halfedge h, Halfedge before_h, Halfedge before_o, double t,
+                        const Corners& corners) {
+    const Index o = opposite(h).index();
+    const Attributes::EdgeCorners sides[2] = {
+        {before_h.index(), h.index(), h.index(), !is_boundary(h)},
+        {o, before_o.index(), o, !is_boundary(opposite(h))}};
+    attributes_.contract_corners(sides, t, corners, journal_.get());
+  }
+  /// `items` is called with a function to be called with the index of each item.
+  template <class Item, class Items>
+  void average_attributes(Item to, const Items& items) {
+    attributes_.average(kind_of(to), to.index(), items, journal_.get());
+  }
+  /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
+  /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
+  /// was kept with the stamp of its item can be told from one to its successor. `clear`, and
+  /// `compact` where it moves something, end all generations. 4 bytes an item. errors:
+  /// attribute-exists, out-of-memory
+  [[nodiscard]] Result<void> enable_generations();
+  /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
+  [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }
+  [[nodiscard]] Index generation(Halfedge h) const { return generation_of(edge(h)); }
+  [[nodiscard]] Index generation(Edge e) const { return generation_of(e); }
+  [[nodiscard]] Index generation(Face f) const { return generation_of(f); }
+  /// Gives the columns as many slots as the mesh has, after code that wrote whole arrays. False
+  /// when memory is exhausted.
+  [[nodiscard]] bool fit_attributes();
+
+  // ---- history ------------------------------------------------------------------------------
+  // Off by default, and then it costs a test for each write. On, every change above is noted and
+  // can be taken back, exactly: after undoing all of them, all arrays are as they were. What
+  // replaces the whole mesh (assign, clear, mutable_links, a build) forgets history.
+
+  /// False when memory is exhausted. Limits say how far back it reaches.
+  [[nodiscard]] bool enable_history(HistoryLimits limits = {}) {
+    journal_.reset(new (std::nothrow) Journal(limits));
+    return journal_ != nullptr;
+  }
+  void disable_history() { journal_.reset(); }
+  /// Changes how far back it reaches, and forgets what lies beyond, and what was undone.
+  void limit_history(HistoryLimits limits) {
+    if (journal_ != nullptr) journal_->limit(limits);
+  }
+  /// Forgets all steps, or those that were undone.
+  void forget_history() {
+    if (journal_ != nullptr) journal_->forget();
+  }
+  void forget_redo() {
+    if (journal_ != nullptr) journal_->forget_redo();
+  }
+  /// How many steps there are, and what they take; null while history is off.
+  [[nodiscard]] const Journal* history() const { return journal_.get(); }
+
+  /// All changes since the last call are one step: undone and redone together.
+  void end_step() {
+    if (journal_ != nullptr) journal_->end_step();
+  }
+  /// Takes back the last step, or does again the one taken back last. False if there is none.
+  bool undo() {
+    return undo([this](Journal::Write& write) { exchange(write); });
+  }
+  bool redo() {
+    return redo([this](Journal::Write& write) { exchange(write); });
+  }
+
  protected:
   /// pre: history is on
   [[nodiscard]] Journal& journal() { return *journal_; }
@@ -489,11 +484,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
 
   template <class Item>
-  [[nodiscard]] Index generation_of(Item item) const {
-    const Attribute* stamps = attributes_.find(kind_of(item), "generation");
-    return stamps == nullptr || !stamps->is_generation() ? 0 : Index(stamps->get(item.index(), 0));
-  }
-
+  [[nodiscard]] Index generation_of(Item item) const;
   [[nodiscard]] Halfedge add_edge_slot();
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
   void note_loop_links_at(Index h);
@@ -535,6 +526,7 @@ using Connectivity = BasicConnectivity<kEverything>;
 
 }  // namespace halfedge
 
+#include <halfedge/connectivity/connectivity_attributes.h>
 #include <halfedge/connectivity/connectivity_history.h>
 #include <halfedge/connectivity/connectivity_impl.h>
 #include <halfedge/connectivity/link_writers.h>

@@ -74,35 +74,6 @@ void BasicConnectivity<kStored>::clear() {
 }
 
 template <Storage kStored>
-bool BasicConnectivity<kStored>::fit_attributes() {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-    if (!attributes_.reserve(kind, slots(kind))) return false;
-    attributes_.resize(kind, slots(kind));
-  }
-  return true;
-}
-
-template <Storage kStored>
-Result<void> BasicConnectivity<kStored>::enable_generations() {
-  constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
-  for (const ItemKind kind : kKinds) {
-    const Result<Attribute*> added = attributes_.add(
-        kind, "generation",
-        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true},
-        slots(kind));
-    if (added) continue;
-    for (const ItemKind done : kKinds) {
-      if (done == kind) return added.error();
-      remove_attribute(done, "generation");
-    }
-  }
-  attributes_.end_all_generations();  // those that were enabled before, if any
-  forget_redo();
-  return {};
-}
-
-template <Storage kStored>
 bool BasicConnectivity<kStored>::assign(const BasicConnectivity& other) {
   if (this == &other) return true;
   forget_history();
