@@ -99,8 +99,7 @@ bool Attribute::reserve(std::size_t slots) {
   if (bytes <= bytes_.capacity()) return true;
   // What a note can't name isn't there. A column is never so long on 32-bit machines.
   if (bytes / (is_of_words() ? sizeof(Index) : 1) > kNone) return false;
-  return bytes_.reserve(std::max(bytes, bytes_.capacity() + bytes_.capacity() / 2)) ||
-         bytes_.reserve(bytes);
+  return bytes_.reserve_amply(bytes);
 }
 
 void Attribute::resize(Index slots) {

@@ -7,7 +7,7 @@ void* reallocate(void* data, std::size_t count, std::size_t size) {
 }
 
 void* reallocate_amply(void* data, std::size_t count, std::size_t size, std::size_t& capacity) {
-  for (const std::size_t room : {count + count / 2 + 16, count}) {
+  for (const std::size_t room : {ample_capacity(count, capacity), count}) {
     if (void* grown = reallocate(data, room, size); grown != nullptr) {
       capacity = room;
       return grown;

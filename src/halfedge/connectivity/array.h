@@ -2,6 +2,7 @@
 
 #include <halfedge/inlining.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -15,10 +16,17 @@ namespace halfedge {
 
 namespace internal {
 
+/// How much room to make for `count` elements where there is some for `capacity`, fewer than that:
+/// half as much again at least, so that a sequence of additions is amortised O(1) each.
+[[nodiscard]] constexpr std::size_t ample_capacity(std::size_t count, std::size_t capacity) {
+  return std::max(count, capacity + capacity / 2 + 16);
+}
+
 /// realloc(data, count * size), empty if that is more than there can be or than there is.
 [[nodiscard]] HALFEDGE_NOINLINE void* reallocate(void* data, std::size_t count, std::size_t size);
 
-/// The same, and then some room more if there is; sets `capacity` to what there is room for.
+/// The same with ample_capacity(count, capacity), or if that is more than there is with `count`;
+/// sets `capacity` to what there is room for.
 [[nodiscard]] HALFEDGE_NOINLINE void* reallocate_amply(void* data, std::size_t count,
                                                        std::size_t size, std::size_t& capacity);
 
@@ -132,16 +140,18 @@ class Array {
     capacity_ = size_;
   }
 
-  /// Makes room for `count` elements more, and then some: amortised O(count). Keeps the contents.
-  [[nodiscard]] bool reserve_more(std::size_t count) {
-    const std::size_t least = size_ + count;
-    if (least <= capacity_) return true;
+  /// As `reserve`, and then some if it must: for arrays that grow bit by bit, amortised O(1) each.
+  [[nodiscard]] bool reserve_amply(std::size_t count) {
+    if (count <= capacity_) return true;
     void* grown =
-        internal::reallocate_amply(static_cast<void*>(data_), least, sizeof(T), capacity_);
+        internal::reallocate_amply(static_cast<void*>(data_), count, sizeof(T), capacity_);
     if (grown == nullptr) return false;
     data_ = static_cast<T*>(grown);
     return true;
   }
+
+  /// The same for `count` elements more.
+  [[nodiscard]] bool reserve_more(std::size_t count) { return reserve_amply(size_ + count); }
 
   /// Appends one element; amortised O(1).
   [[nodiscard]] bool push_back(const T& value) {

@@ -14,13 +14,6 @@ constexpr Index encode_free_slot(Index next_free) {
   return next_free == kNone ? kDeleted : kDeleted - 1 - next_free;
 }
 
-// Grows by half, so that a sequence of single additions is amortised O(1).
-inline bool make_room(Array<Index>& array, std::size_t count) {
-  if (count <= array.capacity()) return true;
-  return array.reserve(std::max(count, array.capacity() + array.capacity() / 2 + 16)) ||
-         array.reserve(count);
-}
-
 }  // namespace internal
 
 template <Storage kStored>
@@ -121,7 +114,7 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
       note_new(Field::kNewVertices, bare_vertices_++);
     } else {
       Array<Index>& anchors = links_.vertex_halfedge;
-      if (!internal::make_room(anchors, anchors.size() + 1)) return {};
+      if (!anchors.reserve_more(1)) return {};
       note_new(Field::kNewVertices, v.index());
       (void)anchors.resize(anchors.size() + 1, kNone);  // in the room made above
     }
@@ -136,7 +129,7 @@ template <Storage kStored>
 Halfedge BasicConnectivity<kStored>::add_edge_slot() {
   const Halfedge h(halfedge_slots());
   const std::size_t count = links_.next.size() + 2;
-  const auto has_room = [&](Array<Index>& array) { return internal::make_room(array, count); };
+  const auto has_room = [&](Array<Index>& array) { return array.reserve_amply(count); };
   if (count > kMaxSlots || !internal::for_halfedge_arrays(storage(), links_, has_room)) return {};
   if (attributes_.has_any() && (!attributes_.reserve(ItemKind::kEdge, count / 2) ||
                                 !attributes_.reserve(ItemKind::kHalfedge, count))) {
@@ -246,7 +239,7 @@ Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
       note_new(Field::kNewFaces, bare_faces_++);
     } else {
       Array<Index>& firsts = links_.face_halfedge;
-      if (!internal::make_room(firsts, firsts.size() + 1)) return {};
+      if (!firsts.reserve_more(1)) return {};
       note_new(Field::kNewFaces, f.index());
       (void)firsts.resize(firsts.size() + 1, kNone);  // in the room made above
     }

@@ -68,11 +68,14 @@ template <class Mesh>
 
 // ---- memory ---------------------------------------------------------------------------------
 
-/// How much to reserve for `count` items where there is room for `capacity`: growing by half makes
-/// a sequence of operations amortised O(1) each.
+/// How much to reserve for `count` items where there is room for `capacity`, so that a sequence of
+/// operations is amortised O(1) each.
+/// pre: count <= kMaxSlots
 [[nodiscard]] inline Index with_slack(std::uint64_t count, std::uint64_t capacity) {
   if (count <= capacity) return Index(count);
-  return Index(std::min<std::uint64_t>(std::max(count, capacity + capacity / 2 + 16), kMaxSlots));
+  const std::size_t ample =
+      halfedge::internal::ample_capacity(std::size_t(count), std::size_t(capacity));
+  return Index(std::min(ample, std::size_t{kMaxSlots}));
 }
 
 template <class Mesh>

@@ -1,3 +1,4 @@
+#include <halfedge/decorator/edit.h>
 #include <halfedge/operations/append.h>
 #include <halfedge/sentence.h>
 
@@ -53,12 +54,6 @@ std::size_t count_live(const Array<Index>& live) {
   return live.size() - std::size_t(std::count(live.begin(), live.end(), kNone));
 }
 
-// So many slots, or half as many again as there is room for: a mesh that is made by appending many
-// others moves only now and then.
-std::size_t grown(std::size_t slots, std::size_t room) {
-  return slots <= room ? slots : std::min(std::max(slots, room + room / 2), std::size_t{kMaxSlots});
-}
-
 // The one place where values of attributes pass from one mesh to another.
 template <class Item>
 void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, Index width) {
@@ -104,9 +99,11 @@ Result<void> make_room(BasicMesh<kStored>& mesh, const CompactMaps& live) {
                                            vertices, edges, faces)};
   }
   const Links& links = mesh.links();
-  if (mesh.reserve(Index(grown(vertices, links.vertex_halfedge.capacity())),
-                   Index(grown(2 * edges, links.next.capacity()) / 2),
-                   Index(grown(faces, links.face_halfedge.capacity()))) ||
+  // With slack, a mesh that is made by appending many others moves only now and then.
+  using decorator::internal::with_slack;
+  if (mesh.reserve(with_slack(vertices, links.vertex_halfedge.capacity()),
+                   with_slack(2 * edges, links.next.capacity()) / 2,
+                   with_slack(faces, links.face_halfedge.capacity())) ||
       mesh.reserve(Index(vertices), Index(edges), Index(faces))) {
     return {};
   }
