@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <utility>
 
 namespace halfedge {
@@ -90,6 +92,14 @@ template <class Range, class Less = std::less<>>
 requires requires(Range&& range) { std::data(range); }
 void introsort(Range&& range, Less less = {}) {
   introsort(std::data(range), std::data(range) + std::size(range), less);
+}
+
+/// Sorts, and finds an item that occurs twice; else `Item{}`. cost: O(n log n)
+template <class Item>
+[[nodiscard]] Item sort_and_find_repeated(std::span<Item> items) {
+  introsort(items);
+  const auto repeated = std::adjacent_find(items.begin(), items.end());
+  return repeated == items.end() ? Item{} : *repeated;
 }
 
 }  // namespace halfedge

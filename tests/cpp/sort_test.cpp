@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
+#include <halfedge/connectivity/handle.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,6 +89,19 @@ TEST(Introsort, TakesNLogNComparisonsAtWorst) {
     ASSERT_LE(value[std::size_t(items[i - 1])], value[std::size_t(items[i])]);
   }
   EXPECT_LT(comparisons, 2'000'000U);  // n^2 / 4 would be 100 million
+}
+
+TEST(SortAndFindRepeated, FindsAnItemThatOccursTwiceAndSortsInAnyCase) {
+  const std::vector<Vertex> sorted = {Vertex(1), Vertex(2), Vertex(3)};
+  std::vector<Vertex> vertices = {Vertex(3), Vertex(1), Vertex(2)};
+  EXPECT_FALSE(sort_and_find_repeated(std::span(vertices)).valid());
+  EXPECT_EQ(vertices, sorted);
+
+  vertices = {Vertex(3), Vertex(0), Vertex(2), Vertex(3)};
+  EXPECT_EQ(sort_and_find_repeated(std::span(vertices)), Vertex(3));
+  EXPECT_EQ(vertices.back(), Vertex(3));
+
+  EXPECT_FALSE(sort_and_find_repeated(std::span<Vertex>()).valid());
 }
 
 }  // namespace

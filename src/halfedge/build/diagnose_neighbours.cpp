@@ -1,3 +1,4 @@
+#include <halfedge/build/cycle.h>
 #include <halfedge/build/diagnose.h>
 #include <halfedge/sentence.h>
 #include <halfedge/sort.h>
@@ -10,6 +11,7 @@ namespace halfedge {
 
 namespace {
 
+using internal::Cycle;
 using sentence::count_of;
 using sentence::list_of;
 
@@ -25,32 +27,10 @@ struct Side {
   }
 };
 
-// A face as a list of vertices that doesn't depend on where it starts or which way it runs: from
-// its smallest vertex towards the smaller neighbour of that.
-struct Cycle {
-  std::span<const Index> corners;
-  std::size_t start = 0;
-  bool reversed = false;
-  Index face = kNone;
-
-  Cycle(std::span<const Index> vertices, Index f) : corners(vertices), face(f) {
-    start = std::size_t(std::min_element(corners.begin(), corners.end()) - corners.begin());
-    reversed = at(corners.size() - 1) < at(1);
-  }
-  [[nodiscard]] Index at(std::size_t i) const {
-    const std::size_t n = corners.size();
-    return corners[(start + (reversed ? n - i : i)) % n];
-  }
+struct FaceCycle {
+  Cycle cycle;
+  Index face;
 };
-
-// -1, 0, 1 as for strings, shorter ones first.
-int compare(const Cycle& a, const Cycle& b) {
-  if (a.corners.size() != b.corners.size()) return a.corners.size() < b.corners.size() ? -1 : 1;
-  for (std::size_t i = 0; i < a.corners.size(); ++i) {
-    if (a.at(i) != b.at(i)) return a.at(i) < b.at(i) ? -1 : 1;
-  }
-  return 0;
-}
 
 class Neighbours {
  public:
@@ -126,18 +106,18 @@ class Neighbours {
     introsort(suspects.begin(), suspects.end());
     Index* const end = std::unique(suspects.begin(), suspects.end());
 
-    Array<Cycle> cycles;
+    Array<FaceCycle> cycles;
     for (const Index* f = suspects.begin(); f != end; ++f) {
-      if (!cycles.push_back(Cycle(table_.corners_of(*f), *f))) return false;
+      if (!cycles.push_back({Cycle(table_.corners_of(*f)), *f})) return false;
     }
-    introsort(cycles.begin(), cycles.end(), [](const Cycle& a, const Cycle& b) {
-      const int order = compare(a, b);
+    introsort(cycles.begin(), cycles.end(), [](const FaceCycle& a, const FaceCycle& b) {
+      const int order = compare(a.cycle, b.cycle);
       return order != 0 ? order < 0 : a.face < b.face;
     });
     return report_repeats(cycles);
   }
 
-  [[nodiscard]] bool report_repeats(const Array<Cycle>& cycles) {
+  [[nodiscard]] bool report_repeats(const Array<FaceCycle>& cycles) {
     struct Repeat {
       Index face;
       Index original;
@@ -146,11 +126,11 @@ class Neighbours {
     Array<Repeat> repeats;
     std::size_t original = 0;
     for (std::size_t i = 1; i < cycles.size(); ++i) {
-      if (compare(cycles[original], cycles[i]) != 0) {
+      if (compare(cycles[original].cycle, cycles[i].cycle) != 0) {
         original = i;
         continue;
       }
-      const bool turned_over = cycles[original].reversed != cycles[i].reversed;
+      const bool turned_over = cycles[original].cycle.reversed != cycles[i].cycle.reversed;
       if (!repeats.push_back({cycles[i].face, cycles[original].face, turned_over})) return false;
     }
     introsort(repeats.begin(), repeats.end(),

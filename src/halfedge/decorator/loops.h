@@ -4,7 +4,6 @@
 #include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <initializer_list>
@@ -12,17 +11,6 @@
 #include <string>
 
 namespace halfedge::decorator {
-
-namespace internal {
-
-/// Sorts; one that occurs twice, or empty.
-[[nodiscard]] inline Vertex find_repeated(Array<Vertex>& vertices) {
-  introsort(vertices.begin(), vertices.end());
-  const Vertex* found = std::adjacent_find(vertices.begin(), vertices.end());
-  return found == vertices.end() ? Vertex{} : *found;
-}
-
-}  // namespace internal
 
 /// Whether split_loop(cycle) can be done: else not-a-halfedge; not-a-cycle, if a halfedge doesn't
 /// begin where the one before it ends, if there is none, or if it goes to and fro on one edge;
@@ -54,7 +42,7 @@ template <Editable Mesh>
           halfedges_of({h, following}));
     }
   }
-  if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
+  if (const Vertex repeated = sort_and_find_repeated(vertices.span()); repeated.valid()) {
     return refusal(
         "repeated-vertex",
         sentence::of("the cycle passes {} more than once, expected different vertices", repeated),
@@ -165,7 +153,7 @@ template <Editable Mesh>
                      degrees[0], g, degrees[1]),
         halfedges_of({h, g}));
   }
-  if (const Vertex repeated = find_repeated(vertices); repeated.valid()) {
+  if (const Vertex repeated = sort_and_find_repeated(vertices.span()); repeated.valid()) {
     return refusal(
         "repeated-vertex",
         sentence::of("{} occurs twice in the loops of {} and {}, expected different vertices",

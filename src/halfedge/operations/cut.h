@@ -4,7 +4,6 @@
 #include <halfedge/operations/surgery_refusals.h>
 #include <halfedge/sort.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -127,9 +126,8 @@ template <EditableSurface Mesh>
     const Vertex begin = mesh.from_vertex(path[i + 1]);
     if (end != begin) return not_consecutive(path[i], end, path[i + 1], begin);
   }
-  introsort(edges.begin(), edges.end());
-  const Edge* const repeated = std::adjacent_find(edges.begin(), edges.end());
-  if (repeated != edges.end()) return repeated_on_path(*repeated);
+  const Edge repeated = sort_and_find_repeated(edges.span());
+  if (repeated.valid()) return repeated_on_path(repeated);
   return path.size() == 1 ? check_cut(mesh, path[0]) : Result<void>{};
 }
 

@@ -3,7 +3,6 @@
 #include <halfedge/operations/distinct.h>
 #include <halfedge/sort.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace halfedge::operations::internal {
@@ -20,9 +19,7 @@ Result<Vertex> find_repeated(std::span<const Vertex> vertices) {
   }
   Array<Vertex> sorted;
   if (!sorted.assign(vertices)) return decorator::internal::no_memory("the corners of the face");
-  introsort(sorted.begin(), sorted.end());
-  const Vertex* const repeated = std::adjacent_find(sorted.begin(), sorted.end());
-  return repeated == sorted.end() ? Vertex{} : *repeated;
+  return sort_and_find_repeated(sorted.span());
 }
 
 }  // namespace halfedge::operations::internal

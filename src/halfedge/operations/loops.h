@@ -178,7 +178,7 @@ template <EditableSurface Mesh>
     spoke = mesh.next(mesh.next(mesh.opposite(spoke)));
   } while (spoke != s);
   if (vertices.size() < 6) return ring_too_short(mesh.face(s), mesh.face(mesh.opposite(s)));
-  if (const Vertex repeated = decorator::internal::find_repeated(vertices); repeated.valid()) {
+  if (const Vertex repeated = sort_and_find_repeated(vertices.span()); repeated.valid()) {
     return repeated_on_ring(mesh.edge(s), repeated);
   }
   return {};

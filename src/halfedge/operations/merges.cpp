@@ -17,7 +17,7 @@ class MergeCheck {
 
   [[nodiscard]] Result<void> run(std::span<Index> scratch) {
     introsort(merges_, [](const Merge& a, const Merge& b) { return a.gone < b.gone; });
-    if (const Vertex repeated = find_repeated(scratch); repeated.valid()) {
+    if (const Vertex repeated = find_merged_twice(scratch); repeated.valid()) {
       return repeated_on_seam(repeated);
     }
     by_kept_ = scratch.first(merges_.size());  // sorted by now
@@ -45,7 +45,7 @@ class MergeCheck {
   [[nodiscard]] static Edge edge(Halfedge h) { return Edge(h.index() / 2); }
 
   /// A vertex that is in more than one merge, or empty. pre: merges are sorted
-  [[nodiscard]] Vertex find_repeated(std::span<Index> scratch) const {
+  [[nodiscard]] Vertex find_merged_twice(std::span<Index> scratch) const {
     for (std::size_t i = 0; i < merges_.size(); ++i) {
       scratch[i] = Index(i);
       if (merge_of(merges_[i].kept) != nullptr) return merges_[i].kept;

@@ -1,3 +1,4 @@
+#include <halfedge/build/cycle.h>
 #include <halfedge/repair/soup.h>
 #include <halfedge/sort.h>
 
@@ -8,32 +9,7 @@ namespace halfedge::repair {
 
 namespace {
 
-// A face as a list of vertices that doesn't depend on where it starts or which way it runs: from
-// its smallest vertex towards the smaller neighbour of that.
-struct Cycle {
-  std::span<const Index> corners;
-  std::size_t start;
-  bool reversed;
-
-  explicit Cycle(std::span<const Index> vertices)
-      : corners(vertices),
-        start(std::size_t(std::min_element(vertices.begin(), vertices.end()) - vertices.begin())),
-        reversed(at(vertices.size() - 1, false) < at(1, false)) {}
-  [[nodiscard]] Index at(std::size_t i, bool backwards) const {
-    const std::size_t n = corners.size();
-    return corners[(start + (backwards ? n - i : i)) % n];
-  }
-  [[nodiscard]] Index at(std::size_t i) const { return at(i, reversed); }
-};
-
-// -1, 0, 1 as for strings, shorter ones first.
-int compare(const Cycle& a, const Cycle& b) {
-  if (a.corners.size() != b.corners.size()) return a.corners.size() < b.corners.size() ? -1 : 1;
-  for (std::size_t i = 0; i < a.corners.size(); ++i) {
-    if (a.at(i) != b.at(i)) return a.at(i) < b.at(i) ? -1 : 1;
-  }
-  return 0;
-}
+using internal::Cycle;
 
 class Arranger {
  public:
