@@ -110,9 +110,9 @@ class Compaction {
     note_words(Field::kVertexHalfedge, links.vertex_halfedge);
     note_words(Field::kFaceHalfedge, links.face_halfedge);
     mesh.attributes_.note_all(*mesh.journal_);
-    mesh.note(Field::kFreeVertices, mesh.free_vertices_);
-    mesh.note(Field::kFreeEdges, mesh.free_edges_);
-    mesh.note(Field::kFreeFaces, mesh.free_faces_);
+    mesh.note(Field::kFreeListOfVertices, mesh.free_vertices_);
+    mesh.note(Field::kFreeListOfEdges, mesh.free_edges_);
+    mesh.note(Field::kFreeListOfFaces, mesh.free_faces_);
     mesh.note(Field::kVertexSlots, 0, mesh.vertex_slots());
     mesh.note(Field::kHalfedgeSlots, 0, mesh.halfedge_slots());
     mesh.note(Field::kFaceSlots, 0, mesh.face_slots());

@@ -489,8 +489,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
   void note_loop_links_at(Index h);
   void exchange_loop_links(Journal::Write& first);
-  void note_freed(Edge e, bool is_taken);
-  void exchange_freed_edge(Journal::Write& first);
+  void note_recycled(Edge e, bool is_taken);
+  void exchange_recycled_edge(Journal::Write& first);
+  void exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
+                      Journal::Write& write);
+  void exchange_halfedge_slots(Journal::Write& write);
   void exchange_new_halfedges(Journal::Write& write);
   void exchange_new(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
                     Journal::Write& write);

@@ -27,9 +27,9 @@ void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
   if constexpr (kStorage.face) std::swap(links_.face[h], second.word);
 }
 
-// The words in the order in which `exchange_freed_edge` takes them.
+// The words in the order in which `exchange_recycled_edge` takes them.
 template <Storage kStored>
-void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
+void BasicConnectivity<kStored>::note_recycled(Edge e, bool is_taken) {
   Index words[8] = {};
   Index* word = words;
   (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
@@ -37,11 +37,11 @@ void BasicConnectivity<kStored>::note_freed(Edge e, bool is_taken) {
     *word++ = array[edge_halfedge(e, 1).index()];
     return true;
   });
-  journal_->record_freed_edge(e.index(), words, is_taken);
+  journal_->record_recycled_edge(e.index(), words, is_taken);
 }
 
 template <Storage kStored>
-void BasicConnectivity<kStored>::exchange_freed_edge(Journal::Write& first) {
+void BasicConnectivity<kStored>::exchange_recycled_edge(Journal::Write& first) {
   const Index e = first.index;
   free_edges_.exchange(e, links_.next[2 * std::size_t{e}]);
   Index words[8] = {};
@@ -103,21 +103,41 @@ void BasicConnectivity<kStored>::exchange_new_halfedges(Journal::Write& write) {
   write.word = size;
 }
 
+// Changes the size back, in room that is there. What a slot holds is noted by itself.
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array,
+                                                Index& bare, Journal::Write& write) {
+  const Index size = slots(kind);
+  attributes_.resize(kind, write.word);
+  if (is_stored) {
+    (void)array.resize(write.word, kNone);
+  } else {
+    bare = write.word;
+  }
+  write.word = size;
+}
+
+template <Storage kStored>
+void BasicConnectivity<kStored>::exchange_halfedge_slots(Journal::Write& write) {
+  const Index size = halfedge_slots();
+  (void)internal::for_halfedge_arrays(
+      storage(), links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
+  attributes_.resize(ItemKind::kEdge, write.word / 2);
+  attributes_.resize(ItemKind::kHalfedge, write.word);
+  write.word = size;
+}
+
 template <Storage kStored>
 void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
   const auto exchange_word = [&](Array<Index>& array) {
     std::swap(array[write.index], write.word);
   };
-  const auto exchange_free = [&](FreeList& list) {
+  const auto exchange_free_list = [&](FreeList& list) {
     std::swap(write.index == 0 ? list.head : list.count, write.word);
   };
-  // Shrinks, or grows in room that was there before.
-  const auto exchange_size = [&](ItemKind kind, bool is_stored, Array<Index>& array, Index& bare) {
-    attributes_.resize(kind, write.word);
-    if (!is_stored) return std::swap(bare, write.word);
-    const Index size = Index(array.size());
-    (void)array.resize(write.word, kNone);
-    write.word = size;
+  const auto exchange_recycled = [&](FreeList& list, Array<Index>& array) {
+    list.exchange(write.index, array[write.index]);
+    exchange_word(array);
   };
   switch (write.field) {
     case Field::kNext:
@@ -132,46 +152,37 @@ void BasicConnectivity<kStored>::exchange(Journal::Write& write) {
       return exchange_word(links_.vertex_halfedge);
     case Field::kFaceHalfedge:
       return exchange_word(links_.face_halfedge);
-    case Field::kVertexSlots:
-      return exchange_size(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
-                           bare_vertices_);
-    case Field::kFaceSlots:
-      return exchange_size(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
-                           bare_faces_);
-    case Field::kHalfedgeSlots: {
-      const Index size = halfedge_slots();
-      (void)internal::for_halfedge_arrays(
-          storage(), links_, [&](Array<Index>& array) { return array.resize(write.word, kNone); });
-      attributes_.resize(ItemKind::kEdge, write.word / 2);
-      attributes_.resize(ItemKind::kHalfedge, write.word);
-      write.word = size;
-      return;
-    }
+    case Field::kLoopLinks:
+      return exchange_loop_links(write);
+    case Field::kRecycledVertex:
+      return exchange_recycled(free_vertices_, links_.vertex_halfedge);
+    case Field::kRecycledFace:
+      return exchange_recycled(free_faces_, links_.face_halfedge);
+    case Field::kRecycledEdge:
+      return exchange_recycled_edge(write);
     case Field::kNewVertices:
       return exchange_new(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
                           bare_vertices_, write);
+    case Field::kNewHalfedges:
+      return exchange_new_halfedges(write);
     case Field::kNewFaces:
       return exchange_new(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
                           bare_faces_, write);
-    case Field::kNewHalfedges:
-      return exchange_new_halfedges(write);
-    case Field::kFreeVertices:
-      return exchange_free(free_vertices_);
-    case Field::kFreeEdges:
-      return exchange_free(free_edges_);
-    case Field::kFreeFaces:
-      return exchange_free(free_faces_);
-    case Field::kFreedVertex:
-      free_vertices_.exchange(write.index, links_.vertex_halfedge[write.index]);
-      return exchange_word(links_.vertex_halfedge);
-    case Field::kFreedFace:
-      free_faces_.exchange(write.index, links_.face_halfedge[write.index]);
-      return exchange_word(links_.face_halfedge);
-    case Field::kLoopLinks:
-      return exchange_loop_links(write);
-    case Field::kFreedEdge:
-      return exchange_freed_edge(write);
-    case Field::kNothing:
+    case Field::kVertexSlots:
+      return exchange_slots(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
+                            bare_vertices_, write);
+    case Field::kHalfedgeSlots:
+      return exchange_halfedge_slots(write);
+    case Field::kFaceSlots:
+      return exchange_slots(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
+                            bare_faces_, write);
+    case Field::kFreeListOfVertices:
+      return exchange_free_list(free_vertices_);
+    case Field::kFreeListOfEdges:
+      return exchange_free_list(free_edges_);
+    case Field::kFreeListOfFaces:
+      return exchange_free_list(free_faces_);
+    case Field::kFiller:
       return;
     default:
       assert(write.field >= Field::kFirstAttribute && "a field of a class built on this one");

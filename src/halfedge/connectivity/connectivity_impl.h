@@ -106,7 +106,7 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
   if (vertex_count() >= kMaxSlots) return {};
   Vertex v(vertex_slots());
   if (kStorage.vertex_halfedge && free_vertices_.count > 0) {
-    v = Vertex(take_free(Field::kFreedVertex, links_.vertex_halfedge, free_vertices_, kNone));
+    v = Vertex(take_free(Field::kRecycledVertex, links_.vertex_halfedge, free_vertices_, kNone));
     attributes_.set_default(ItemKind::kVertex, v.index(), journal_.get());
   } else {
     if (!attributes_.reserve(ItemKind::kVertex, std::size_t{v.index()} + 1)) return {};
@@ -201,7 +201,7 @@ Halfedge BasicConnectivity<kStored>::new_unlinked_edge(Vertex from, Vertex to) {
   } else {
     h = edge_halfedge(Edge(free_edges_.head));
     if (journal_ != nullptr) [[unlikely]]
-      note_freed(edge(h), /*is_taken=*/true);
+      note_recycled(edge(h), /*is_taken=*/true);
     free_edges_.pop(next_free_slot(links_.next[h.index()]));
     attributes_.set_default(ItemKind::kEdge, edge(h).index(), journal_.get());
     attributes_.set_default(ItemKind::kHalfedge, h.index(), journal_.get());
@@ -231,7 +231,7 @@ Face BasicConnectivity<kStored>::new_face([[maybe_unused]] Halfedge h) {
   if (face_count() >= kMaxSlots) return {};
   Face f(face_slots());
   if (kStorage.face_halfedge && free_faces_.count > 0) {
-    f = Face(take_free(Field::kFreedFace, links_.face_halfedge, free_faces_, h.index()));
+    f = Face(take_free(Field::kRecycledFace, links_.face_halfedge, free_faces_, h.index()));
     attributes_.set_default(ItemKind::kFace, f.index(), journal_.get());
   } else {
     if (!attributes_.reserve(ItemKind::kFace, std::size_t{f.index()} + 1)) return {};
@@ -273,7 +273,7 @@ void BasicConnectivity<kStored>::release(Vertex v) {
   static_assert(kStorage.vertex_halfedge, HALFEDGE_NEEDS_ANCHORS);
   assert(is_live(v));
   attributes_.end_generation(ItemKind::kVertex, v.index(), journal_.get());
-  release_slot(Field::kFreedVertex, links_.vertex_halfedge, free_vertices_, v.index());
+  release_slot(Field::kRecycledVertex, links_.vertex_halfedge, free_vertices_, v.index());
 }
 
 template <Storage kStored>
@@ -282,7 +282,7 @@ void BasicConnectivity<kStored>::release(Edge e) {
   attributes_.end_generation(ItemKind::kEdge, e.index(), journal_.get());
   const Index h = edge_halfedge(e).index();
   if (journal_ != nullptr) [[unlikely]]
-    note_freed(e, /*is_taken=*/false);
+    note_recycled(e, /*is_taken=*/false);
   (void)internal::for_halfedge_arrays(storage(), links_, [h](Array<Index>& array) {
     array[h] = array[h + 1] = kDeleted;
     return true;
@@ -297,7 +297,7 @@ void BasicConnectivity<kStored>::release(Face f) {
   static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
   assert(is_live(f));
   attributes_.end_generation(ItemKind::kFace, f.index(), journal_.get());
-  release_slot(Field::kFreedFace, links_.face_halfedge, free_faces_, f.index());
+  release_slot(Field::kRecycledFace, links_.face_halfedge, free_faces_, f.index());
 }
 
 }  // namespace halfedge

@@ -47,13 +47,13 @@ void Journal::record_loop_links(Index h, Index next, Index prev, Index face) {
   writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
 }
 
-void Journal::record_freed_edge(Index edge, const Index (&words)[8], bool is_taken) {
+void Journal::record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
   forget_redo();
-  if (!make_room_in_row(kWritesOfEdge)) return lose();
-  writes_.push_back_in_chunk({Field::kFreedEdge, edge, words[0]});
+  if (!make_room_in_row(kWritesOfRecycledEdge)) return lose();
+  writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[0]});
   writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
   writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
-  writes_.push_back_in_chunk({Field::kFreedEdge, edge, words[7]});
+  writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[7]});
   if (is_taken) {
     std::copy_backward(taken_, taken_ + 3, taken_ + 4);
     taken_[0] = edge;
@@ -70,7 +70,7 @@ void Journal::record_new(Field field, Index slots) {
 // So that as many are in one chunk. False when memory is exhausted.
 bool Journal::make_room_in_row(std::size_t writes) {
   while (writes_.room_in_chunk() < writes) {
-    if (!writes_.push_back({Field::kNothing, 0, 0})) return false;
+    if (!writes_.push_back({Field::kFiller, 0, 0})) return false;
   }
   return true;
 }

@@ -22,20 +22,20 @@ enum class Field : std::uint32_t {
   kPositionX,  // by vertex
   kPositionY,
   kPositionZ,
-  kVertexSlots,  // sizes of the arrays; no index
+  kVertexSlots,  // sizes of the arrays, which compact changes; no index
   kHalfedgeSlots,
   kFaceSlots,
-  kNewVertices,  // the same before slots were added at the end
+  kNewVertices,  // the same where slots were added at the end
   kNewHalfedges,
   kNewFaces,
-  kFreeVertices,  // free lists; index 0: the head, 1: the count
-  kFreeEdges,
-  kFreeFaces,
-  kFreedVertex,  // the link of a slot that was given back to its free list, or taken, and the list
-  kFreedFace,
-  kFreedEdge,  // the same of an edge, with the eight links of its sides
-  kLoopLinks,  // next, prev and face of a halfedge
-  kNothing,
+  kFreeListOfVertices,  // free lists; index 0: the head, 1: the count
+  kFreeListOfEdges,
+  kFreeListOfFaces,
+  kRecycledVertex,  // the link of a slot that went to its free list, or was taken from it; the list
+  kRecycledFace,
+  kRecycledEdge,  // the same of an edge, with the eight links of its sides
+  kLoopLinks,     // next, prev and face of a halfedge
+  kFiller,  // says nothing: it fills a chunk up, so that writes that belong together are in one
   kFirstAttribute  // attributes have numbers from here on
 };
 
@@ -68,7 +68,7 @@ class Journal {
 
   /// An edge that was deleted, or whose slot was taken again, is noted by four in a row, the first
   /// and the last with its field and index: in their other members are its words.
-  static constexpr std::size_t kWritesOfEdge = 4;
+  static constexpr std::size_t kWritesOfRecycledEdge = 4;
   /// Calls `each` with each of those eight words.
   template <class Each>
   static void for_edge_words(Write* first, const Each& each) {
@@ -96,7 +96,7 @@ class Journal {
   void record_loop_links(Index h, Index next, Index prev, Index face);
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
-  void record_freed_edge(Index edge, const Index (&words)[8], bool is_taken);
+  void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken);
 
   /// Notes that slots are about to be added behind the present ones. `field` is kNewVertices,
   /// kNewHalfedges or kNewFaces.
@@ -172,7 +172,7 @@ class Journal {
  private:
   [[nodiscard]] static std::size_t length_of(const Write& write) {
     if (write.field == Field::kLoopLinks) return kWritesOfLoopLinks;
-    return write.field == Field::kFreedEdge ? kWritesOfEdge : 1;
+    return write.field == Field::kRecycledEdge ? kWritesOfRecycledEdge : 1;
   }
   [[nodiscard]] std::size_t begin_of(std::size_t step) const {
     return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
