@@ -11,6 +11,14 @@ namespace halfedge::operations {
 
 namespace internal {
 
+/// The halfedges that lead to the same vertex as `in`, but for itself, lead to `v`.
+template <class Mesh>
+void lead_others_to(Mesh& mesh, Halfedge in, Vertex v) {
+  for (Halfedge h = mesh.next_on_vertex(in); h != in; h = mesh.next_on_vertex(h)) {
+    mesh.set_to_vertex(h, v);
+  }
+}
+
 /// cut, of an edge inside; ends that aren't on the boundary stay one vertex, both if need be.
 /// pre: there is room for two vertices and an edge
 template <class Mesh>
@@ -31,9 +39,10 @@ Halfedge cut_edge(Mesh& mesh, Halfedge h) {
   while (!mesh.is_boundary(first_at_a) && first_at_a != o) {
     first_at_a = mesh.next_on_vertex(first_at_a);
   }
+  if (first_at_a == o) first_at_a = {};
 
   const Vertex b_copy = last_at_b.valid() ? copy_vertex(mesh, b) : b;
-  const Vertex a_copy = first_at_a != o ? copy_vertex(mesh, a) : a;
+  const Vertex a_copy = first_at_a.valid() ? copy_vertex(mesh, a) : a;
   const Halfedge copy = new_edge_like(mesh, b_copy, a_copy, o);  // takes the place of o
   const Halfedge g = mesh.opposite(copy);
   const Face f = mesh.face(o);
@@ -43,30 +52,22 @@ Halfedge cut_edge(Mesh& mesh, Halfedge h) {
   mesh.set_face(o, Face{});
   replace_in_face(mesh, f, o, copy);
 
-  if (last_at_b.valid()) {
-    const Halfedge after = mesh.next(last_at_b);
-    mesh.link(last_at_b, o);
-    mesh.link(g, after);
-    mesh.set_vertex_halfedge(b_copy, after);
-    for (Halfedge in = mesh.next_on_vertex(g); in != g; in = mesh.next_on_vertex(in)) {
-      mesh.set_to_vertex(in, b_copy);
-    }
-  } else {
-    mesh.link(g, o);
-  }
+  // Links `in` to `out`, neither of which has a face: by way of the boundary loop of `last`, which
+  // leads to the same vertex, if it isn't empty.
+  const auto open_end = [&mesh](Halfedge in, Halfedge last, Halfedge out) {
+    if (!last.valid()) return mesh.link(in, out);
+    mesh.link(in, mesh.next(last));
+    mesh.link(last, out);
+  };
+  open_end(g, last_at_b, o);
   mesh.set_vertex_halfedge(b, o);
-  if (first_at_a != o) {
-    const Halfedge after = mesh.next(first_at_a);
-    mesh.link(first_at_a, g);
-    mesh.link(o, after);
-    mesh.set_vertex_halfedge(a_copy, g);  // a keeps its anchor, which leads along the boundary
-    for (Halfedge in = mesh.next_on_vertex(copy); in != copy; in = mesh.next_on_vertex(in)) {
-      mesh.set_to_vertex(in, a_copy);
-    }
-  } else {
-    mesh.link(o, g);
-    mesh.set_vertex_halfedge(a, g);
+  if (b_copy != b) {
+    mesh.set_vertex_halfedge(b_copy, mesh.next(g));
+    lead_others_to(mesh, g, b_copy);
   }
+  open_end(o, first_at_a, g);
+  mesh.set_vertex_halfedge(a_copy, g);  // a, if it isn't the same, keeps its anchor: along the rim
+  if (a_copy != a) lead_others_to(mesh, copy, a_copy);
   return g;
 }
 
