@@ -143,7 +143,7 @@ Halfedge BasicConnectivity<kStored>::add_edge_slot() {
   });
   if (attributes_.has_any()) {
     attributes_.resize(ItemKind::kEdge, Index(count / 2), journal_.get());
-    attributes_.resize(ItemKind::kHalfedge, Index(count));
+    attributes_.resize(ItemKind::kHalfedge, Index(count));  // nothing to note: see append_edges
   }
   return h;
 }
@@ -172,6 +172,7 @@ Edge BasicConnectivity<kStored>::append_edges(Index count) {
     return true;
   });
   attributes_.resize(ItemKind::kEdge, Index(halfedges / 2), journal_.get());
+  // All that is noted of new slots is their generation, and that of a halfedge is its edge's.
   attributes_.resize(ItemKind::kHalfedge, Index(halfedges));
   ++version_;
   return first;

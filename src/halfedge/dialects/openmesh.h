@@ -133,11 +133,10 @@ class PolyMesh {
   /// The outgoing halfedge of a boundary vertex becomes a boundary halfedge.
   void adjust_outgoing_halfedge(VertexHandle v) { mesh_->adjust_anchor(v); }
 
-  // ---- circulators
-  // -------------------------------------------------------------------------------- For each kind
-  // xx: xx_iter(item), xx_begin(item), xx_end(item), xx_range(item), and the same with `cw` and
-  // `ccw`: xx_cwiter, xx_cwbegin, xx_cwend, xx_cw_range. The const forms, cxx_iter and so on, are
-  // the same, since no circulator changes the mesh.
+  // ---- circulators --------------------------------------------------------------------------
+  // For each kind xx: xx_iter(item), xx_begin(item), xx_end(item), xx_range(item), and the same
+  // with `cw` and `ccw`: xx_cwiter, xx_cwbegin, xx_cwend, xx_cw_range. The const forms, cxx_iter
+  // and so on, are the same, since no circulator changes the mesh.
 
 #define HALFEDGE_OPENMESH_FORM(Iter, Center, iter, first, last, range)            \
   [[nodiscard]] Iter iter(Center item) const { return begin_of<Iter>(item); }     \
