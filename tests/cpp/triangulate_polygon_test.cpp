@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/point_tree.h>
+#include <halfedge/algorithms/rank_tree.h>
 #include <halfedge/algorithms/triangulate_polygon.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -401,6 +403,93 @@ TEST(TriangulatePolygon, TimeGrowsLittleFasterThanTheCorners) {
     const double many = seconds_to_cut(make(100'000));
     std::cout << name << ": " << few << " s, " << many << " s\n";
     EXPECT_LT(many, 0.05 + 10 * few) << name;
+  }
+}
+
+// There is no ear most of the time.
+Polygon random_crossing(std::uint32_t seed, std::size_t n) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<float> unit(0, 1);
+  Polygon polygon(n);
+  for (Point& p : polygon) p = {unit(random), unit(random), 0};
+  return polygon;
+}
+
+TEST(TriangulatePolygon, TimeOfCrossingPolygonsGrowsLittleFasterThanTheCorners) {
+  const double few = seconds_to_cut(random_crossing(1, 20'000));
+  const double many = seconds_to_cut(random_crossing(1, 80'000));
+  std::cout << "random crossing: " << few << " s, " << many << " s\n";
+  EXPECT_LT(many, 0.05 + 10 * few);
+}
+
+// The rule by itself, with a look at all corners that are left: flat ones first, then those that
+// turn left, then any, always the first from the one behind the last that was cut off.
+TEST(TriangulatePolygon, OfCrossingPolygonsTheFirstCornerOfTheBestKindGoes) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // On a grid, so that some are flat.
+    Polygon polygon = random_crossing(seed, 300);
+    for (Point& p : polygon) p = {std::round(20 * p.x), std::round(20 * p.y), 0};
+    if (area(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
+    PolygonTriangulator triangulator;
+    Array<Index> ears;
+    ASSERT_EQ(triangulator.run(polygon, {}, ears), Outcome::kDone);
+    std::vector<Index> left(polygon.size());
+    std::iota(left.begin(), left.end(), 0U);
+    std::size_t start = 0;
+    std::size_t without_ear = 0;
+    for (std::size_t i = 0; left.size() > PolygonTriangulator::kSmall; ++i) {
+      const auto at = [&](std::size_t k) { return polygon[left[k % left.size()]]; };
+      const auto area_at = [&](std::size_t k) {
+        return area(at(k + left.size() - 1), at(k), at(k + 1));
+      };
+      std::size_t expected = left.size();
+      int best = 0;
+      for (std::size_t k = start; k < start + left.size(); ++k) {
+        const double turns = area_at(k);
+        const int rank = turns == 0 ? 3 : turns > 0 ? 2 : 1;
+        if (rank > best) {
+          best = rank;
+          expected = k % left.size();
+        }
+      }
+      const auto cut = std::size_t(std::find(left.begin(), left.end(), ears[i]) - left.begin());
+      const bool may_be_ear = area_at(cut) > 0;
+      if (!may_be_ear) {
+        ++without_ear;
+        ASSERT_EQ(cut, expected) << i;
+      }
+      left.erase(left.begin() + std::ptrdiff_t(cut));
+      start = cut % left.size();
+    }
+    EXPECT_GT(without_ear, 0U);
+  }
+}
+
+TEST(RankTree, FindsTheNextOfTheHighestRank) {
+  for (std::uint32_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const std::size_t n = 1 + random() % 70;
+    RankTree tree;
+    ASSERT_TRUE(tree.build(n));
+    std::vector<int> ranks(n, 0);
+    for (int round = 0; round < 300; ++round) {
+      const Index changed = Index(random() % n);
+      ranks[changed] = int(random() % 100) < 90 ? 0 : 1 + int(random() % 8);
+      tree.set(changed, ranks[changed]);
+      const int highest = *std::max_element(ranks.begin(), ranks.end());
+      ASSERT_EQ(tree.highest(), highest);
+      const Index from = Index(random() % n);
+      for (int rank = 0; rank <= 8; ++rank) {
+        Index expected = kNone;
+        for (Index i = 0; rank > 0 && expected == kNone && i < n; ++i) {
+          const Index item = Index((from + i) % n);
+          if (ranks[item] == rank) expected = item;
+        }
+        ASSERT_EQ(tree.next(from, rank), expected) << "rank " << rank << " from " << from;
+      }
+    }
   }
 }
 

@@ -7,6 +7,13 @@
 
 namespace halfedge {
 
+namespace {
+
+/// Of corners, where there is no ear; 0 is that of one whose diagonal is forbidden.
+enum Rank : std::uint8_t { kRight = 1, kLeft = 2, kFlat = 3 };
+
+}  // namespace
+
 bool PolygonTriangulator::Cost::operator<(const Cost& other) const {
   if (flips != other.flips) return flips < other.flips;
   if (forbidden != other.forbidden) return forbidden < other.forbidden;
@@ -82,38 +89,26 @@ PolygonTriangulator::Outcome PolygonTriangulator::run(std::span<const Point> poi
   points_ = points;
   forbidden_ = forbidden;
   const std::size_t before = ears.size();
-  if (!project() || !ears.reserve(before + points.size())) return Outcome::kOutOfMemory;
-  std::size_t left = points.size();
+  const Outcome outcome = cut(ears);
+  if (outcome != Outcome::kDone) (void)ears.resize(before);
+  return outcome;
+}
+
+PolygonTriangulator::Outcome PolygonTriangulator::cut(Array<Index>& ears) {
+  const std::size_t n = points_.size();
+  if (!project() || !ears.reserve(ears.size() + n)) return Outcome::kOutOfMemory;
+  if (n > kSmall) {
+    if (const Outcome outcome = cut_to_few(ears); outcome != Outcome::kDone) return outcome;
+  }
   rest_.clear();
-  if (left > kSmall) {
-    if (!begin_cutting()) return Outcome::kOutOfMemory;
-    for (; left > kSmall; --left) {
-      Index corner = best_ear();
-      if (corner == kNone) corner = any_corner();
-      if (corner == kNone) {
-        (void)ears.resize(before);
-        return Outcome::kBlocked;
-      }
-      (void)ears.push_back(corner);  // in the room made above
-      if (!cut_off(corner)) {
-        (void)ears.resize(before);
-        return Outcome::kOutOfMemory;
-      }
-    }
-  }
-  if (!rest_.reserve(kSmall) || !choices_.reserve(kSmall * kSmall)) {
-    (void)ears.resize(before);
-    return Outcome::kOutOfMemory;
-  }
+  if (!rest_.reserve(kSmall) || !choices_.reserve(kSmall * kSmall)) return Outcome::kOutOfMemory;
+  const std::size_t left = std::min(n, kSmall);
   Index corner = start_;
   for (std::size_t i = 0; i < left; ++i) {
-    (void)rest_.push_back(left == points.size() ? Index(i) : corner);
-    if (left < points.size()) corner = next_[corner];
+    (void)rest_.push_back(left == n ? Index(i) : corner);
+    if (left < n) corner = next_[corner];
   }
-  if (!choose_diagonals()) {
-    (void)ears.resize(before);
-    return Outcome::kBlocked;
-  }
+  if (!choose_diagonals()) return Outcome::kBlocked;
   list_ears(0, left - 1, ears);
   ears.pop_back();  // the last three corners are left
   return Outcome::kDone;
@@ -174,6 +169,22 @@ void PolygonTriangulator::find_blocked(std::size_t i, std::size_t j) {
 
 // ---- many corners -----------------------------------------------------------------------------
 
+// Until kSmall corners are left.
+PolygonTriangulator::Outcome PolygonTriangulator::cut_to_few(Array<Index>& ears) {
+  if (!begin_cutting()) return Outcome::kOutOfMemory;
+  for (std::size_t left = points_.size(); left > kSmall; --left) {
+    Index corner = best_ear();
+    if (corner == kNone) {
+      if (!is_ranked_ && !rank_corners()) return Outcome::kOutOfMemory;
+      corner = any_corner();
+    }
+    if (corner == kNone) return Outcome::kBlocked;
+    (void)ears.push_back(corner);  // in the room made by cut
+    if (!cut_off(corner)) return Outcome::kOutOfMemory;
+  }
+  return Outcome::kDone;
+}
+
 bool PolygonTriangulator::begin_cutting() {
   const std::size_t n = points_.size();
   if (!next_.recreate(n) || !prev_.recreate(n) || !stamp_.recreate(n) ||
@@ -182,6 +193,7 @@ bool PolygonTriangulator::begin_cutting() {
   }
   ears_.clear();
   start_ = 0;
+  is_ranked_ = false;
   blocked_ = {};
   for (std::size_t i = 0; i < n; ++i) {
     next_[i] = Index(i + 1 == n ? 0 : i + 1);
@@ -262,29 +274,6 @@ Index PolygonTriangulator::best_ear() {
   return kNone;
 }
 
-// Where a polygon crosses itself, or has no area, there may be no ear: a corner on a line then, or
-// one that turns left, or just any.
-Index PolygonTriangulator::any_corner() {
-  Index found = kNone;
-  int best = 0;
-  Index corner = start_;
-  do {
-    const Index a = prev_[corner];
-    const Index b = next_[corner];
-    if (!is_forbidden(a, b)) {
-      const int turns = turn(a, corner, b);
-      if (turns == 0) return corner;
-      const int rank = turns > 0 ? 2 : 1;
-      if (rank > best) {
-        best = rank;
-        found = corner;
-      }
-    }
-    corner = next_[corner];
-  } while (corner != start_);
-  return blocked_.a == kNone ? found : kNone;
-}
-
 bool PolygonTriangulator::cut_off(Index corner) {
   const Index a = prev_[corner];
   const Index b = next_[corner];
@@ -293,13 +282,44 @@ bool PolygonTriangulator::cut_off(Index corner) {
   ++stamp_[corner];
   if (concave_.contains(corner)) concave_.erase(corner);
   start_ = b;
+  if (is_ranked_) ranks_.set(corner, 0);
   for (const Index neighbour : {a, b}) {
     ++stamp_[neighbour];
+    if (is_ranked_) rank(neighbour);
     const bool is_concave = turn(prev_[neighbour], neighbour, next_[neighbour]) <= 0;
     if (is_concave == concave_.contains(neighbour)) continue;
     is_concave ? concave_.insert(neighbour) : concave_.erase(neighbour);
   }
   return look_at(a) && look_at(b);
+}
+
+// ---- no ear -----------------------------------------------------------------------------------
+
+// Where a polygon crosses itself, or has no area, there may be no ear: a corner on a line then, or
+// one that turns left, or just any. The first of them from `start_` on.
+Index PolygonTriangulator::any_corner() const {
+  const int highest = ranks_.highest();
+  if (highest < kFlat && blocked_.a != kNone) return kNone;
+  return ranks_.next(start_, highest);
+}
+
+bool PolygonTriangulator::rank_corners() {
+  if (!ranks_.build(points_.size())) return false;
+  is_ranked_ = true;
+  Index corner = start_;
+  do {
+    rank(corner);
+    corner = next_[corner];
+  } while (corner != start_);
+  return true;
+}
+
+void PolygonTriangulator::rank(Index corner) {
+  const Index a = prev_[corner];
+  const Index b = next_[corner];
+  const int turns = turn(a, corner, b);
+  const int free = turns == 0 ? kFlat : turns > 0 ? kLeft : kRight;
+  ranks_.set(corner, is_forbidden(a, b) ? 0 : free);
 }
 
 }  // namespace halfedge

@@ -2,6 +2,7 @@
 
 #include <halfedge/algorithms/planar.h>
 #include <halfedge/algorithms/point_tree.h>
+#include <halfedge/algorithms/rank_tree.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/mesh.h>
@@ -46,7 +47,7 @@ class PolygonTriangulator {
   /// pre: 3 corners or more
   /// cost: O(n^3) of n <= kSmall corners; of more O(n log n) and, for each corner, a look for
   ///       concave ones in its triangle: mostly O(log n), O(sqrt(n)) of long slivers. 40 bytes a
-  ///       corner, and more
+  ///       corner, and more; 4 more of a polygon that crosses itself
   [[nodiscard]] Outcome run(std::span<const Point> points, std::span<const Diagonal> forbidden,
                             Array<Index>& ears);
 
@@ -73,6 +74,7 @@ class PolygonTriangulator {
     Index stamp = 0;
   };
 
+  [[nodiscard]] Outcome cut(Array<Index>& ears);
   [[nodiscard]] bool project();
   [[nodiscard]] int turn(Index a, Index b, Index c) const;
   [[nodiscard]] double distance(Index a, Index b) const;
@@ -86,14 +88,19 @@ class PolygonTriangulator {
   void find_blocked(std::size_t i, std::size_t j);
 
   // Many corners: ears are cut off.
+  [[nodiscard]] Outcome cut_to_few(Array<Index>& ears);
   [[nodiscard]] bool begin_cutting();
   [[nodiscard]] bool is_ear(Index corner);
   [[nodiscard]] bool lies_inside(Index w, Index a, Index b, Index c) const;
   [[nodiscard]] bool enters(Index w, Index corner, Index following, Index before) const;
   [[nodiscard]] bool look_at(Index corner);
   [[nodiscard]] Index best_ear();
-  [[nodiscard]] Index any_corner();
   [[nodiscard]] bool cut_off(Index corner);
+
+  // Where there is no ear.
+  [[nodiscard]] bool rank_corners();
+  void rank(Index corner);
+  [[nodiscard]] Index any_corner() const;
 
   std::span<const Point> points_;
   std::span<const Diagonal> forbidden_;
@@ -106,7 +113,9 @@ class PolygonTriangulator {
   Array<Index> stamp_;  // of a corner: counts its changes
   PointTree concave_;   // those corners
   Array<Ear> ears_;     // a heap, and some that have changed since
-  Index start_ = 0;     // a corner that is left
+  RankTree ranks_;      // of all corners, once there was no ear
+  bool is_ranked_ = false;
+  Index start_ = 0;  // a corner that is left
 };
 
 }  // namespace halfedge
