@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "support/built.h"
 #include "support/polygon_lists.h"
 
 namespace halfedge::test {
@@ -167,6 +169,37 @@ TEST(ExtrudeFace, CopiesAttributes) {
                   expected(own, corner_mean));
       }
     }
+  }
+}
+
+// 50,000 sides: comparing each with each would take minutes.
+TEST(InsetFace, OfAFaceWithManySides) {
+  constexpr Index kSides = 50'000;
+  std::vector<std::vector<Index>> faces(1);
+  for (Index v = 0; v < kSides; ++v) faces[0].push_back(v);
+  Mesh mesh = built({"", kSides, faces});
+  const AttributeOptions options{.type = Scalar::kFloat64, .on_split = OnSplit::kInterpolate};
+  for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kHalfedge}) {
+    Attribute* const column = mesh.add_attribute(kind, "number", options).value();
+    for (Index i = 0; i < mesh.slots(kind); ++i) column->set(i, 0, double(i), nullptr);
+  }
+  double vertex_mean = 0;
+  double corner_mean = 0;
+  for (const Halfedge h : mesh.face_halfedges_ccw(Face(0))) {
+    vertex_mean += double(mesh.to_vertex(h).index()) / kSides;
+    corner_mean += double(h.index()) / kSides;
+  }
+  const std::clock_t start = std::clock();
+  ASSERT_TRUE(inset_face(mesh, Face(0), 0.5).ok());
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 10);
+  expect_valid(mesh, "inset");
+  for (const Halfedge inner : mesh.face_halfedges_ccw(Face(0))) {
+    const Halfedge spoke = mesh.prev(mesh.opposite(inner));
+    const Halfedge outer = mesh.prev(spoke);
+    EXPECT_NEAR(value(mesh, ItemKind::kVertex, "number", mesh.to_vertex(spoke).index()),
+                (double(mesh.to_vertex(outer).index()) + vertex_mean) / 2, 1e-6);
+    EXPECT_NEAR(value(mesh, ItemKind::kHalfedge, "number", spoke.index()),
+                (double(outer.index()) + corner_mean) / 2, 1e-6);
   }
 }
 

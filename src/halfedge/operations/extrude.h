@@ -119,8 +119,7 @@ template <EditableSurface Mesh>
 ///
 /// attributes: new vertices and corners are blended as their positions are; quads have those of f,
 ///             the new sides of f those of the old; the edges between corners have the defaults
-/// returns: f. cost: O(degree^2) if there are attributes, else O(degree)
-/// inverse: delete_vertex of the new vertices, then fill_hole
+/// returns: f. cost: O(degree). inverse: delete_vertex of the new vertices, then fill_hole
 /// errors: those of check_inset_face, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> inset_face(Mesh& mesh, Face f, double fraction) {
@@ -133,21 +132,25 @@ template <EditableSurface Mesh>
   if constexpr (HasPositions<Mesh>) {
     mean = decorator::internal::centroid(mesh, mesh.face_halfedge(f));
   }
-  for (std::size_t i = 0; i < sides.size(); ++i) {
+  // The first corner holds the mean for the others, and is what is between that and the corner
+  // outside in the end.
+  const internal::RingSide& first = sides[0];
+  mesh.average_attributes(first.corner, [&](const auto& add) {
+    for (const internal::RingSide& each : sides) add(mesh.to_vertex(each.outer).index());
+  });
+  mesh.average_attributes(first.inner, [&](const auto& add) {
+    for (const internal::RingSide& each : sides) add(each.outer.index());
+  });
+  for (std::size_t i = sides.size(); i-- > 0;) {
     const internal::RingSide& side = sides[i];
     const Vertex v = side.corner;
     const Vertex outer = mesh.to_vertex(side.outer);
     if constexpr (HasPositions<Mesh>) {
       mesh.set_position(v, decorator::internal::blend(mesh.position(outer), mean, fraction));
     }
-    // The mean first, then what is between it and the corner.
-    mesh.average_attributes(v, [&](const auto& add) {
-      for (const internal::RingSide& each : sides) add(mesh.to_vertex(each.outer).index());
-    });
+    mesh.copy_attributes(v, first.corner);
     mesh.blend_attributes(v, outer, v, fraction);
-    mesh.average_attributes(side.inner, [&](const auto& add) {
-      for (const internal::RingSide& each : sides) add(each.outer.index());
-    });
+    mesh.copy_corner(side.inner, first.inner);
     mesh.blend_corners(side.inner, side.outer, side.inner, fraction);
     mesh.copy_corner(side.spoke, side.inner);
     mesh.copy_corner(mesh.opposite(sides[i + 1 == sides.size() ? 0 : i + 1].inner), side.inner);
