@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <halfedge/operations/deletion.h>
 
+#include <cstdint>
+#include <cstring>
 #include <random>
 #include <string>
 #include <vector>
@@ -128,14 +130,15 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
             for (int v = 0; v < 7; ++v) lines += "vn 0 0 0\n";
             return lines;
           }() +
-          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak__2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
+          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak#_2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
           "f 2/1/2 6/1/6 3/1/3\nf 6/1/6 7/1/7 3/1/3\n");
   EXPECT_EQ(notes,
             (Strings{"wrote the vertex attribute \"normal\" for the corners of faces, to which "
                      "readers give it",
                      "wrote the face attribute \"material\" as numbers that readers take for int32",
-                     "wrote the face attribute \"material\" with 1 of its 1 names changed: # and "
-                     "control characters become _, blanks at the ends are left out"}));
+                     "wrote the face attribute \"material\" with 1 of its 1 names changed: "
+                     "control characters and a # that starts a word become _, blanks at the ends "
+                     "are left out"}));
 }
 
 TEST(ObjAttributes, SaysWhichNamesDoNotComeBack) {
@@ -151,18 +154,60 @@ TEST(ObjAttributes, SaysWhichNamesDoNotComeBack) {
   };
   const std::string wrote = "wrote the face attribute \"group\" with ";
   const std::string changed =
-      " names changed: # and control characters become _, blanks at the ends are left out";
+      " names changed: control characters and a # that starts a word become _, blanks at the ends "
+      "are left out";
   EXPECT_EQ(notes_of({"", "a", "b"}, {1, 2, 0, 1}), Strings());
   EXPECT_EQ(notes_of({"", "a", "3"}, {1, 2, 0, 1}), Strings()) << "not all of them are numbers";
   EXPECT_EQ(notes_of({"", "a", "#"}, {1, 1, 1, 1}), Strings()) << "is not used";
-  EXPECT_EQ(notes_of({"", "a#b", "a_b", " a\tb"}, {1, 2, 3, 0}),
+  EXPECT_EQ(notes_of({"", "a #b", "a_b", " a\tb"}, {1, 2, 3, 0}),
             Strings{wrote + "2 of its 3" + changed});
+  EXPECT_EQ(notes_of({"", "#a", "a_b"}, {1, 2, 1, 1}), Strings{wrote + "1 of its 2" + changed});
+  EXPECT_EQ(notes_of({"", "a#b", "a# b#"}, {1, 2, 1, 1}), Strings());
   EXPECT_EQ(notes_of({"", "", "b"}, {1, 2, 1, 2}),
             Strings{wrote + "1 of its 2 names left out, being empty"});
   EXPECT_EQ(notes_of({"", "1", "0"}, {1, 2, 1, 2}),
             Strings{wrote + "2 of its 2 names that are numbers, for which readers take them"});
   EXPECT_EQ(notes_of({"", "a"}, {1, 7, 1, 0}),
             Strings{wrote + "names that are the numbers of faces which have none"});
+}
+
+TEST(ObjAttributes, ANameEndsAtAHashThatStartsAWord) {
+  const Result<ParsedFile> file = parse(
+      test::bytes_of("mtllib a#1.mtl b#.mtl # of both\nv 0 0 0\nv 1 0 0\nv 1 1 0\no thing#1#\n"
+                     "usemtl steel#2\nf 1 2 3\nusemtl steel #2\nf 1 2 3\nusemtl #2\nf 1 2 3\n"
+                     "usemtl a# b\t#\nf 1 2 3\nusemtl#2\nf 1 2 3#4\nusemtl steel#2#\nf 1 2 3\n"));
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file.value().names.size(), 3U);
+  EXPECT_EQ(file.value().names[0].names, (Strings{"", "thing#1#"}));
+  EXPECT_EQ(file.value().names[1].names, (Strings{"", "steel#2", "steel", "a# b", "steel#2#"}));
+  EXPECT_EQ(file.value().names[2].names, (Strings{"a#1.mtl b#.mtl"}));
+  const SoupAttribute& material = file.value().attributes.back();
+  ASSERT_EQ(material.name, "material");
+  std::vector<std::int32_t> numbers(6);
+  ASSERT_EQ(material.values.size(), sizeof(std::int32_t) * numbers.size());
+  std::memcpy(numbers.data(), material.values.begin(), material.values.size());
+  EXPECT_EQ(numbers, (std::vector<std::int32_t>{1, 2, 0, 3, 0, 4}));
+}
+
+// Whatever is written as a name is read as that: the second time nothing is changed any more.
+TEST(ObjAttributes, NamesWithHashesAndBlanksComeBack) {
+  const Strings hard = {"", "a#b", "a #b", "#a", "##", "a# #", "a\t#b", " # a", "a  b", "#", "\v#"};
+  const Strings spelt = {"", "a#b", "a _b", "_a", "_#", "a# _", "a_#b", "_ a", "a  b", "_", "_#"};
+  for (std::size_t i = 1; i < hard.size(); ++i) {
+    SCOPED_TRACE(hard[i]);
+    Mesh mesh = sample_mesh();
+    add(mesh, ItemKind::kFace, "group", Scalar::kInt32, 1, OnSplit::kCopy).set(0, 0, 1, nullptr);
+    std::string name = hard[i];
+    for (int times = 0; times < 2; ++times) {
+      const std::vector<SoupNames> tables = {{"group", {"", name}}};
+      const auto bytes = write(mesh, Format::kObj, {.names = tables});
+      const Result<ParsedFile> file = parse(bytes.value());
+      ASSERT_TRUE(file);
+      ASSERT_EQ(file.value().names.size(), 1U);
+      name = file.value().names[0].names[1];
+      EXPECT_EQ(name, spelt[i]);
+    }
+  }
 }
 
 TEST(ObjAttributes, LeavesOutLabelsThatAreNoInt32) {

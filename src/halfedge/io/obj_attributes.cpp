@@ -12,8 +12,8 @@ namespace {
 /// Tables of names take more memory than the text of short ones.
 constexpr std::size_t kMostNames = 1 << 16;
 
-/// The rest of the line without the blanks around it. A backslash at its end belongs to it, as to
-/// the path of a folder.
+/// The rest of the line, without the blanks around it, up to a comment: a # within a word belongs
+/// to it, as in steel#2, and so does a backslash at the end, as to the path of a folder.
 std::string_view read_rest(TextScanner& text) {
   const std::string_view rest = text.rest();
   std::size_t begin = 0;
@@ -21,7 +21,8 @@ std::string_view read_rest(TextScanner& text) {
   std::size_t end = begin;
   for (std::size_t i = begin; i < rest.size(); ++i) {
     const CharClass c = class_of(rest[i]);
-    if (c == CharClass::kNewline || c == CharClass::kComment) break;
+    const bool starts_word = end != i || i == begin;
+    if (c == CharClass::kNewline || (c == CharClass::kComment && starts_word)) break;
     if (c != CharClass::kBlank) end = i + 1;
   }
   return rest.substr(begin, end - begin);

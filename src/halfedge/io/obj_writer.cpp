@@ -15,12 +15,14 @@ namespace {
 
 bool is_real(const Attribute& column) { return column.type() <= Scalar::kFloat64; }
 
-/// A name that reads back as one.
+/// A name that reads back as one: a # that starts a word would start a comment.
 std::string spelt(std::string_view name) {
   const std::size_t begin = std::min(name.find_first_not_of(' '), name.size());
   std::string text(name.substr(begin, name.find_last_not_of(' ') + 1 - begin));
+  bool starts_word = true;
   for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == '#') c = '_';
+    if (static_cast<unsigned char>(c) < ' ' || (c == '#' && starts_word)) c = '_';
+    starts_word = c == ' ';
   }
   return text;
 }
@@ -150,7 +152,8 @@ class ObjWriter {
       mesh_.note_change(*label.column,
                         sentence::of("with {} of its {} names {} {}", count, used, verb, what));
     };
-    note(changed, "changed:", "# and control characters become _, blanks at the ends are left out");
+    note(changed, "changed:",
+         "control characters and a # that starts a word become _, blanks at the ends are left out");
     note(empty, "left out,", "being empty");
     if (numbers + empty == used) note(numbers, "that", "are numbers, for which readers take them");
     if (any_without && numbers + empty < used) {
