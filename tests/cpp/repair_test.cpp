@@ -3,16 +3,20 @@
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/topology.h>
 #include <halfedge/build/build.h>
+#include <halfedge/io/parse.h>
 #include <halfedge/repair/repair.h>
 
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/repairing.h"
 #include "support/shapes.h"
+#include "support/text_file.h"
 
 namespace halfedge::test {
 namespace {
@@ -79,12 +83,55 @@ TEST(Repair, LeavesOutFacesWithAnIndexOutOfRange) {
   EXPECT_EQ(result.messages(),
             (Strings{"index-out-of-range: Face 1 uses vertex 4, but the last one is 3: it was "
                      "left out.",
-                     "index-out-of-range: Face 3 uses vertex -1, but the last one is 3: it was "
-                     "left out."}));
+                     "index-out-of-range: Face 3 uses vertex 4294967295, but the last one is "
+                     "3: it was left out."}));
   EXPECT_EQ(result.report.problems[0].witness.vertices, std::vector<Index>{4});
   EXPECT_EQ(result.report.problems[0].witness.faces, std::vector<Index>{1});
   EXPECT_EQ(result.report.summary, "2 faces with an index out of range left out.");
   expect_verdicts(result, {{1, RepairCode::kIndexOutOfRange}, {3, RepairCode::kIndexOutOfRange}});
+}
+
+TEST(Repair, NamesVerticesAsTheyWereGiven) {
+  const Shape shape("", 3, {{0, 1, 2}, {1, 0, 0x8000'0000}, {1, 2, 0xFFFF'FFFE}, {3, 0, 1}});
+  const auto named = [&](bool has_negative) {
+    Polygons polygons = shape.polygons();
+    polygons.has_negative = has_negative;
+    Strings names;
+    for (const std::string& message : Repaired(polygons).messages()) {
+      const std::size_t begin = message.find("vertex ");
+      names.push_back(message.substr(begin, message.find(',') - begin));
+    }
+    return names;
+  };
+  EXPECT_EQ(named(false), (Strings{"vertex 2147483648", "vertex 4294967294", "vertex 3"}));
+  EXPECT_EQ(named(true), (Strings{"vertex -2147483648", "vertex -2", "vertex 3"}));
+}
+
+TEST(Repair, NamesVerticesAsTheyAreInAFile) {
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar ";
+  const std::string points = "end_header\n0 0 0\n1 0 0\n0 1 0\n";
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n" +
+      points;
+  const std::pair<std::string, const char*> files[] = {
+      {ply + "int vertex_indices\n" + points + "3 0 1 -7\n", "vertex -7,"},
+      {ply + "uint vertex_indices\n" + points + "3 0 1 4294967289\n", "vertex 4294967289,"},
+      {strips + "3 0 1 -7\n", "vertex -7,"},
+      {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -7\n", "vertex -7,"},
+      {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967289\n", "vertex 4294967289,"},
+      // Counted from 0, as all that a report tells of: four before the first one.
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -7\n", "vertex -4,"},
+      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967290\n", "vertex 4294967289,"}};
+  for (const auto& [text, name] : files) {
+    const Result<ParsedFile> file = parse(bytes_of(text), std::nullopt, {.for_repair = true});
+    ASSERT_TRUE(file) << file.error().message;
+    const Strings messages = Repaired(file.value().soup.view()).messages();
+    ASSERT_FALSE(messages.empty()) << text;
+    EXPECT_NE(messages[0].find(name), std::string::npos) << messages[0];
+  }
 }
 
 TEST(Repair, LeavesOutPositionsThatAreNotFiniteAndTheirFaces) {

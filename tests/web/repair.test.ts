@@ -70,6 +70,27 @@ describe('fromSoup', () => {
     expect(HalfedgeMesh.fromSoup([], []).mesh.vertexCount).toBe(0);
   });
 
+  test.each([
+    [Uint32Array.of(0, 1, 2 ** 32 - 1), '4294967295'],
+    [Uint32Array.of(0, 1, 2 ** 31), '2147483648'],
+    [Int32Array.of(0, 1, -1), '-1'],
+    [Int8Array.of(0, 1, -3), '-3'],
+    [Float64Array.of(0, 1, -4), '-4'],
+    [Float64Array.of(0, 1, 2 ** 32 - 4), '4294967292'],
+    [[0, 1, -5], '-5'],
+    [[0, 1, 2 ** 32 - 5], '4294967291'],
+    [[[0, 1, -6]], '-6'],
+    [[[0, 1, 2 ** 32 - 6]], '4294967290'],
+    [{ sizes: [3], corners: Int32Array.of(0, 1, -7) }, '-7'],
+    [{ sizes: [3], corners: [0, 1, 2 ** 32 - 7] }, '4294967289'],
+  ])('names vertices as they were given: %j', (faces, name) => {
+    const { mesh, report } = HalfedgeMesh.fromSoup(CORNERS, faces);
+    expect(report.problems[0]?.message).toBe(
+      `Face 0 uses vertex ${name}, but the last one is 3: it was left out.`,
+    );
+    mesh.dispose();
+  });
+
   const rows: [string, number[][], object, string, RepairReport['verdicts']][] = [
     [
       'indices out of range',

@@ -162,7 +162,7 @@ export interface RawCore {
         notes: string[];
       }
     | RawFailure;
-  /** A negative tolerance keeps vertices apart. */
+  /** A negative tolerance keeps vertices apart. `isSigned`: corners are named as signed numbers. */
   buildFromSoup(
     positions: number,
     positionCount: number,
@@ -172,6 +172,7 @@ export interface RawCore {
     cornerCount: number,
     tolerance: number,
     dropIsolated: boolean,
+    isSigned: boolean,
     storesPrev: boolean,
   ): ({ mesh: number } & RawRepair) | RawFailure;
 

@@ -111,6 +111,7 @@ export function soupLinks(
       vertices.count,
       weld,
       dropIsolated,
+      isSigned(corners),
       withPrev,
     );
   });
@@ -270,14 +271,22 @@ function flatten(
   }
   const corners = newArray('faces', Uint32Array, total);
   let at = 0;
+  let hasNegative = false;
   for (let f = 0; f < count; f++) {
     const face = faces[f] as ArrayLike<unknown>;
-    for (let i = 0; i < sizes[f]; i++) corners[at++] = anyInteger(`faces[${f}]`, i, face[i]);
+    for (let i = 0; i < sizes[f]; i++) {
+      const vertex = anyInteger(`faces[${f}]`, i, face[i]);
+      hasNegative ||= vertex < 0;
+      corners[at++] = vertex;
+    }
   }
-  return { sizes, corners };
+  return { sizes, corners: hasNegative ? signed(corners) : corners };
 }
 
-/** Vertices of corners: whatever is no index of a vertex is the core's to report, with its face. */
+/**
+ * Vertices of corners: whatever is no index of a vertex is the core's to report, with its face. The array
+ * is a signed one if there are negative numbers.
+ */
 function anyIntegers(argument: string, source: unknown): NumberArray {
   const name = typedArrayName(source);
   if (name !== undefined && !name.startsWith('Float')) return indices(argument, source);
@@ -285,8 +294,22 @@ function anyIntegers(argument: string, source: unknown): NumberArray {
   const from = source as ArrayLike<unknown>;
   if (count > 0) anyInteger(argument, count - 1, from[count - 1]); // or a lying length costs memory
   const to = newArray(argument, Uint32Array, count);
-  for (let i = 0; i < count; i++) to[i] = anyInteger(argument, i, from[i]);
-  return to;
+  let hasNegative = false;
+  for (let i = 0; i < count; i++) {
+    const vertex = anyInteger(argument, i, from[i]);
+    hasNegative ||= vertex < 0;
+    to[i] = vertex;
+  }
+  return hasNegative ? signed(to) : to;
+}
+
+/** The same 32 bits as signed numbers. */
+function signed(array: Uint32Array): Int32Array {
+  return new Int32Array(array.buffer, array.byteOffset, array.length);
+}
+
+function isSigned(array: NumberArray): boolean {
+  return typedArrayName(array)?.startsWith('Int') ?? false;
 }
 
 function anyInteger(argument: string, i: number, value: unknown): number {

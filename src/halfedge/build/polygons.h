@@ -16,6 +16,9 @@ struct Polygons {
   std::span<const Index> sizes;
   /// The vertex of each corner, face after face, counter-clockwise within a face.
   std::span<const Index> corners;
+  /// Corners from 2^31 stand for the negative numbers with the same 32 bits: a repair names these.
+  /// No mesh has such a vertex either way.
+  bool has_negative = false;
 
   [[nodiscard]] std::size_t vertex_count() const { return positions.size() / 3; }
   [[nodiscard]] std::size_t face_count() const {
@@ -29,8 +32,11 @@ struct PolygonSoup {
   Array<float> positions;
   Array<Index> sizes;
   Array<Index> corners;
+  bool has_negative = false;
 
-  [[nodiscard]] Polygons view() const { return {positions.span(), sizes.span(), corners.span()}; }
+  [[nodiscard]] Polygons view() const {
+    return {positions.span(), sizes.span(), corners.span(), has_negative};
+  }
 };
 
 }  // namespace halfedge

@@ -289,7 +289,7 @@ bool ObjReader::read_longer_corner(std::int64_t& vertex) {
 
   const auto vertices = static_cast<std::int64_t>(out_.vertex_count());
   if (index >= -vertices || options_.for_repair) {
-    vertex = std::int64_t{missing_vertex(index >= 0 ? index - 1 : vertices + index)} + 1;
+    vertex = std::int64_t{out_.missing_vertex(index >= 0 ? index - 1 : vertices + index)} + 1;
     return true;
   }
   text_.move_to(start);

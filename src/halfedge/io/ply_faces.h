@@ -118,7 +118,7 @@ bool PlyReader<Source>::read_corner(const PlyProperty& list, std::size_t corner,
   }
   const bool exists = vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
   if (exists || options_.for_repair) {
-    out_.add_corner(exists ? static_cast<Index>(vertex) : missing_vertex(vertex));
+    out_.add_corner(exists ? static_cast<Index>(vertex) : out_.missing_vertex(vertex));
     return true;
   }
   source_.move_to(start);
@@ -165,7 +165,7 @@ bool PlyReader<Source>::read_strip(const PlyProperty& list) {
       source_.move_to(start);
       return fail(wrong_index(2, vertex));
     }
-    const Index c = exists ? static_cast<Index>(vertex) : missing_vertex(vertex);
+    const Index c = exists ? static_cast<Index>(vertex) : out_.missing_vertex(vertex);
     const auto [a, b] = before;
     if (in_strip >= 2 && a != b && b != c && c != a) {
       in_strip % 2 == 0 ? out_.add_triangle(a, b, c) : out_.add_triangle(b, a, c);

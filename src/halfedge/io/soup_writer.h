@@ -39,12 +39,6 @@ class FacePositions {
   std::size_t found_ = 0;
 };
 
-/// The corner of a vertex that the file does not have, for a repair to name: an index that no mesh
-/// has, with the same 32 bits where that is possible.
-[[nodiscard]] inline Index missing_vertex(std::int64_t index) {
-  return index >= INT32_MIN && index <= INT64_C(0xFFFF'FFFF) ? static_cast<Index>(index) : kNone;
-}
-
 /// Collects what a reader finds, and reads on as long as there is memory. Growth is amortised.
 class SoupWriter {
  public:
@@ -98,6 +92,12 @@ class SoupWriter {
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
     if (Index* const p = append(soup_.corners, 1)) *p = vertex;
+  }
+  /// The corner of a vertex that the file does not have, for a repair to name: an index that no
+  /// mesh has, with the same 32 bits where that is possible.
+  [[nodiscard]] Index missing_vertex(std::int64_t index) {
+    soup_.has_negative |= index < 0;
+    return index >= INT32_MIN && index <= INT64_C(0xFFFF'FFFF) ? static_cast<Index>(index) : kNone;
   }
   /// A face of three corners, in one go.
   void add_triangle(Index a, Index b, Index c) {

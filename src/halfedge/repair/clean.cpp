@@ -13,9 +13,6 @@ using sentence::count_of;
 using sentence::number;
 using std::to_string;
 
-// Indices as they were written, which may have been negative.
-std::string signed_index(Index v) { return to_string(std::int64_t(std::int32_t(v))); }
-
 class Cleaner {
  public:
   Cleaner(const Polygons& input, const Vertices& vertices, Log& log, Faces& out)
@@ -40,6 +37,11 @@ class Cleaner {
   }
 
  private:
+  // A vertex of the input as it was written.
+  [[nodiscard]] std::string index(Index v) const {
+    return input_.has_negative ? to_string(std::int32_t(v)) : to_string(v);
+  }
+
   void report_positions() {
     for (std::size_t v = 0; v < input_.vertex_count(); ++v) {
       if (vertices_.of_input[v] != kNone) continue;
@@ -116,7 +118,7 @@ class Cleaner {
         drop(f, RepairCode::kIndexOutOfRange, {v}, [&] {
           const std::size_t count = input_.vertex_count();
           return sentence::of(
-              " uses vertex {}, but {}: it was left out.", signed_index(v),
+              " uses vertex {}, but {}: it was left out.", index(v),
               (count == 0 ? "there are no vertices" : "the last one is " + to_string(count - 1)));
         });
         return false;
@@ -222,7 +224,7 @@ class Cleaner {
     const std::string face = sentence::of("Face {} uses ", f);
     if (repeat.a == repeat.b) {
       return {{},
-              sentence::of("{}vertex {} more than once{}", face, signed_index(repeat.a), fate),
+              sentence::of("{}vertex {} more than once{}", face, repeat.a, fate),
               {.vertices = {repeat.a}, .faces = {f}}};
     }
     return {
