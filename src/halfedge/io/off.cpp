@@ -33,6 +33,13 @@ bool is_just_faces(TextScanner text, std::uint64_t faces) {
   return text.at_end();
 }
 
+/// How vertices, or faces, lie on lines.
+enum class Layout : std::uint8_t {
+  kUnknown,  // as kRecords, until something follows a record on its line
+  kRecords,  // each begins a line, and may have colours and such behind
+  kFree      // each begins behind the one before
+};
+
 /// A vertex is three numbers and a face a count with so many indices. Files put each on a line of
 /// its own, and may add colours and such behind; but line breaks mean nothing to Geomview. So lines
 /// are records, which gives errors their place, unless there are too many or too few of them: all
@@ -57,7 +64,9 @@ class OffReader {
   [[nodiscard]] bool read_vertex();
   [[nodiscard]] bool read_face();
   [[nodiscard]] bool read_corner(std::int64_t corner, std::int64_t degree);
-  /// Whether what follows a position on its line is the next vertex.
+  void look_behind_position();
+  /// Whether what is left of the vertices and faces are just their numbers, on more lines than
+  /// there are records.
   [[nodiscard]] bool vertices_cross_lines();
   void read_values_of_vertex();
   [[nodiscard]] bool read_behind_face();
@@ -66,7 +75,7 @@ class OffReader {
   [[nodiscard]] bool faces_share_lines();
 
   /// To the next number of a record. False where the record ends too early.
-  [[nodiscard]] bool skip_to_value(bool packed);
+  [[nodiscard]] bool skip_to_value(bool is_free);
   /// Lines with something on them after the header. Counted when first asked for.
   [[nodiscard]] std::uint64_t data_lines();
   [[nodiscard]] std::uint64_t records() const { return header_.vertices + header_.faces; }
@@ -83,9 +92,8 @@ class OffReader {
   OffAttributes attributes_;
   OffHeader header_;
   Error error_;
-  bool packed_ = false;               // several vertices on a line
-  std::optional<bool> cross_lines_;   // vertices start and end anywhere, once it matters
-  std::optional<bool> packed_faces_;  // several faces on a line, once it matters
+  Layout vertices_ = Layout::kUnknown;
+  Layout faces_ = Layout::kUnknown;
   std::optional<std::uint64_t> data_lines_;
 };
 
@@ -105,7 +113,8 @@ void OffReader::prepare() {
   const std::size_t columns = text_.columns_of_line();
   const auto expected = static_cast<std::size_t>(header_.columns);
   const bool has_all = columns / expected >= header_.vertices;
-  packed_ = columns > expected && (columns % expected == 0 || has_all) && data_lines() < records();
+  const bool may_share = columns > expected && (columns % expected == 0 || has_all);
+  if (may_share && data_lines() < records()) vertices_ = Layout::kFree;
   // Most faces are triangles; an index takes two bytes.
   const std::uint64_t corners = std::min<std::uint64_t>(3 * header_.faces, text_.rest().size() / 2);
   out_.reserve(static_cast<std::size_t>(header_.vertices), static_cast<std::size_t>(corners));
@@ -123,10 +132,10 @@ std::uint64_t OffReader::data_lines() {
   return lines;
 }
 
-bool OffReader::skip_to_value(bool packed) {
+bool OffReader::skip_to_value(bool is_free) {
   text_.skip_blanks();
   if (!text_.at_line_end()) return true;
-  if (!packed && data_lines() <= records()) return false;
+  if (!is_free && data_lines() <= records()) return false;
   text_.skip_to_token();
   return !text_.at_end();
 }
@@ -137,7 +146,7 @@ bool OffReader::read_vertex() {
   std::array<float, 4> p{};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) {
-    if (skip_to_value(packed_) && text_.read_float(p[i])) continue;
+    if (skip_to_value(vertices_ == Layout::kFree) && text_.read_float(p[i])) continue;
     return fail(unexpected(text_, sentence::of("a number for {} of vertex {} of {}",
                                                std::string_view("xyzw").substr(i, 1),
                                                out_.vertex_count(), header_.vertices)));
@@ -146,21 +155,24 @@ bool OffReader::read_vertex() {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
   const bool is_plain = header_.columns == header_.coordinates;
-  if (is_plain && !packed_ && !text_.at_line_end()) packed_ = vertices_cross_lines();
+  if (is_plain && vertices_ != Layout::kFree) look_behind_position();
   const bool has_more = !is_plain || !text_.at_line_end();
-  if (packed_ || (options_.attributes && has_more)) read_values_of_vertex();
-  if (!packed_) text_.skip_tokens();
+  const bool is_free = vertices_ == Layout::kFree;
+  if (is_free || (options_.attributes && has_more)) read_values_of_vertex();
+  if (!is_free) text_.skip_tokens();
   out_.add_vertex(p[0], p[1], p[2]);
   return true;
 }
 
-/// Looked at only if it matters: where something follows a position on its line. There must be more
-/// lines than records, and what is left just the numbers that are missing.
-bool OffReader::vertices_cross_lines() {
+/// The layout matters where something follows a position on its line that doesn't belong there.
+void OffReader::look_behind_position() {
   text_.skip_blanks();
-  if (text_.at_line_end()) return false;
-  if (cross_lines_) return *cross_lines_;
-  cross_lines_ = false;
+  if (text_.at_line_end() || vertices_ != Layout::kUnknown) return;
+  vertices_ = Layout::kRecords;
+  if (vertices_cross_lines()) vertices_ = faces_ = Layout::kFree;
+}
+
+bool OffReader::vertices_cross_lines() {
   if (data_lines() <= records()) return false;
   TextScanner ahead = text_;
   const std::uint64_t vertices = header_.vertices - out_.vertex_count() - 1;
@@ -170,9 +182,7 @@ bool OffReader::vertices_cross_lines() {
     ahead.skip_to_token();
     if (!ahead.read_float(number)) return false;
   }
-  cross_lines_ = is_just_faces(ahead, header_.faces);
-  if (*cross_lines_) packed_faces_ = true;
-  return *cross_lines_;
+  return is_just_faces(ahead, header_.faces);
 }
 
 /// What the vertex has behind its position: all of the line, or so many numbers as it should have.
@@ -181,11 +191,12 @@ void OffReader::read_values_of_vertex() {
   std::array<float, kMost> numbers{};
   std::array<std::string_view, kMost> tokens;
   const auto promised = static_cast<std::size_t>(header_.columns - header_.coordinates);
-  const std::size_t most = packed_ ? promised : kMost;
+  const bool is_free = vertices_ == Layout::kFree;
+  const std::size_t most = is_free ? promised : kMost;
   std::size_t count = 0;
   for (; count < most; ++count) {
     text_.skip_blanks();
-    if (text_.at_line_end() && (!packed_ || !skip_to_value(true))) break;
+    if (text_.at_line_end() && (!is_free || !skip_to_value(true))) break;
     tokens[count] = text_.token();
     if (!text_.read_float(numbers[count])) break;
   }
@@ -222,7 +233,10 @@ bool OffReader::read_face() {
 bool OffReader::read_behind_face() {
   text_.skip_blanks();
   if (text_.at_line_end()) return false;
-  if (faces_share_lines()) return true;
+  if (faces_ == Layout::kUnknown) {
+    faces_ = faces_share_lines() ? Layout::kFree : Layout::kRecords;
+  }
+  if (faces_ == Layout::kFree) return true;
   if (options_.attributes) read_color_of_face();
   return false;
 }
@@ -231,7 +245,6 @@ bool OffReader::read_behind_face() {
 /// has too few lines as well, so what is left must be faces and nothing else; and where each has a
 /// line, the four numbers behind it are a colour, even if they look like a triangle.
 bool OffReader::faces_share_lines() {
-  if (packed_faces_) return *packed_faces_;
   std::uint64_t lines = 0;
   TextScanner ahead = text_;
   const std::uint64_t left = header_.faces - out_.face_count();
@@ -240,8 +253,7 @@ bool OffReader::faces_share_lines() {
     ahead.skip_to_token();
   }
   const bool may_be_color = lines > 1 && text_.columns_of_line() == 4;
-  packed_faces_ = lines < left && !may_be_color && is_just_faces(text_, left - 1);
-  return *packed_faces_;
+  return lines < left && !may_be_color && is_just_faces(text_, left - 1);
 }
 
 /// Three or four numbers, from 0 to 1 or integers from 0 to 255.
@@ -259,7 +271,7 @@ void OffReader::read_color_of_face() {
 }
 
 bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
-  const bool any = skip_to_value(packed_ || packed_faces_.value_or(false));
+  const bool any = skip_to_value(vertices_ == Layout::kFree || faces_ == Layout::kFree);
   const TextScanner start = text_;
   std::int64_t vertex = 0;
   const bool well_formed = any && text_.read_integer(vertex) && text_.at_token_end();
