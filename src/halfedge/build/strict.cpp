@@ -12,7 +12,7 @@ namespace halfedge {
 
 namespace {
 
-bool sizes_fit(const Polygons& polygons) {
+bool sizes_fit_a_mesh(const Polygons& polygons) {
   if (polygons.positions.size() % 3 != 0 || polygons.vertex_count() > kMaxSlots ||
       polygons.corners.size() > kMaxSlots) {
     return false;
@@ -68,7 +68,7 @@ bool are_finite(std::span<const float> numbers) {
 }  // namespace
 
 bool can_be_connected(const Polygons& polygons) {
-  return sizes_fit(polygons) && are_below(polygons.corners, polygons.vertex_count());
+  return sizes_fit_a_mesh(polygons) && are_below(polygons.corners, polygons.vertex_count());
 }
 
 ConnectResult copy_positions(std::span<const float> from, Array<float>& to) {

@@ -13,7 +13,7 @@ namespace {
 
 /// As in no text, but behind its end. Some programs start the header of a binary file with "solid",
 /// as a text does.
-bool has_nul(std::span<const std::uint8_t> bytes) {
+bool looks_binary(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLooked = 1024;
   const std::string_view text = TextScanner(bytes).rest();
   const std::string_view lines = TextScanner(without_padding(bytes)).rest();
@@ -45,7 +45,7 @@ StlKind kind_of_stl(std::span<const std::uint8_t> bytes) {
   TextScanner text(bytes);
   text.skip_to_token();
   if (is_word(text.token().substr(0, 5), "solid")) {
-    return has_nul(bytes) ? StlKind::kBinary : StlKind::kText;
+    return looks_binary(bytes) ? StlKind::kBinary : StlKind::kText;
   }
   if (is_word(text.token(), "facet")) return StlKind::kText;
   return has_stl_triangles(bytes) ? StlKind::kBinaryOfWrongSize : StlKind::kUnknown;
@@ -54,7 +54,7 @@ StlKind kind_of_stl(std::span<const std::uint8_t> bytes) {
 Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const Request& request) {
   const StlKind kind = kind_of_stl(bytes);
   const bool binary = kind == StlKind::kBinary || kind == StlKind::kBinaryOfWrongSize ||
-                      (kind == StlKind::kUnknown && has_nul(bytes));
+                      (kind == StlKind::kUnknown && looks_binary(bytes));
   return binary ? read_stl_binary(bytes, request.options) : read_stl_text(bytes, request);
 }
 

@@ -19,7 +19,7 @@ using repair::Surface;
 using repair::Vertices;
 using sentence::count_of;
 
-bool sizes_fit(const Polygons& polygons) {
+bool sizes_add_up(const Polygons& polygons) {
   const std::size_t corners = polygons.corners.size();
   std::uint64_t sum = polygons.sizes.empty() ? corners - corners % 3 : 0;
   for (const Index size : polygons.sizes) sum += size;
@@ -281,7 +281,7 @@ bool build_from_soup(Mesh& mesh, const Polygons& polygons, const RepairOptions& 
                      RepairReport& report) {
   report = {};
   mesh.clear();
-  if (!sizes_fit(polygons)) {
+  if (!sizes_add_up(polygons)) {
     BuildReport reasons;
     diagnose(polygons, reasons);
     report.problems = std::move(reasons.problems);
