@@ -82,3 +82,51 @@ test.each([320, 390, 761, 820, 900, 901, 1001])(
     await explorer.close();
   },
 );
+
+const TABS = ['inspect', 'circulate', 'edit', 'mesh', 'records', 'problems'];
+
+test.each([
+  [640, 400],
+  [844, 390],
+  [568, 320],
+  [1280, 400],
+])('A window %i wide and %i high has panel and picture side by side', async (width, height) => {
+  const link = 'sample=three-faces&select=v7';
+  const mesh = 'Three faces at an edge';
+  const explorer = await ExplorerPage.open({ width, height, link, mesh });
+  const { page } = explorer;
+  const controls = '.top-bar button, .pick-bar label, .pick-bar button, .picture-switch, .panel';
+  const found = await boxes(page, controls);
+  const out = found.filter(({ x, y, right, bottom }) => {
+    return x < 0 || y < 0 || right > width || bottom > height;
+  });
+  expect(out).toEqual([]);
+  for (const [i, one] of found.entries()) {
+    expect(found.slice(0, i).filter((other) => overlap(one, other))).toEqual([]);
+  }
+  const [panel, topBar, pickBar] = await Promise.all(
+    ['.panel', '.top-bar', '.pick-bar'].map(async (name) => (await boxes(page, name))[0]),
+  );
+  expect(panel.x).toBeGreaterThanOrEqual(width / 2);
+  expect(pickBar.y - topBar.bottom).toBeGreaterThan(0.6 * height);
+  for (const tab of TABS) {
+    await page.click(`[data-tab-button=${tab}]`);
+    const [shown, ...others] = await boxes(page, '.panel .inspector, .panel .sections');
+    expect(others).toEqual([]);
+    expect(shown.bottom - shown.y).toBeGreaterThan(0.45 * height);
+    // What lies farther down can be scrolled to; nothing is cut off at the side.
+    const cut = await page.$$eval('.inspector, .sections, .tabs, .history, .pick-bar', (all) =>
+      all.filter((each) => each.checkVisibility() && each.scrollWidth > each.clientWidth + 1),
+    );
+    expect(cut.length).toBe(0);
+  }
+  await page.click('[data-tab-button=circulate]');
+  const [play] = await boxes(page, '.transport .play');
+  expect(play.bottom).toBeLessThanOrEqual(panel.bottom);
+  await page.click('[data-tab-button=inspect]');
+  await page.click('[data-link=vertexHalfedge]');
+  expect(await explorer.state('selected')).toMatch(/^h/);
+  await explorer.screenshot(`low-${width}`);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});

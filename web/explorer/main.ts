@@ -13,6 +13,7 @@ import './styles/records.css';
 import './styles/sheet.css';
 import './styles/overlays.css';
 import './styles/narrow.css';
+import './styles/low.css';
 import './styles/forced-colors.css';
 import { init } from 'halfedge';
 import { listenToPointer } from 'halfedge/scene';

@@ -36,8 +36,9 @@ export interface Flights {
 }
 
 /**
- * The inspector, and below it one of circulator, operations, mesh, records and problems of the file; in narrow
- * windows a sheet at the bottom, with the inspector as one more tab, that can be pulled up or down.
+ * The inspector, and below it one of circulator, operations, mesh, records and problems of the file. In low and in
+ * narrow windows the inspector is one more tab; in narrow ones the panel is a sheet at the bottom, that can be pulled
+ * up or down.
  */
 export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): HTMLElement {
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
