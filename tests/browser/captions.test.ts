@@ -104,6 +104,39 @@ test('The links of the selected item are arrows with their numbers, ∅ where th
   await explorer.close();
 });
 
+test.each([false, true])(
+  'Numbers of links are square, those of visits round (dark: %p)',
+  async (dark) => {
+    const link = 'sample=icosahedron&select=v3';
+    const explorer = await ExplorerPage.open({ dark, link, mesh: 'Icosahedron' });
+    /** The radius of the corners as a share of that of a circle. */
+    const roundness = (selector: string) =>
+      explorer.page.$$eval(selector, (all) =>
+        all
+          .filter((each) => each.checkVisibility({ visibilityProperty: true }))
+          .map((each) => {
+            const { borderTopLeftRadius } = getComputedStyle(each);
+            const corner = Number.parseFloat(borderTopLeftRadius);
+            const { width } = each.getBoundingClientRect();
+            return borderTopLeftRadius.endsWith('%')
+              ? corner / 50
+              : Math.min(1, (2 * corner) / width);
+          }),
+      );
+    const links = await roundness('.tag.link, .inspector .number');
+    expect(links).toHaveLength(2);
+    expect(Math.max(...links)).toBeLessThan(0.5);
+    await explorer.press('.', '.', '.');
+    await explorer.rest();
+    expect(await roundness('.tag.link')).toEqual([]);
+    const visits = await roundness('.tag.current, .tag.ordinal, .visited i');
+    expect(visits.length).toBeGreaterThan(3);
+    expect(Math.min(...visits)).toBe(1);
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  },
+);
+
 test('The attributes of an item are listed below its links', async () => {
   const explorer = await ExplorerPage.open();
   const off = 'COFF\n3 1 3\n0 0 0 255 0 0 255\n1 0 0.5 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n';

@@ -24,6 +24,8 @@ interface Tag extends Frame {
   readonly background: string;
   readonly border: string;
   readonly borderWidth: number;
+  /** Of the corners. */
+  readonly radius: number;
   readonly fontSize: number;
   readonly fontWeight: string;
   readonly fontFamily: string;
@@ -188,6 +190,7 @@ function tagsIn(host: HTMLElement, frame: Frame): Tag[] {
       background: style.backgroundColor,
       border: style.borderTopColor,
       borderWidth: Number.parseFloat(style.borderTopWidth) || 0,
+      radius: Math.min(Number.parseFloat(style.borderTopLeftRadius) || 0, height / 2),
       fontSize: Number.parseFloat(style.fontSize),
       fontWeight: style.fontWeight,
       fontFamily: style.fontFamily.replaceAll('"', "'"),
@@ -198,11 +201,11 @@ function tagsIn(host: HTMLElement, frame: Frame): Tag[] {
 }
 
 function paint(context: CanvasRenderingContext2D, tag: Tag): void {
-  const { x, y, width, height, borderWidth } = tag;
+  const { x, y, width, height, borderWidth, radius } = tag;
   context.globalAlpha = tag.opacity;
   context.beginPath();
   const inset = borderWidth / 2;
-  context.roundRect(x + inset, y + inset, width - borderWidth, height - borderWidth, height / 2);
+  context.roundRect(x + inset, y + inset, width - borderWidth, height - borderWidth, radius);
   context.fillStyle = tag.background;
   if (tag.halo === null) context.fill();
   if (borderWidth > 0) {
@@ -225,7 +228,7 @@ function paint(context: CanvasRenderingContext2D, tag: Tag): void {
 }
 
 function textOf(tag: Tag): string {
-  const { x, y, width, height, borderWidth } = tag;
+  const { x, y, width, height, borderWidth, radius } = tag;
   const text = tag.text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const font = `font-family="${tag.fontFamily}" font-size="${tag.fontSize}" font-weight="${tag.fontWeight}"`;
   const middle = y + height / 2 + 0.35 * tag.fontSize;
@@ -234,7 +237,7 @@ function textOf(tag: Tag): string {
     const halo = `stroke="${tag.halo}" stroke-width="${HALO_PX}" stroke-linejoin="round" paint-order="stroke"`;
     return `<text ${place} ${halo} ${font}>${text}</text>`;
   }
-  const box = `x="${short(x + borderWidth / 2)}" y="${short(y + borderWidth / 2)}" width="${short(width - borderWidth)}" height="${short(height - borderWidth)}" rx="${short(height / 2)}"`;
+  const box = `x="${short(x + borderWidth / 2)}" y="${short(y + borderWidth / 2)}" width="${short(width - borderWidth)}" height="${short(height - borderWidth)}" rx="${short(radius)}"`;
   const stroke = borderWidth > 0 ? ` stroke="${tag.border}" stroke-width="${borderWidth}"` : '';
   return `<g opacity="${tag.opacity}"><rect ${box} fill="${tag.background}"${stroke}/><text ${place} ${font}>${text}</text></g>`;
 }

@@ -78,7 +78,9 @@ export const LABEL_STYLES = `
   transition: none;
 }
 
+/* The number of a link is a square, as in the inspector; that of a visit is round. */
 .tag.link {
+  border-radius: 3px;
   background: var(--role, var(--muted));
   color: var(--on-color);
   box-shadow: 0 0 0 1.5px var(--raised);
