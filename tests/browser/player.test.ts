@@ -172,3 +172,42 @@ test('The circulator player visits a boundary vertex as an open path, in the dar
   expect(dark.complaints).toEqual([]);
   await dark.close();
 });
+
+describe('The camera of the player', () => {
+  /** Plays a lap step by step; the numbers in the picture then, and whether the camera has moved. */
+  async function lapOf(link: string, name: string) {
+    const page = await ExplorerPage.open({ link, mesh: name });
+    await page.rest();
+    const before = await page.state('camera');
+    for (let i = Number(await page.state('count')); i > 0; i--) {
+      await page.press('.');
+      await page.rest();
+    }
+    const tags = await page.page.$$eval(
+      '.tag:is(.ordinal, .current):not(.away):not([hidden])',
+      (all) => all.map((tag) => Number(tag.textContent)),
+    );
+    const moved = (await page.state('camera')) !== before;
+    const count = Number(await page.state('count'));
+    expect(page.complaints).toEqual([]);
+    await page.close();
+    return { numbers: tags.sort((a, b) => a - b), count, moved };
+  }
+
+  test.each([
+    ['sample=bunny', 'Bunny'],
+    ['sample=bunny&select=h500', 'Bunny'],
+    ['sample=torus', 'Torus'],
+  ])('comes near enough for all numbers to be read: %s', async (link, name) => {
+    const { numbers, count, moved } = await lapOf(link, name);
+    expect(numbers).toEqual(Array.from({ length: count }, (_, i) => i + 1));
+    expect(moved).toBe(true);
+  });
+
+  test.each([
+    ['sample=cube&select=f0', 'Cube'],
+    ['sample=grid', 'Open grid'],
+  ])('stays where the faces are large: %s', async (link, name) => {
+    expect((await lapOf(link, name)).moved).toBe(false);
+  });
+});

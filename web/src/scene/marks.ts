@@ -139,20 +139,14 @@ function addTrail(
     if (led) marks.push({ item: carrier, color: palette.next, weight });
     marks.push({ item: visit.item, color: palette.next, weight });
   }
-  labels.unshift({
-    text: `${visits.length}`,
-    look: 'current',
-    point: anchors.point(current.item),
-    lift: 0,
-  });
-  for (let i = visits.length - 2; i >= 0 && i >= visits.length - ORDINAL_CAP; i--) {
-    labels.push({
-      text: `${i + 1}`,
-      look: 'ordinal',
-      point: anchors.point(visits[i].item),
-      lift: 0,
-    });
+  const numbers: Label[] = [];
+  for (let i = visits.length - 1; i >= 0 && i >= visits.length - ORDINAL_CAP; i--) {
+    const { item } = visits[i];
+    const look = visits[i] === current ? 'current' : 'ordinal';
+    numbers.push({ text: `${i + 1}`, look, point: anchors.point(item), lift: 0 });
   }
+  // Before the name of the selected item, which goes aside.
+  labels.unshift(...numbers);
 }
 
 /** The colour of the palette that a link has. */

@@ -1,5 +1,5 @@
 import { Spherical, Vector3 } from 'three';
-import type { Item } from '../teaching/items.js';
+import { type Item, sameItem } from '../teaching/items.js';
 import type { CirculatorPlayer } from '../teaching/player.js';
 import type { ItemPicker } from '../three/item-picker.js';
 import { anchorOf, facesAt, reachOf } from './anchors.js';
@@ -8,8 +8,14 @@ import type { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
-/** A walk whose edges are shorter than this on the screen is looked at more closely. */
-const TOO_SMALL_PX = 44;
+/**
+ * Numbers of visits can be read where their items lie so far apart on the screen, and so far from the
+ * selected one, which has its name beside it.
+ */
+const NUMBER_PX = 24;
+const NAME_PX = 44;
+/** It is worth a flight to come to this share of the distance. */
+const MUCH_NEARER = 0.8;
 /** Walks longer than this go too far to be looked at from near. */
 const LONG_WALK = 40;
 /** No item is looked at from farther away than where a sphere of this radius is seen; all is within 1. */
@@ -48,9 +54,7 @@ export class Travel {
       this.fit();
       return;
     }
-    const distance = this.#stage.distanceFor(
-      Math.min(FARTHEST, 1.8 * reachOf(item, shown.surface)),
-    );
+    const distance = this.#distanceFor(item, shown);
     this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
   }
 
@@ -82,18 +86,37 @@ export class Travel {
   }
 
   /**
-   * Keeps the player in sight: comes near when a walk around `selected` begins that is too small to
-   * be seen, and turns to the current item when it has left the picture.
+   * Keeps the player in sight: comes near when a walk around `selected` begins whose numbers would lie
+   * on each other, and turns to the current item when it has left the picture.
    */
   follow(player: CirculatorPlayer, selected: Item, begins: boolean): void {
     const { shown } = this;
     const item = player.current?.item;
     if (!shown || !item) return;
     const point = this.#anchor(item, shown);
-    const depth = this.#stage.depthOf(point.x, point.y, point.z);
-    const pixels = reachOf(selected, shown.surface) / this.#stage.pixelAt(depth);
-    if (begins && pixels < TOO_SMALL_PX && player.count < LONG_WALK) this.focus(selected);
+    if (begins && this.#isTooSmall(player, selected, shown)) this.focus(selected);
     else if (!this.#stage.inSight(point)) this.#turnTo(item, shown);
+  }
+
+  /** Whether a lap has numbers that can't be read from here, and could be from where the selected item is seen well. */
+  #isTooSmall(player: CirculatorPlayer, selected: Item, shown: Shown): boolean {
+    if (player.count >= LONG_WALK) return false;
+    const { x, y, z } = this.#anchor(selected, shown);
+    const near = this.#distanceFor(selected, shown);
+    if (near > MUCH_NEARER * this.#stage.depthOf(x, y, z)) return false;
+    const seen = (item: Item) => this.#stage.project(this.#anchor(item, shown), new Vector3());
+    const name = seen(selected);
+    const others = [...player.lap()].filter((item) => !sameItem(item, selected)).map(seen);
+    return others.some(
+      (one, i) =>
+        apart(one, name) < NAME_PX ||
+        others.slice(0, i).some((other) => apart(one, other) < NUMBER_PX),
+    );
+  }
+
+  /** From how far an item fills the picture with what is around it. */
+  #distanceFor(item: Item, { surface }: Shown): number {
+    return this.#stage.distanceFor(Math.min(FARTHEST, 1.8 * reachOf(item, surface)));
   }
 
   /** Turns to the first of the items that can't be seen from here, if there is one. */
@@ -157,6 +180,9 @@ export class Travel {
     return direction.lerp(normal, 0.7).normalize();
   }
 }
+
+/** How far two places are from each other on the screen, in CSS pixels. */
+const apart = (a: Vector3, b: Vector3) => Math.hypot(a.x - b.x, a.y - b.y);
 
 /** The mean normal of the faces at the items; zero where there is none. */
 function normalOf(items: readonly Item[], { surface, frames }: Shown): Vector3 {

@@ -33,7 +33,7 @@ export class CirculatorPlayer {
     this.query = query;
     this.dialect = dialect;
     this.program = programOf(query, dialect);
-    this.count = lapLength(mesh, query);
+    this.count = lengthOf(lapOf(mesh, query));
     this.#running = canRun() ? run(this.program, mesh, query, dialect) : visit(mesh, query);
   }
 
@@ -53,6 +53,12 @@ export class CirculatorPlayer {
 
   get done(): boolean {
     return this.position === this.count;
+  }
+
+  /** The items of one lap, in order, whether they were visited or not; walks around as far as it is read. */
+  *lap(): Iterable<Item> {
+    const kind = this.query.circulator.yields;
+    for (const index of lapOf(this.#mesh, this.query)) yield { kind, index };
   }
 
   /** Visits one more item. False at the end of the lap. */
@@ -98,10 +104,20 @@ export class CirculatorPlayer {
   }
 }
 
-function lapLength(mesh: HalfedgeMesh, { circulator, index, direction, start }: Query): number {
-  const range = (
-    mesh[circulator.name] as (i: number, d?: string, s?: number) => Iterable<number>
-  ).call(mesh, index, direction, start);
+/** The indices that a query visits. */
+function lapOf(
+  mesh: HalfedgeMesh,
+  { circulator, index, direction, start }: Query,
+): Iterable<number> {
+  return (mesh[circulator.name] as (i: number, d?: string, s?: number) => Iterable<number>).call(
+    mesh,
+    index,
+    direction,
+    start,
+  );
+}
+
+function lengthOf(range: Iterable<number>): number {
   let length = 0;
   for (const _ of range) length += 1;
   return length;
