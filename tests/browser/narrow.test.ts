@@ -67,6 +67,43 @@ test.each([
   await explorer.close();
 });
 
+test.each([
+  [390, 844],
+  [640, 400],
+  [844, 390],
+  [568, 320],
+])(
+  'What a card tells of is lit beside it, in a window %i wide and %i high',
+  async (width, height) => {
+    const link = 'sample=grid&select=e0';
+    const explorer = await ExplorerPage.open({ width, height, link, mesh: 'Open grid' });
+    const { page } = explorer;
+    /** Whether all of the labels are in the part of the picture that is left free. */
+    const areFree = async (labels: string, card: string) => {
+      const [notice, ...bars] = await boxes(page, `${card}, .panel, .top-bar, .pick-bar`);
+      const lit = await boxes(page, `${labels}:not(.away):not([hidden])`);
+      return (
+        lit.length > 0 &&
+        lit.every((label) => ![notice, ...bars].some((other) => overlap(label, other)))
+      );
+    };
+    await explorer.press('Shift+F');
+    expect(await explorer.comesTrue(() => areFree('.tag.witness', '.refusal'))).toBe(true);
+    const [refusal] = await boxes(page, '.refusal');
+    expect(refusal.bottom - refusal.y).toBeLessThan(135);
+    await page.click('[data-tab-button=inspect]');
+    await explorer.goTo('h0');
+    await explorer.press('0', 'Shift+E');
+    expect(await explorer.comesTrue(() => areFree('.tag.first', '.pending'))).toBe(true);
+    const [pending] = await boxes(page, '.pending');
+    expect(pending.bottom - pending.y).toBeLessThan(105);
+    await explorer.press('n');
+    expect(await page.isEnabled('.pending .witness button')).toBe(true);
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  },
+);
+
 test.each([320, 390, 761, 820, 900, 901, 1001])(
   'No control of the bars lies on another or under the panel in a window %i wide',
   async (width) => {

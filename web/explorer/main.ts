@@ -70,6 +70,7 @@ async function start(): Promise<void> {
     takePicture: (format) => view.picture(format),
   });
   const share = shareButton(explorer, view);
+  const cards = [refusalNotice(explorer), pendingNotice(explorer)];
   app.append(
     topBar(explorer, theme, share.button, openHelp),
     pickBar(explorer, () => view.focus()),
@@ -78,14 +79,13 @@ async function start(): Promise<void> {
     side,
     emptyState(explorer),
     failureNotice(explorer),
-    refusalNotice(explorer),
-    pendingNotice(explorer),
+    ...cards,
     busyNotice(explorer),
     share.outcome,
     dropTarget(explorer),
     help,
   );
-  view.keepClearOf(side);
+  view.keepClearOf(side, cards);
   listenToKeys(explorer, view, tab, openHelp);
   listenToPointer(canvas, {
     itemAt: (x, y, reach) => view.pick(x, y, reach),

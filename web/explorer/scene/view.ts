@@ -45,6 +45,7 @@ export class View {
   /** Where the problem is that is lit. */
   #place: Place | null = null;
   #panel: HTMLElement | null = null;
+  #cards: readonly HTMLElement[] = [];
 
   constructor(explorer: Explorer, canvas: HTMLCanvasElement, labels: HTMLElement) {
     this.#explorer = explorer;
@@ -90,7 +91,6 @@ export class View {
       this.#light(problem);
       if (this.#place) this.travel.visit(this.#place);
     });
-    refused.subscribe((refusal) => this.travel.bringIntoSight(refusal?.witness ?? []));
   }
 
   /** Flies to the problem that is lit, to the selected item, or else back to the whole mesh. */
@@ -113,16 +113,35 @@ export class View {
     return this.#picture.pick(x, y, this.#explorer.pickMode.value, reach);
   }
 
-  /** Centres the picture in the part of the window that the panel and the bars leave free. */
-  keepClearOf(panel: HTMLElement): void {
+  /**
+   * Centres the picture in the part of the window that the panel and the bars leave free, and turns it
+   * where a card tells of items that can't be seen beside it.
+   */
+  keepClearOf(panel: HTMLElement, cards: readonly HTMLElement[]): void {
     this.#panel = panel;
+    this.#cards = cards;
+    const { refused, pending } = this.#explorer.editor;
+    const look = () => {
+      this.#measureCard();
+      const { value: waiting } = pending;
+      this.travel.bringIntoSight(refused.value?.witness ?? (waiting ? [waiting.first] : []));
+    };
+    // The cards listen to them before: they are as large then as they are going to be.
+    refused.subscribe(look);
+    pending.subscribe(look);
     new ResizeObserver(() => this.#measure()).observe(panel);
     window.addEventListener('resize', () => this.#measure());
     this.#measure();
   }
 
+  #measureCard(): void {
+    const card = this.#cards.find((each) => !each.hidden);
+    this.stage.setCovered(card?.getBoundingClientRect() ?? null);
+  }
+
   #measure(): void {
     if (!this.#panel) return;
+    this.#measureCard();
     const { left, top, width } = this.#panel.getBoundingClientRect();
     const besides = left > 0 && width < window.innerWidth - 1;
     // Beside a panel there is room on both sides of the switch; over a sheet it would hide something.

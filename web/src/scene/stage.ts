@@ -23,6 +23,14 @@ export interface Insets {
   readonly left: number;
 }
 
+/** What a card covers for a while, in CSS pixels from the canvas's top left: the picture stays where it is. */
+export interface Covered {
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+  readonly left: number;
+}
+
 /** What shows the mesh, and what shows the file that it was made of: the camera sees one of them. */
 export const MESH_LAYER = 0;
 export const FILE_LAYER = 1;
@@ -31,6 +39,8 @@ const FIELD_OF_VIEW = 32;
 /** How far from the axis is in sight at depth 1. */
 const SLOPE = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
 const FLIGHT_MS = 420;
+/** So far from a card an item with its mark is in sight. */
+const CARD_MARGIN = 12;
 /** Pixels of an exported picture to the CSS pixel. */
 const CAPTURE_RATIO = 2;
 
@@ -53,6 +63,7 @@ export class Stage {
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
+  #covered: Covered | null = null;
   #frame = 0;
   #flight: ((now: number) => boolean) | null = null;
   #motion: ((now: number) => boolean) | null = null;
@@ -213,6 +224,11 @@ export class Stage {
     this.#resize();
   }
 
+  /** What a card covers from now on: nothing there is in sight, and flights end clear of it. */
+  setCovered(covered: Covered | null): void {
+    this.#covered = covered;
+  }
+
   /** The length in the scene of one CSS pixel at this depth in front of the camera. */
   pixelAt(depth: number): number {
     return (2 * depth * SLOPE) / this.size.y;
@@ -253,7 +269,8 @@ export class Stage {
   }
 
   /** Moves there in a short flight; at once where motion is to be reduced. */
-  fly(target: Vector3, direction: Vector3, distance: number): void {
+  fly(at: Vector3, direction: Vector3, distance: number): void {
+    const target = this.#besidesCard(at, direction, distance);
     if (prefersReducedMotion()) {
       this.look(target, direction, distance);
       return;
@@ -279,9 +296,27 @@ export class Stage {
     this.invalidate();
   }
 
-  /** Whether a point is in the part of the picture that no panel covers. */
+  /** Where to look, so that what lies at `at` appears in the middle of the part that no card covers. */
+  #besidesCard(at: Vector3, direction: Vector3, distance: number): Vector3 {
+    const card = this.#covered;
+    if (!card) return at;
+    const { top, bottom } = this.#insets;
+    const [above, below] = [card.top - top, this.size.y - bottom - card.bottom];
+    const middle = above >= below ? top + above / 2 : card.bottom + below / 2;
+    const lift = (top + this.size.y - bottom) / 2 - middle;
+    const back = direction.clone().normalize();
+    const right = new Vector3().crossVectors(this.camera.up, back).normalize();
+    const up = new Vector3().crossVectors(back, right);
+    return at.clone().addScaledVector(up, -lift * this.pixelAt(distance));
+  }
+
+  /** Whether a point is in the part of the picture that no panel or card covers. */
   inSight(point: Vector3): boolean {
     const { x, y, z } = this.project(point, new Vector3());
+    const card = this.#covered;
+    if (card && x > card.left - CARD_MARGIN && x < card.right + CARD_MARGIN) {
+      if (y > card.top - CARD_MARGIN && y < card.bottom + CARD_MARGIN) return false;
+    }
     const { top, right, bottom, left } = this.#insets;
     const inside = x > left && x < this.size.x - right && y > top && y < this.size.y - bottom;
     return inside && z < 1;
