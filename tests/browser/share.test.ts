@@ -100,6 +100,25 @@ test('A link that is pasted into the address of an open page is followed', async
   await closeAll(explorer);
 });
 
+test('A link shows what it names and nothing else, and the address goes with its mesh', async () => {
+  const link = 'sample=cube&select=f1&names=cgal&labels=all:vf';
+  const explorer = await ExplorerPage.open({ link, mesh: 'Cube' });
+  const { page } = explorer;
+  expect(await page.inputValue('[name=dialect]')).toBe('cgal');
+  expect(await page.isChecked('[name=label-scope][value=all]')).toBe(true);
+  await page.evaluate(() => {
+    location.hash = 'sample=torus&select=v7';
+  });
+  await explorer.ready('Torus');
+  await explorer.until('selected', 'v7');
+  expect(await page.inputValue('[name=dialect]')).toBe('halfedge');
+  expect(await page.isChecked('[name=label-scope][value=off]')).toBe(true);
+  expect(await page.evaluate(() => location.hash)).toBe('#sample=torus&select=v7');
+  await explorer.sample('cube', 'Cube');
+  expect(await page.evaluate(() => location.hash)).toBe('');
+  await closeAll(explorer);
+});
+
 const BROKEN = [
   ['sample=teapot', 'It names the sample “teapot”, which this page does not have.'],
   ['select=v3', 'It names no mesh: it has neither “sample” nor “mesh”.'],

@@ -53,6 +53,8 @@ const labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
 const stage = h('main', { class: 'stage' }, canvas, labels);
 const help = helpDialog();
 const openHelp = () => help.showModal();
+/** How many links are being followed: what is opened then is what the address tells of. */
+let following = 0;
 
 async function start(): Promise<void> {
   const app = h('div', { id: 'app' }, stage);
@@ -100,20 +102,35 @@ async function start(): Promise<void> {
   await init();
   if (location.hash.length > 1) await followLink(view);
   if (!explorer.document.value) await explorer.openFirstSample();
+  forgetLinkWithMesh();
   window.addEventListener('beforeunload', (event) => {
     if (explorer.editor.isUnsaved) event.preventDefault();
   });
   window.addEventListener('hashchange', () => void followLink(view));
 }
 
+/** The address tells of no mesh but the one on show: it is cleared when another one is chosen. */
+function forgetLinkWithMesh(): void {
+  let { value: shown } = explorer.document;
+  explorer.document.subscribe((opened) => {
+    if (opened === shown) return;
+    shown = opened;
+    if (following > 0 || location.hash === '') return;
+    history.replaceState(null, '', location.pathname + location.search);
+  });
+}
+
 /** Goes where the address leads; what is wrong with it is told in a sentence. */
 async function followLink(view: View): Promise<void> {
+  following += 1;
   try {
     await follow(location.hash.slice(1), explorer, view);
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
     if (!explorer.document.value) await explorer.openFirstSample();
     explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
+  } finally {
+    following -= 1;
   }
 }
 

@@ -11,7 +11,7 @@ import {
 } from 'halfedge/teaching';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
-import { labelsText, parseLabels } from './captions.js';
+import { labelsText, NO_LABELS, parseLabels } from './captions.js';
 import type { Explorer } from './explorer.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
@@ -73,7 +73,10 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   return text;
 }
 
-/** Shows the state that a link tells of. Throws a sentence for a link that can't be followed. */
+/**
+ * Shows the state that a link tells of; what it does not name is as it is on a new page. Throws a
+ * sentence for a link that can't be followed.
+ */
 export async function follow(text: string, explorer: Explorer, sight: Sight): Promise<void> {
   if (text.length > MOST_LETTERS_READ) {
     throw new Error(
@@ -140,13 +143,11 @@ function deedOf(text: string): Deed {
 }
 
 function setQuery(link: URLSearchParams, explorer: Explorer): void {
-  const names = link.get('names');
-  if (names !== null) {
-    if (!dialects.some(({ id }) => id === names)) {
-      throw new Error(`It asks for the names of “${names}”, which this page does not know.`);
-    }
-    explorer.setDialect(names as DialectId);
+  const names = link.get('names') ?? 'halfedge';
+  if (!dialects.some(({ id }) => id === names)) {
+    throw new Error(`It asks for the names of “${names}”, which this page does not know.`);
   }
+  explorer.setDialect(names as DialectId);
   const direction = link.get('direction') ?? 'ccw';
   if (direction !== 'ccw' && direction !== 'cw') {
     throw new Error(`It has the direction “${direction}”; there are ccw and cw.`);
@@ -167,11 +168,11 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
 
 function setCaptions(link: URLSearchParams, explorer: Explorer): void {
   const text = link.get('labels');
-  const labels = text === null ? null : parseLabels(text);
-  if (text !== null && !labels) {
+  const labels = text === null ? NO_LABELS : parseLabels(text);
+  if (!labels) {
     throw new Error(`The labels in it are “${text}”; expected such as all:vehf or selection:vf.`);
   }
-  if (labels) explorer.labels.value = labels;
+  explorer.labels.value = labels;
   explorer.pointers.value = link.get('pointers') === 'on';
 }
 
