@@ -227,12 +227,16 @@ describe('An operation on the whole mesh', () => {
     expect(await explorer.state('undo')).toBe('2');
   });
 
-  test('dual opens another mesh', async () => {
+  test('dual opens another mesh, and says that undo ends there', async () => {
     await explorer.sample('cube', 'Cube');
     await explorer.press('Shift+M');
     await explorer.ready('Dual of Cube');
     await explorer.page.waitForSelector('main.stage[data-digest]'); // it is measured
     expect((await numbers()).slice(0, 4)).toEqual(['V 6', 'E 12', 'F 8', 'χ 2']);
+    const told = 'Done: dual. It is a new mesh: undo doesn’t lead back to Cube.';
+    expect(await outcome()).toBe(told);
+    expect(await explorer.page.textContent('.report')).toBe(told);
+    expect(await explorer.state('undo')).toBe('0');
   });
 });
 

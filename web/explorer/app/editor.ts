@@ -238,10 +238,7 @@ export class Editor {
       return;
     }
     if (operation.opens && result instanceof HalfedgeMesh) {
-      this.#explorer.openMesh(
-        `${operation.label} of ${this.#explorer.document.value?.name}`,
-        result,
-      );
+      this.#open(operation, result);
       return;
     }
     const report = operation.reports ? reportWords(result as MendReport) : '';
@@ -255,6 +252,16 @@ export class Editor {
     const after = selectionAfter(operation, result, mesh, [first, ...state.neighbours]);
     this.#record({ title, deed: deedName(deed), edit, before: first, after });
     this.#finish(told('Done'), { ...edit }, after, report);
+  }
+
+  /** Shows the mesh that was made; the steps of the one before end with it, which is said. */
+  #open(operation: Operation, made: HalfedgeMesh): void {
+    const { value: before } = this.#explorer.document;
+    this.#explorer.openMesh(`${operation.label} of ${before?.name}`, made);
+    if (this.#mesh !== made) return; // there was no memory for its history, which is told
+    const told = `Done: ${operation.label.toLowerCase()}. It is a new mesh: undo doesn’t lead back to ${before?.name}.`;
+    this.outcome.value = told;
+    this.report.value = told;
   }
 
   /** A step that was done; those that the package has forgotten are forgotten here, too. */
