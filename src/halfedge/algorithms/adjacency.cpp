@@ -87,8 +87,8 @@ bool write_ring_at(const RawLinks& links, Halfedge first, Index*& at, const Inde
   }
 }
 
-// The same for rings of a few items, without a branch at each step. False, with `at` where it was,
-// if the ring is longer, broken, or has a missing item.
+// The same for rings of a few items, without a loop whose end has to be found. False, with `at`
+// where it was, if the ring is longer, broken, or has a missing item.
 template <class Ring>
 bool write_short_at(const RawLinks& links, Halfedge first, Index*& at, const Index* end,
                     Index& steps) {
