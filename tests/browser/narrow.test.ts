@@ -1,6 +1,9 @@
+import { init } from 'halfedge';
 import type { Page } from 'playwright-core';
+import { openGrid } from '../../web/explorer/samples/generators.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
+beforeAll(() => init());
 afterAll(disconnect);
 
 interface Box {
@@ -99,6 +102,54 @@ test.each([
     expect(pending.bottom - pending.y).toBeLessThan(105);
     await explorer.press('n');
     expect(await page.isEnabled('.pending .witness button')).toBe(true);
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  },
+);
+
+test.each([
+  [390, 844],
+  [568, 320], // the card lies in the middle
+])(
+  'What lies under a card when it comes up is moved beside it, in %i by %i',
+  async (width, height) => {
+    const explorer = await ExplorerPage.open({
+      width,
+      height,
+      link: 'sample=grid',
+      mesh: 'Open grid',
+    });
+    const { page } = explorer;
+    const mesh = openGrid(6);
+    const middle = async (e: number) => {
+      const onScreen = await explorer.projection();
+      const [a, b] = [...mesh.edgeVertices(e)].map((v) => onScreen(mesh.positions.subarray(3 * v)));
+      return { x: (a[0] + b[0]) / 2, y: (a[1] + b[1]) / 2 };
+    };
+    const liesIn = async (e: number, { x, y, right, bottom }: Box) => {
+      const at = await middle(e);
+      return at.x > x && at.x < right && at.y > y && at.y < bottom;
+    };
+    await page.click('[data-tab-button=inspect]');
+    await explorer.goTo('e0');
+    await explorer.press('Shift+F');
+    await explorer.rest();
+    const [card] = await boxes(page, '.refusal');
+    await page.reload();
+    await explorer.ready('Open grid');
+    await page.click('[data-tab-button=inspect]');
+    const covered: number[] = [];
+    for (const e of mesh.edges()) {
+      if (mesh.isBoundaryEdge(e) && (await liesIn(e, card))) covered.push(e);
+    }
+    expect(covered.length).toBeGreaterThan(0);
+    await explorer.goTo(`e${covered[0]}`);
+    await explorer.press('Shift+F');
+    const isFree = async () => {
+      const others = await boxes(page, '.refusal, .panel, .top-bar, .pick-bar');
+      return !(await Promise.all(others.map((box) => liesIn(covered[0], box)))).includes(true);
+    };
+    expect(await explorer.comesTrue(isFree)).toBe(true);
     expect(explorer.complaints).toEqual([]);
     await explorer.close();
   },

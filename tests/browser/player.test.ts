@@ -1,4 +1,4 @@
-import { type HalfedgeMesh, init } from 'halfedge';
+import { HalfedgeMesh, init } from 'halfedge';
 import { disconnect, ExplorerPage, sampleMesh } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -204,8 +204,38 @@ describe('The camera of the player', () => {
     expect(moved).toBe(true);
   });
 
+  test('turns to the selected item where a walk begins behind the mesh, and to the items after it', async () => {
+    const page = await ExplorerPage.open({ link: 'sample=cube&select=f0', mesh: 'Cube' });
+    const cube = HalfedgeMesh.cube();
+    /** Whether a face looks towards the camera: of a cube, whether it is seen. */
+    const isSeen = async (f: number) => {
+      const onScreen = await page.projection();
+      const corners = [...cube.faceVertices(f)].map((v) =>
+        onScreen(cube.positions.subarray(3 * v, 3 * v + 3)),
+      );
+      const turns = corners.reduce((sum, [x, y], i) => {
+        const [nextX, nextY] = corners[(i + 1) % corners.length];
+        return sum + x * nextY - y * nextX;
+      }, 0);
+      return turns < 0; // counter-clockwise, where y grows downwards
+    };
+    expect(await isSeen(0)).toBe(true);
+    for (let i = 0; i < 26; i++) await page.press('ArrowLeft'); // half a turn
+    expect(await isSeen(0)).toBe(false);
+    await page.page.check('[value=faceFaces]');
+    await page.page.focus('main.stage canvas');
+    for (const [i, f] of [...cube.faceFaces(0)].entries()) {
+      await page.press('.');
+      const faces = i === 0 ? [0, f] : [f];
+      const areSeen = async () => (await Promise.all(faces.map(isSeen))).every(Boolean);
+      expect(await page.comesTrue(areSeen)).toBe(true);
+    }
+    expect(page.complaints).toEqual([]);
+    await page.close();
+  });
+
   test.each([
-    ['sample=cube&select=f0', 'Cube'],
+    ['sample=cube&select=f3', 'Cube'],
     ['sample=grid', 'Open grid'],
   ])('stays where the faces are large: %s', async (link, name) => {
     expect((await lapOf(link, name)).moved).toBe(false);

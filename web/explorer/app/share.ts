@@ -17,10 +17,12 @@ import type { Explorer } from './explorer.js';
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
 export type Viewpoint = readonly number[];
 
-/** What takes the camera to a viewpoint, and tells where it is. */
+/** What moves the camera, and tells where it is. */
 export interface Sight {
   viewpoint(): Viewpoint | null;
   lookFrom(viewpoint: Viewpoint): void;
+  /** Turns the whole mesh so that an item is seen. */
+  turnTo(item: Item): void;
 }
 
 /** Longer links break in mails and messengers. */
@@ -86,12 +88,13 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   const link = new URLSearchParams(text);
   await openMeshOf(link, explorer);
   repeatEdits(link.get('edits'), explorer);
+  const camera = link.get('camera');
   const selected = link.get('select');
   if (selected !== null) selectIn(selected, explorer);
+  if (camera === null && explorer.selected.value) sight.turnTo(explorer.selected.value);
   setQuery(link, explorer);
   setCaptions(link, explorer);
   if (link.get('picture') === 'original') explorer.showFile(true);
-  const camera = link.get('camera');
   if (camera !== null) sight.lookFrom(viewpointOf(camera));
 }
 

@@ -169,6 +169,11 @@ export class View {
     this.#picture.lookFrom(viewpoint);
   }
 
+  /** See {@link Travel.turnTo}. */
+  turnTo(item: Item): void {
+    this.travel.turnTo([item]);
+  }
+
   /** The picture as it is, without the panels: a PNG or an SVG file. */
   async picture(format: 'png' | 'svg'): Promise<Blob> {
     const frame = this.stage.freeFrame;

@@ -87,15 +87,28 @@ export class Travel {
 
   /**
    * Keeps the player in sight: comes near when a walk around `selected` begins whose numbers would lie
-   * on each other, and turns to the current item when it has left the picture.
+   * on each other, and turns to what has left the picture or lies on the far side of the mesh: the
+   * selected item when a walk begins, the current one in any case.
    */
   follow(player: CirculatorPlayer, selected: Item, begins: boolean): void {
     const { shown } = this;
     const item = player.current?.item;
     if (!shown || !item) return;
-    const point = this.#anchor(item, shown);
-    if (begins && this.#isTooSmall(player, selected, shown)) this.focus(selected);
-    else if (!this.#stage.inSight(point)) this.#turnTo(item, shown);
+    if (begins && this.#isTooSmall(player, selected, shown)) {
+      this.focus(selected);
+      return;
+    }
+    const items = begins ? [selected, item] : [item];
+    const lost = items.find(
+      (each) => !this.#stage.inSight(this.#anchor(each, shown)) || this.#isBehind(each, shown),
+    );
+    if (lost) this.#turnTo(lost, shown, items);
+  }
+
+  /** Whether the mesh hides an item that looks away from the camera: if it is turned, it is seen. */
+  #isBehind(item: Item, shown: Shown): boolean {
+    if (normalOf([item], shown).dot(this.#offset()) >= 0) return false;
+    return shown.picker.hides(this.#anchor(item, shown), this.#stage.camera);
   }
 
   /** Whether a lap has numbers that can't be read from here, and could be from where the selected item is seen well. */
@@ -134,10 +147,10 @@ export class Travel {
     });
   }
 
-  /** Flies to an item, from as far away as it is now. */
-  #turnTo(item: Item, shown: Shown): void {
+  /** Flies to an item, to look at it and those with it from as far away as now. */
+  #turnTo(item: Item, shown: Shown, items: readonly Item[] = [item]): void {
     const distance = this.#offset().length();
-    this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
+    this.#stage.fly(this.#anchor(item, shown), this.#towards(items, shown), distance);
   }
 
   #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
