@@ -1,6 +1,7 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
-import type { Operation } from 'halfedge/teaching';
-import { repairs } from 'halfedge/teaching';
+import type { Item, Operation } from 'halfedge/teaching';
+import { itemName, operations, repairs } from 'halfedge/teaching';
+import type { MeshDocument } from '../../web/explorer/app/documents.js';
 import { Editor } from '../../web/explorer/app/editor.js';
 import { bytesInUse } from './support/core.js';
 
@@ -74,4 +75,94 @@ test('A mesh that history has no room for leaves the one on show, and no memory 
   expect(bytesInUse()).toBe(before);
   explorer.pause();
   shown.dispose();
+});
+
+describe('A mesh that was made of another one', () => {
+  const opened = () => {
+    const explorer = new Explorer();
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const { editor } = explorer;
+    const run = (stem: string, item: Item) => {
+      explorer.select(item);
+      const operation = operations.find((candidate) => candidate.stem === stem);
+      editor.run(operation as Operation);
+    };
+    const end = () => {
+      explorer.pause();
+      explorer.document.value?.mesh.dispose();
+    };
+    return { explorer, editor, run, end };
+  };
+  const face = (index: number): Item => ({ kind: 'face', index });
+
+  test('leads back to it by undo, and there again by redo', () => {
+    const { explorer, editor, run, end } = opened();
+    /** Its name, what is selected, and the way back and forth. */
+    const state = () => {
+      const { document, selected } = explorer;
+      const { mesh, name } = document.value as MeshDocument;
+      const { undo, redo, undoCount, redoCount } = editor.past.value;
+      const item = selected.value && itemName(selected.value);
+      return [name, mesh.vertexCount, item, undo, undoCount, redo, redoCount];
+    };
+    const states: unknown[] = [state()];
+    run('splitFace', face(3));
+    states.push(state());
+    run('dual', face(2));
+    expect(editor.outcome.value).toBe('Done: dual.');
+    expect(editor.isUnsaved).toBe(true);
+    run('splitFace', face(0));
+    states.push(state());
+    expect(states).toEqual([
+      ['cube', 8, 'v0', null, 0, null, 0],
+      ['cube', 9, 'v8', 'poke f3', 1, null, 0],
+      ['Dual of cube', 10, 'v9', 'poke f0', 3, null, 0],
+    ]);
+
+    editor.undo();
+    expect(state()).toEqual(['Dual of cube', 9, 'f0', 'dual', 2, 'poke f0', 1]);
+    editor.undo();
+    expect(editor.outcome.value).toBe('Undone: dual.');
+    expect(state()).toEqual(['cube', 9, 'f2', 'poke f3', 1, 'dual', 2]);
+    expect(editor.deeds).toEqual(['splitFace f3']);
+    editor.undo();
+    expect(state()).toEqual(['cube', 8, 'f3', null, 0, 'poke f3', 3]);
+    editor.undo();
+    expect(editor.outcome.value).toBe('There is nothing to undo.');
+
+    editor.redo();
+    expect(state()).toEqual(['cube', 9, 'v8', 'poke f3', 1, 'dual', 2]);
+    editor.redo();
+    expect(editor.outcome.value).toBe('Redone: dual.');
+    expect(state()).toEqual(['Dual of cube', 9, 'f0', 'dual', 2, 'poke f0', 1]);
+    editor.redo();
+    expect(state()).toEqual(['Dual of cube', 10, 'v9', 'poke f0', 3, null, 0]);
+    editor.redo();
+    expect(editor.outcome.value).toBe('There is nothing to redo.');
+    explorer.openMesh('other', HalfedgeMesh.tetrahedron());
+    expect(state()).toEqual(['other', 4, 'v0', null, 0, null, 0]);
+    end();
+  });
+
+  test('gives its memory back once nothing leads there any more', () => {
+    const before = bytesInUse();
+    const { explorer, editor, run, end } = opened();
+    const shown = () => explorer.document.value?.mesh as HalfedgeMesh;
+    const cube = shown();
+    run('dual', face(0));
+    const dual = shown();
+    run('dual', face(0));
+    const twice = shown();
+    editor.undo();
+    editor.undo();
+    expect([shown(), dual.disposed, twice.disposed]).toEqual([cube, false, false]);
+    run('splitFace', face(0));
+    expect([cube.disposed, dual.disposed, twice.disposed]).toEqual([false, true, true]);
+    expect(editor.past.value.redo).toBeNull();
+    run('dual', face(0));
+    explorer.openMesh('other', HalfedgeMesh.tetrahedron());
+    expect(cube.disposed).toBe(true);
+    end();
+    expect(bytesInUse()).toBe(before);
+  });
 });

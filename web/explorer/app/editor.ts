@@ -23,6 +23,7 @@ import {
   witnessItems,
 } from 'halfedge/teaching';
 import type { PickMode } from 'halfedge/three/picking';
+import type { MeshDocument } from './documents.js';
 import type { Explorer } from './explorer.js';
 import { Signal, together } from './signal.js';
 
@@ -55,6 +56,25 @@ interface Step {
   readonly after: Item | null;
 }
 
+/** What was done to one mesh. */
+interface Log {
+  /** What made the mesh of the one before it; null for one that was opened. */
+  madeBy: string | null;
+  readonly done: Step[];
+  undone: Step[];
+  /** The last step that a file has which was saved; undefined: the file that was opened; null: no file. */
+  saved: Step | null | undefined;
+  /** Whether there were steps that are forgotten. */
+  forgot: boolean;
+}
+
+/** A mesh that isn't on show but can be brought back, as it was left. */
+interface Kept {
+  readonly document: MeshDocument;
+  readonly selected: Item | null;
+  readonly log: Log;
+}
+
 /** The names of the next steps back and forth, and how many there are. */
 export interface Past {
   readonly undo: string | null;
@@ -82,12 +102,11 @@ export class Editor {
   readonly report = new Signal('');
 
   readonly #explorer: Explorer;
-  #done: Step[] = [];
-  /** The last step that a file has which was saved. */
-  #saved: Step | undefined;
-  #undone: Step[] = [];
-  /** Whether there were steps that are forgotten. */
-  #forgot = false;
+  #log = newLog();
+  /** The meshes that led to this one, which undo brings back, the last at the end. */
+  #earlier: Kept[] = [];
+  /** Those that redo brings back, the next at the end. */
+  #later: Kept[] = [];
   #keepsRefusal = false;
   #pickModeBefore: PickMode = 'auto';
 
@@ -102,18 +121,40 @@ export class Editor {
     mesh.history.enabled = true;
   }
 
-  /** Begins anew with a mesh that was prepared. */
+  /** Begins anew, with a mesh that was prepared and is shown next. */
   begin(): void {
-    this.#done = [];
-    this.#undone = [];
-    this.#saved = undefined;
-    this.#forgot = false;
+    disposeAll(this.#earlier);
+    disposeAll(this.#later);
+    this.#turnPage(newLog());
+  }
+
+  /** Begins with a mesh that was prepared and made from the one on show, which is kept. */
+  beginNext(): void {
+    disposeAll(this.#later);
+    this.#log.undone = [];
+    this.#keepAmong(this.#earlier);
+    this.#turnPage(newLog());
+  }
+
+  #turnPage(log: Log): void {
+    this.#log = log;
     this.edit.value = null;
     this.#wait(null);
     this.refused.value = null;
     this.outcome.value = '';
     this.report.value = '';
     this.#publish();
+  }
+
+  #keepAmong(others: Kept[]): void {
+    const { document, selected } = this.#explorer;
+    if (!document.value) return;
+    others.push({ document: document.value, selected: selected.value, log: this.#log });
+  }
+
+  #bringBack({ document, selected, log }: Kept): void {
+    this.#turnPage(log);
+    this.#explorer.bringBack(document, selected);
   }
 
   /** Does an operation on the selection; one with two operands first waits for the second. */
@@ -163,11 +204,26 @@ export class Editor {
   }
 
   undo(): void {
-    this.#travel('undo', this.#done, this.#undone);
+    const kept = this.#log.done.length === 0 ? this.#earlier.pop() : undefined;
+    if (!kept) {
+      this.#travel('undo', this.#log.done, this.#log.undone);
+      return;
+    }
+    const { madeBy } = this.#log;
+    this.#keepAmong(this.#later);
+    this.#bringBack(kept);
+    this.outcome.value = `Undone: ${madeBy}.`;
   }
 
   redo(): void {
-    this.#travel('redo', this.#undone, this.#done);
+    const kept = this.#log.undone.length === 0 ? this.#later.pop() : undefined;
+    if (!kept) {
+      this.#travel('redo', this.#log.undone, this.#log.done);
+      return;
+    }
+    this.#keepAmong(this.#earlier);
+    this.#bringBack(kept);
+    this.outcome.value = `Redone: ${kept.log.madeBy}.`;
   }
 
   #travel(way: 'undo' | 'redo', from: Step[], to: Step[]): void {
@@ -188,17 +244,17 @@ export class Editor {
 
   /** All that was done since the mesh was opened; null if not all of it is known any more. */
   get deeds(): readonly string[] | null {
-    return this.#forgot ? null : this.#done.map(({ deed }) => deed);
+    return this.#log.forgot ? null : this.#log.done.map(({ deed }) => deed);
   }
 
   /** Whether there are edits that no file has. */
   get isUnsaved(): boolean {
-    return this.#done.at(-1) !== this.#saved;
+    return this.#log.done.at(-1) !== this.#log.saved;
   }
 
   /** The mesh as it is was saved to a file. */
   markSaved(): void {
-    this.#saved = this.#done.at(-1);
+    this.#log.saved = this.#log.done.at(-1);
   }
 
   get #mesh(): HalfedgeMesh | undefined {
@@ -231,7 +287,7 @@ export class Editor {
         const after = [first, ...state.neighbours].find((it) => it && isLive(mesh, it)) ?? null;
         const edit = motionOf(operation, state, mesh);
         this.#record({ title: part, deed: operation.stem, edit, before: first, after });
-        this.#forgot = true; // nobody could do just that part again
+        this.#log.forgot = true; // nobody could do just that part again
         this.#finish(`Done: ${part}.`, { ...edit }, after);
       }
       this.#refuse(title, refusalOf(error));
@@ -254,24 +310,25 @@ export class Editor {
     this.#finish(told('Done'), { ...edit }, after, report);
   }
 
-  /** Shows the mesh that was made; the steps of the one before end with it, which is said. */
+  /** Shows the mesh that was made; undo leads back to the one that it was made of. */
   #open(operation: Operation, made: HalfedgeMesh): void {
     const { value: before } = this.#explorer.document;
-    this.#explorer.openMesh(`${operation.label} of ${before?.name}`, made);
-    if (this.#mesh !== made) return; // there was no memory for its history, which is told
-    const told = `Done: ${operation.label.toLowerCase()}. It is a new mesh: undo doesn’t lead back to ${before?.name}.`;
-    this.outcome.value = told;
-    this.report.value = told;
+    if (!this.#explorer.openNext(`${operation.label} of ${before?.name}`, made)) return;
+    this.#log.madeBy = operation.label.toLowerCase();
+    this.#log.saved = null;
+    this.outcome.value = `Done: ${this.#log.madeBy}.`;
+    this.#publish();
   }
 
   /** A step that was done; those that the package has forgotten are forgotten here, too. */
   #record(step: Step): void {
-    this.#done.push(step);
-    this.#undone = [];
+    this.#log.done.push(step);
+    this.#log.undone = [];
+    disposeAll(this.#later);
     const count = this.#mesh?.history.undoCount ?? 0;
-    while (this.#done.length > count) {
-      this.#done.shift();
-      this.#forgot = true;
+    while (this.#log.done.length > count) {
+      this.#log.done.shift();
+      this.#log.forgot = true;
     }
   }
 
@@ -326,22 +383,35 @@ export class Editor {
   }
 
   #publish(): void {
+    const earlier = this.#earlier.length > 0 ? this.#log.madeBy : null;
     this.past.value = {
-      undo: this.#done.at(-1)?.title ?? null,
-      redo: this.#undone.at(-1)?.title ?? null,
-      undoCount: this.#done.length,
-      redoCount: this.#undone.length,
+      undo: this.#log.done.at(-1)?.title ?? earlier,
+      redo: this.#log.undone.at(-1)?.title ?? this.#later.at(-1)?.log.madeBy ?? null,
+      undoCount: this.#log.done.length + stepsOf(this.#earlier, 'done'),
+      redoCount: this.#log.undone.length + stepsOf(this.#later, 'undone'),
     };
   }
 
   /** The package has no such step any more: its memory is limited. */
   #forget(): void {
-    this.#done = [];
-    this.#undone = [];
-    this.#forgot = true;
+    this.#log = { ...newLog(), madeBy: this.#log.madeBy, forgot: true };
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
   }
+}
+
+function newLog(): Log {
+  return { madeBy: null, done: [], undone: [], saved: undefined, forgot: false };
+}
+
+/** Gives the memory of meshes back that nothing leads to any more. */
+function disposeAll(others: Kept[]): void {
+  for (const { document } of others.splice(0)) document.mesh.dispose();
+}
+
+/** How many steps these meshes have, with those that lead from one to the next. */
+function stepsOf(others: readonly Kept[], which: 'done' | 'undone'): number {
+  return others.reduce((sum, { log }) => sum + log[which].length + 1, 0);
 }
 
 /** What a repair did, and the first of what it could not do. */

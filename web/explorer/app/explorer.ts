@@ -140,15 +140,34 @@ export class Explorer {
     };
   }
 
-  /** Shows a mesh that was made from the one on show. */
+  /** Shows a mesh that doesn't come from a file. */
   openMesh(name: string, mesh: HalfedgeMesh): void {
+    this.#showMade(name, mesh, false);
+  }
+
+  /** Shows a mesh that was made from the one on show, which stays for undo. Whether there is memory for it. */
+  openNext(name: string, mesh: HalfedgeMesh): boolean {
+    return this.#showMade(name, mesh, true);
+  }
+
+  /** Shows a mesh that has stayed. */
+  bringBack(kept: MeshDocument, selected: Item | null): void {
+    this.cancel();
+    this.pause();
+    this.#put(kept);
+    this.select(selected);
+  }
+
+  #showMade(name: string, mesh: HalfedgeMesh, keepsBefore: boolean): boolean {
     this.cancel();
     this.pause();
     const names = this.document.value?.names ?? {};
     try {
-      this.#show({ ...newDocument(name, mesh), stem: name, names });
+      this.#show({ ...newDocument(name, mesh), stem: name, names }, keepsBefore);
+      return true;
     } catch (error) {
       this.failure.value = failureOf(error, { name });
+      return false;
     }
   }
 
@@ -286,7 +305,7 @@ export class Explorer {
   }
 
   /** Throws, with all as it was, if there is no memory for the history of the mesh. */
-  #show(opened: MeshDocument): void {
+  #show(opened: MeshDocument, keepsBefore = false): void {
     const before = this.document.value;
     try {
       this.editor.prepare(opened.mesh);
@@ -294,17 +313,23 @@ export class Explorer {
       opened.mesh.dispose();
       throw error;
     }
+    if (keepsBefore) this.editor.beginNext();
+    else this.editor.begin();
+    this.#put(opened);
+    if (!keepsBefore) before?.mesh.dispose();
+    if (!this.selected.value && opened.mesh.vertexCount > 0) {
+      this.select({ kind: 'vertex', index: opened.start ?? 0 });
+    }
+  }
+
+  /** Lets go of all that is of the mesh on show, and shows another one. */
+  #put(opened: MeshDocument): void {
     this.selected.value = null;
     this.hovered.value = null;
     this.facts.value = null;
     this.#leaveProblems();
     this.#offerQueries();
-    this.editor.begin();
     this.document.value = opened;
-    before?.mesh.dispose();
-    if (!this.selected.value && opened.mesh.vertexCount > 0) {
-      this.select({ kind: 'vertex', index: opened.start ?? 0 });
-    }
     this.#measure();
   }
 
