@@ -220,6 +220,36 @@ TEST(Build, MakesTheMeshThatTheContractDescribesAroundVerticesOfHighValence) {
   }
 }
 
+// Walks around vertices of high valence go on together, some at a time: these are more, and of very
+// different lengths.
+TEST(Build, FindsTheVertexOfTwoClosedFansAmongManyOfHighValence) {
+  std::mt19937 random(1);
+  std::vector<Index> hubs;
+  std::vector<std::vector<Index>> faces;
+  Index vertices = 0;
+  for (int i = 0; i < 30; ++i) {
+    const Shape one = bipyramid(Index(40 + random() % 300));
+    hubs.push_back(vertices);
+    for (std::vector<Index> face : one.faces) {
+      for (Index& v : face) v += vertices;
+      faces.push_back(std::move(face));
+    }
+    vertices += one.vertices;
+  }
+  expect_valid(built({"hubs", vertices, faces}), "hubs");
+  for (std::size_t i = 0; i + 1 < hubs.size(); ++i) {
+    std::vector<std::vector<Index>> joined = faces;
+    for (std::vector<Index>& face : joined)
+      std::replace(face.begin(), face.end(), hubs[i + 1], hubs[i]);
+    const Shape shape{"two hubs in one", vertices, joined};
+    Mesh mesh;
+    BuildReport report;
+    ASSERT_FALSE(build_from_polygons(mesh, shape.polygons(), report));
+    EXPECT_EQ(report.problems[0].code, "pinched-vertex");
+    EXPECT_EQ(report.problems[0].witness.vertices, std::vector<Index>{hubs[i]});
+  }
+}
+
 TEST(Build, MakesRoomForMeshesThatAreAllBoundary) {
   const Shape shape = loose_triangles(5000);
   const Mesh mesh = built(shape);

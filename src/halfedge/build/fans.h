@@ -27,17 +27,56 @@ namespace halfedge {
 /// cost: O(halfedges)
 [[nodiscard]] bool each_vertex_has_one_cycle(const Links& links);
 
+/// Walks around vertices that go on together. One walk is a chain of loads, each waiting for the
+/// one before it; several at once wait together.
+template <class Rotate>
+class LongWalks {
+ public:
+  explicit LongWalks(const Rotate& rotate_cw) : rotate_cw_(rotate_cw) {}
+
+  /// Takes a walk over that began at `anchor`. The steps that this leads to.
+  std::size_t take(Index anchor, Index at) {
+    anchors_[count_] = anchor;
+    at_[count_] = at;
+    ++count_;
+    return count_ == kMost ? finish() : 0;
+  }
+
+  /// Goes on to the ends of all walks; the steps to there.
+  std::size_t finish() {
+    std::size_t steps = 0;
+    while (count_ > 0) {
+      for (std::size_t i = 0; i < count_; ++i, ++steps) {
+        at_[i] = rotate_cw_(at_[i]);
+        if (at_[i] != anchors_[i]) continue;
+        --count_;
+        at_[i] = at_[count_];
+        anchors_[i] = anchors_[count_];
+      }
+    }
+    return steps;
+  }
+
+ private:
+  static constexpr std::size_t kMost = 8;
+
+  const Rotate& rotate_cw_;
+  std::array<Index, kMost> anchors_{};
+  std::array<Index, kMost> at_{};
+  std::size_t count_ = 0;
+};
+
 /// The same, however the links are stored: `anchors` by vertex, and `rotate_cw(h)` is the next
 /// halfedge that leaves the vertex of `h`.
 ///
-/// Walks around several vertices in step. One walk is a chain of loads, each waiting for the one
-/// before it, with an end that can't be predicted; several at once wait together.
+/// Walks around several vertices in step, as the end of one walk can't be predicted.
 template <class Rotate>
 [[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
                                              const Rotate& rotate_cw) {
   constexpr std::size_t kLanes = 8;
-  constexpr int kStepsTogether = 64;  // vertices of high valence go on alone
+  constexpr int kStepsTogether = 64;
   if (halfedges == 0) return true;
+  LongWalks<Rotate> long_walks(rotate_cw);  // around vertices of higher valence
   std::size_t reached = 0;
   for (std::size_t v = 0; v < anchors.size(); v += kLanes) {
     std::array<Index, kLanes> anchor;
@@ -59,13 +98,10 @@ template <class Rotate>
       }
     }
     for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
-      for (; walking[i] != 0; ++reached) {
-        at[i] = rotate_cw(at[i]);
-        walking[i] = Index{at[i] != anchor[i]};
-      }
+      if (walking[i] != 0) reached += long_walks.take(anchor[i], at[i]);
     }
   }
-  return reached == halfedges;
+  return reached + long_walks.finish() == halfedges;
 }
 
 }  // namespace halfedge
