@@ -156,15 +156,15 @@ val parse_soup(Address address, std::size_t count, int claimed, bool welds, bool
 }
 
 /// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
-/// `names` is text as names_in() reads it.
-val write_file(Address mesh, int format, int encoding, bool attributes, Address names,
-               std::size_t name_count) {
+/// `names` is text as names_in() reads it. Notes are looked for if somebody wants them.
+val write_file(Address mesh, int format, int encoding, bool attributes, bool with_notes,
+               Address names, std::size_t name_count) {
   const std::vector<SoupNames> tables =
       names_in({reinterpret_cast<const char*>(names), name_count});
   std::vector<std::string> notes;
   WriteOptions options;
   options.attributes = attributes;
-  options.notes = &notes;
+  if (with_notes) options.notes = &notes;
   options.names = tables;
   if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
   Result<Array<std::uint8_t>> bytes = write(mesh_at(mesh), static_cast<Format>(format), options);

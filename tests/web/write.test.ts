@@ -65,6 +65,67 @@ describe('write', () => {
     again.dispose();
   });
 
+  test('cuts polygons for STL along no edge that is there', () => {
+    // Two quads that share two edges, and four triangles: the shorter diagonals of both join 1 and 3.
+    const points = [0, 0, 0, 1, 0, 0, 3, 1, 0, 0, 1, 0, 3, 1, 1];
+    const quads = HalfedgeMesh.fromPolygons(points, [
+      [0, 1, 2, 3],
+      [0, 3, 4, 1],
+      [1, 4, 2],
+      [2, 4, 3],
+    ]);
+    const { mesh: again } = HalfedgeMesh.parse(quads.write('stl'), { repair: false });
+    expect([again.faceCount, again.isClosed()]).toEqual([6, true]);
+    const triangles = quads.clone();
+    triangles.triangulate();
+    const { mesh: same } = HalfedgeMesh.parse(triangles.write('stl'), { repair: false });
+    const sorted = (mesh: HalfedgeMesh) =>
+      facesOf(mesh)
+        .map((corners) =>
+          corners
+            .map((v) => mesh.position(v).join())
+            .sort()
+            .join(' '),
+        )
+        .sort();
+    expect(sorted(again)).toEqual(sorted(same));
+    for (const made of [quads, again, triangles, same]) made.dispose();
+  });
+
+  test('cuts a polygon for STL all the same where each diagonal is an edge', () => {
+    // Each pair of the corners of the quad is joined.
+    const points = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1, 0.5, 0.5, -1];
+    const quad = HalfedgeMesh.fromPolygons(points, [
+      [0, 1, 2, 3],
+      [0, 2, 4],
+      [1, 3, 5],
+    ]);
+    expect(quad.checkTriangulate()?.code).toBe('no-triangulation');
+    expect(quad.write('stl')).toHaveLength(84 + 4 * 50);
+    quad.dispose();
+  });
+
+  test('notes the vertices that readers of STL join', () => {
+    const notesOf = (points: number[], triangles: number[], format: FileFormat = 'stl') => {
+      const notes: string[] = [];
+      const made = HalfedgeMesh.fromTriangles(points, triangles);
+      made.write(format, { onNote: (sentence) => notes.push(sentence) });
+      made.dispose();
+      return notes;
+    };
+    // Tetrahedra that touch in a point; the last vertex is isolated, and isn't written.
+    const tips = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, -0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1];
+    const both = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 4, 5, 6, 4, 7, 5, 4, 6, 7, 5, 7, 6];
+    const one = 'Wrote 1 vertex in the same place as another, with which readers of STL join it.';
+    expect(notesOf([...tips, 0, 0, 0], both)).toEqual([one]);
+    expect(notesOf(tips, both, 'ply')).toEqual([]);
+    expect(notesOf(tips.slice(0, 12), both.slice(0, 12))).toEqual([]);
+    const twins = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+    expect(notesOf([...twins, ...twins], [0, 1, 2, 3, 5, 4])).toEqual([
+      'Wrote 3 vertices in the same place as others, with which readers of STL join them.',
+    ]);
+  });
+
   test('takes the bytes of a mesh without prev', () => {
     const other = HalfedgeMesh.fromPolygons(positions, faces, { storePrev: false });
     expect(other.write('ply')).toEqual(mesh.write('ply'));

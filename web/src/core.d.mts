@@ -121,6 +121,7 @@ export interface RawCore {
     format: number,
     encoding: number,
     attributes: boolean,
+    withNotes: boolean,
     names: number,
     nameCount: number,
   ): { bytes: { address: number; count: number }; notes: string[] } | RawFailure;

@@ -27,7 +27,10 @@ export interface WriteOptions {
    * of reading it has them. Without them numbers are written.
    */
   names?: AttributeNames;
-  /** Called with a sentence for each attribute that isn't in the file, or not as it was. */
+  /**
+   * Called with a sentence for each attribute that isn't in the file, or not as it was; and with one if
+   * vertices lie in the same place, which readers of STL join.
+   */
   onNote?: (sentence: string) => void;
 }
 
@@ -44,10 +47,11 @@ export function writeFile(links: Links, format: unknown, options: unknown): stri
   const index = formatIndex('format', format);
   const { encoding, attributes, names, onNote } = checkWriteOptions(options, format as FileFormat);
   const { core } = links;
+  const withNotes = onNote !== undefined;
   const raw = withInputs(core, (inputs) => {
     const { address, count } = inputs.bytes('options.names', names);
     const code = ENCODINGS.indexOf(encoding);
-    return core.write(links.address, index, code, attributes, address, count);
+    return core.write(links.address, index, code, attributes, withNotes, address, count);
   });
   const { bytes: block, notes } = unwrap(raw);
   const content = takeContent(core, block, encoding);

@@ -39,6 +39,16 @@ std::optional<Error> LiveMesh::prepare() {
   return std::nullopt;
 }
 
+bool LiveMesh::are_joined(Index a, Index b) const {
+  const std::size_t rows = source_.neighbours.offsets.size();
+  if (std::size_t{std::max(a, b)} + 1 >= rows) return false;
+  const std::span<const Index> of_a = row_of(source_.neighbours, a);
+  const std::span<const Index> of_b = row_of(source_.neighbours, b);
+  const bool from_a = of_a.size() <= of_b.size();
+  const std::span<const Index> row = from_a ? of_a : of_b;
+  return std::find(row.begin(), row.end(), from_a ? b : a) != row.end();
+}
+
 std::vector<const Attribute*> LiveMesh::attributes(ItemKind kind) const {
   std::vector<const Attribute*> list;
   if (source_.attributes == nullptr) return list;

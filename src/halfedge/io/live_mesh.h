@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halfedge::io {
@@ -52,6 +53,9 @@ class LiveMesh {
   [[nodiscard]] const float* position(Index slot) const {
     return &source_.positions[3 * std::size_t{slot}];
   }
+  [[nodiscard]] std::size_t vertex_slots() const { return source_.positions.size() / 3; }
+  /// Whether there is an edge between two vertices. False where the neighbours aren't known.
+  [[nodiscard]] bool are_joined(Index a, Index b) const;
 
   /// The attributes by this kind of item that are the user's.
   [[nodiscard]] std::vector<const Attribute*> attributes(ItemKind kind) const;
@@ -69,6 +73,8 @@ class LiveMesh {
   void leave_out(const Attribute& attribute, const std::string& why) const;
   /// The same of all that weren't taken or left out.
   void leave_out_rest(const std::string& why) const;
+  /// Notes what a reader will make of the file.
+  void note(std::string sentence) const { notes_.push_back(std::move(sentence)); }
   /// Notes that it is in the file, but in another form.
   void note_change(const Attribute& attribute, const std::string& form) const;
 

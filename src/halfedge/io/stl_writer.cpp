@@ -1,7 +1,11 @@
 #include <halfedge/algorithms/triangulate_polygon.h>
+#include <halfedge/io/position_table.h>
 #include <halfedge/io/stl_writer.h>
+#include <halfedge/operations/face_plan.h>
 #include <halfedge/sentence.h>
+#include <halfedge/sort.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -29,7 +33,8 @@ Vector normal_of(const float* a, const float* b, const float* c) {
   return normal;
 }
 
-/// Cuts faces into the triangles of a file.
+/// Cuts faces into the triangles of a file: as triangulate does, along no diagonal that is an edge
+/// already, or a diagonal of an earlier face, so that readers find no edge with four faces.
 class Cutter {
  public:
   explicit Cutter(const LiveMesh& mesh) : mesh_(mesh) {}
@@ -69,17 +74,82 @@ class Cutter {
     for (std::size_t i = 0; i < n; ++i) {
       const float* const p = mesh_.position(corners[i]);
       points_[i] = {p[0], p[1], p[2]};
+    }
+    forbidden_.clear();
+    for (;;) {
+      ears_.clear();
+      switch (triangulator_.run(points_.span(), forbidden_.span(), ears_)) {
+        case PolygonTriangulator::Outcome::kOutOfMemory:
+          return false;
+        case PolygonTriangulator::Outcome::kBlocked:
+          return cut_in_any_way(corners);
+        case PolygonTriangulator::Outcome::kDone:
+          break;
+      }
+      const std::size_t known = forbidden_.size();
+      if (!list_diagonals() || !forbid_existing(corners)) return false;
+      if (forbidden_.size() == known) return keep_diagonals(corners);
+    }
+  }
+
+  /// Without forbidden diagonals nothing but memory can be in the way.
+  [[nodiscard]] bool cut_in_any_way(std::span<const Index> corners) {
+    ears_.clear();
+    return triangulator_.run(points_.span(), {}, ears_) == PolygonTriangulator::Outcome::kDone &&
+           list_diagonals() && keep_diagonals(corners);
+  }
+
+  void join_in_a_ring() {
+    const std::size_t n = points_.size();
+    for (std::size_t i = 0; i < n; ++i) {
       next_[i] = Index(i + 1 == n ? 0 : i + 1);
       prev_[i] = Index(i == 0 ? n - 1 : i - 1);
     }
-    ears_.clear();
-    // Without forbidden diagonals nothing else can be wrong.
-    return triangulator_.run(points_.span(), {}, ears_) == PolygonTriangulator::Outcome::kDone;
+  }
+
+  /// Those along which the ears are cut off. Afterwards the corners are a ring again.
+  [[nodiscard]] bool list_diagonals() {
+    join_in_a_ring();
+    diagonals_.clear();
+    for (const Index ear : ears_) {
+      const Index a = prev_[ear];
+      const Index b = next_[ear];
+      if (!diagonals_.push_back({std::min(a, b), std::max(a, b)})) return false;
+      next_[a] = b;
+      prev_[b] = a;
+    }
+    join_in_a_ring();
+    return true;
+  }
+
+  /// Puts those that join what is joined already on the list of the forbidden.
+  [[nodiscard]] bool forbid_existing(std::span<const Index> corners) {
+    for (const Diagonal& diagonal : diagonals_) {
+      const Index a = corners[diagonal.a];
+      const Index b = corners[diagonal.b];
+      if (!mesh_.are_joined(a, b) && !taken_.contains(Vertex(a), Vertex(b))) continue;
+      if (!forbidden_.push_back(diagonal)) return false;
+    }
+    introsort(forbidden_.begin(), forbidden_.end());
+    return true;
+  }
+
+  /// Faces to come know the diagonals of this one.
+  [[nodiscard]] bool keep_diagonals(std::span<const Index> corners) {
+    for (const Diagonal& diagonal : diagonals_) {
+      const Vertex a(corners[diagonal.a]);
+      const Vertex b(corners[diagonal.b]);
+      if (!taken_.contains(a, b) && !taken_.insert(a, b)) return false;
+    }
+    return true;
   }
 
   const LiveMesh& mesh_;
   PolygonTriangulator triangulator_;
+  operations::internal::PlannedEdges taken_;  // diagonals of the faces so far
   Array<Point> points_;
+  Array<Diagonal> forbidden_;
+  Array<Diagonal> diagonals_;
   Array<Index> ears_;
   Array<Index> next_;  // of the corners that are left
   Array<Index> prev_;
@@ -140,6 +210,33 @@ std::optional<Error> check_stl(const LiveMesh& mesh, std::span<const Index> used
     return error;
   }
   return std::nullopt;
+}
+
+bool note_joined_vertices(const LiveMesh& mesh, std::span<const Index> used) {
+  Array<std::uint8_t> seen;
+  Array<float> places;
+  if (!seen.resize(mesh.vertex_slots(), 0)) return false;
+  for (const Index v : used) {
+    if (seen[v] != 0) continue;
+    seen[v] = 1;
+    const float* const p = mesh.position(v);
+    if (!places.push_back(p[0]) || !places.push_back(p[1]) || !places.push_back(p[2])) return false;
+  }
+  const std::size_t vertices = places.size() / 3;
+  PositionTable table;
+  Array<float> distinct;
+  Array<Index> indices;
+  if (!indices.recreate(vertices) || !table.reserve(vertices) ||
+      !table.weld(places.data(), vertices, distinct, indices.data())) {
+    return false;
+  }
+  const std::size_t joined = vertices - distinct.size() / 3;
+  if (joined > 0) {
+    mesh.note(sentence::of("wrote {} in the same place as {}, with which readers of STL join {}",
+                           sentence::count_of(joined, "vertex"), joined == 1 ? "another" : "others",
+                           joined == 1 ? "it" : "them"));
+  }
+  return true;
 }
 
 void write_stl(const LiveMesh& mesh, Encoding encoding, ByteWriter& out) {

@@ -38,6 +38,13 @@ bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
 }  // namespace
 }  // namespace io
 
+bool has_polygons(const Adjacency& faces) {
+  for (std::size_t f = 0; f + 1 < faces.offsets.size(); ++f) {
+    if (faces.offsets[f + 1] - faces.offsets[f] > 3) return true;
+  }
+  return false;
+}
+
 Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format,
                                         const WriteOptions& options) {
   const bool binary = format == Format::kPly || format == Format::kStl;
@@ -56,6 +63,10 @@ Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format
                                                      : " has no big-endian form")};
   }
   if (out.out_of_memory()) return io::no_memory_for_a_file();
+  if (format == Format::kStl && options.notes != nullptr &&
+      !io::note_joined_vertices(mesh, source.faces.items.span())) {
+    return io::no_memory_for_a_file();
+  }
   if (format != Format::kPly) {
     mesh.leave_out_rest(sentence::of("{} has no place for it", name_of(format)));
   }

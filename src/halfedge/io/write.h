@@ -28,7 +28,8 @@ struct WriteOptions {
   /// Words for the numbers of `group`, `object` and `material`, as a reader of OBJ gives them; and
   /// as `library` the files of materials. Without them numbers are written.
   std::span<const SoupNames> names = {};
-  /// Gets a sentence for each attribute that isn't in the file, or not as it was.
+  /// Gets a sentence for each attribute that isn't in the file, or not as it was; and one if
+  /// readers of STL will join vertices. Looking for those costs a pass over the positions.
   std::vector<std::string>* notes = nullptr;
 };
 
@@ -37,11 +38,14 @@ struct WriteSource {
   std::span<const float> positions;
   Adjacency faces;                 // their vertices
   Adjacency halfedges;             // that end at these; empty without attributes by halfedge
+  Adjacency neighbours;            // by vertex, if polygons are to be cut; else empty
   Array<std::uint8_t> is_deleted;  // by vertex slot, not 0 if so; empty if there are none
   const Attributes* attributes = nullptr;  // null if they are left out
 };
 [[nodiscard]] Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format,
                                                       const WriteOptions& options);
+/// Whether a face has more than three corners.
+[[nodiscard]] bool has_polygons(const Adjacency& faces);
 
 /// The bytes of a file of this mesh: its live vertices and faces, each in the order of their
 /// indices, a face from the vertex on that it was built from. Reading it gives the same polygons,
@@ -49,9 +53,11 @@ struct WriteSource {
 /// has a place for them.
 ///
 /// Polygons stay polygons, but in STL, which has only triangles: there they are cut as
-/// PolygonTriangulator does, also concave ones, and isolated vertices are left out.
+/// operations::triangulate does, also concave ones, and isolated vertices are left out. A face that
+/// can't be cut without joining vertices a second time is cut all the same.
 ///
-/// cost: one pass; the file, and 8 bytes for each corner of a face
+/// cost: one pass; the file, and 8 bytes for each corner of a face; for polygons in STL besides 16
+/// bytes an edge and 16 to 32 a diagonal
 /// errors: corrupt-connectivity, out-of-memory, unsupported-format (an encoding that the format
 /// doesn't have), non-finite-position (in STL), too-large (more triangles than STL can count)
 template <Storage kStored>
@@ -65,6 +71,13 @@ template <Storage kStored>
   if (options.attributes && !mesh.attributes().of(ItemKind::kHalfedge).empty()) {
     rows = adjacency(mesh, Ring::kFaceHalfedges, Direction::kCcw, source.halfedges);
     if (!rows) return rows.error();
+  }
+  if constexpr (kStored.vertex_halfedge) {
+    if (format == Format::kStl && has_polygons(source.faces)) {
+      rows = adjacency(mesh, Ring::kVertexVertices, Direction::kCcw, source.neighbours);
+      // Without neighbours faces are cut each for itself.
+      if (!rows && rows.error().code == "out-of-memory") return rows.error();
+    }
   }
   if (mesh.vertex_count() < mesh.vertex_slots()) {
     if (!source.is_deleted.resize(mesh.vertex_slots())) {

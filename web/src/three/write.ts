@@ -24,7 +24,7 @@ export interface MeshBuffers {
 
 /**
  * An indexed geometry of three.js of a mesh as it is now. Polygons are cut into triangles as
- * `mesh.triangulate()` cuts them; the mesh is not changed. Vertices come in the order of the mesh, then
+ * `mesh.triangulate(face)` cuts them, each for itself; the mesh is not changed. Vertices come in the order of the mesh, then
  * copies of those whose corners have different attributes. Attributes keep their names; the face attribute
  * `group` becomes groups, `morph position 0` and so on morph targets, relative ones.
  *
