@@ -225,6 +225,35 @@ describe('A wrong argument of a build', () => {
     expect(() => mesh.addFace(gone)).toThrow('vertices is a detached Float32Array');
   });
 
+  test('whose buffer was made shorter is a TypeError', () => {
+    type Resizable = ArrayBuffer & { resize(bytes: number): void };
+    const Buffers = ArrayBuffer as unknown as new (n: number, to: object) => Resizable;
+    const cut = <View>(view: (buffer: Resizable) => View) => {
+      const buffer = new Buffers(36, { maxByteLength: 36 });
+      const made = view(buffer);
+      buffer.resize(4);
+      return made;
+    };
+    const why = 'that reaches beyond its buffer, which was made shorter; expected one with its';
+    const fixed = cut((buffer) => new Float32Array(buffer, 0, 9));
+    expect(() => HalfedgeMesh.fromTriangles(fixed, indices)).toThrow(
+      new TypeError(`positions is a Float32Array ${why} elements.`),
+    );
+    expect(() => HalfedgeMesh.fromSoup(positions, fixed)).toThrow(
+      new TypeError(`faces is a Float32Array ${why} elements.`),
+    );
+    for (const view of [
+      cut((buffer) => new DataView(buffer, 8)),
+      cut((buffer) => new Uint8Array(buffer, 8)),
+    ]) {
+      const error = new TypeError(`data is a view ${why} bytes.`);
+      expect(() => HalfedgeMesh.parse(view as Uint8Array)).toThrow(error);
+    }
+    const gone = new DataView(new ArrayBuffer(8));
+    structuredClone(gone.buffer, { transfer: [gone.buffer] });
+    expect(() => HalfedgeMesh.fromBytes(gone)).toThrow('bytes is a detached buffer');
+  });
+
   test('that is huge and empty costs no memory', () => {
     const faces = { length: 4_000_000_000 };
     expect(() => HalfedgeMesh.fromTriangles(faces as never, [])).toThrow('positions[3999999999]');

@@ -373,6 +373,16 @@ describe('A worker that can not be started', () => {
     expect(make).toThrow('The worker failed: Error: Not allowed.');
   });
 
+  test.each([
+    ['nothing', () => undefined, 'undefined'],
+    ['a promise of one', async () => undefined, 'a Promise, which is to be awaited'],
+  ])('because %s was made is one, too', (_, worker, what) => {
+    const make = () => createMeshWorker({ worker: worker as never });
+    expect(make).toThrow(
+      `The worker failed: TypeError: options.worker returned ${what}; expected a worker.`,
+    );
+  });
+
   test('before init is an error that says what to call', async () => {
     import.meta.jest.resetModules();
     const fresh = (await import('halfedge/worker')) as typeof import('halfedge/worker');

@@ -147,16 +147,36 @@ function numberArray(argument: string, source: unknown): NumberArray | undefined
 }
 
 /** Throws if a typed array without elements has lost them. */
-function checkAttached(argument: string, { buffer }: NumberArray, name: string): void {
-  if (!isDetached(buffer)) return;
-  throw new TypeError(
-    `${argument} is a detached ${name}; expected one with its elements: was its buffer transferred to a worker?`,
-  );
+function checkAttached(argument: string, array: NumberArray, name: string): void {
+  if (isDetached(array.buffer)) {
+    throw new TypeError(
+      `${argument} is a detached ${name}; expected one with its elements: was its buffer transferred to a worker?`,
+    );
+  }
+  if (isCutOff(array)) {
+    throw new TypeError(
+      `${argument} is ${withArticle(name)} that reaches beyond its buffer, which was made shorter; expected one with its elements.`,
+    );
+  }
 }
 
 /** The true length of a typed array, whatever properties a caller has put on it. */
 export function lengthOf(array: NumberArray): number {
   return typedArrayLength?.call(array) as number;
+}
+
+const typedArrayKeys = Object.getPrototypeOf(Int8Array.prototype).keys as () => unknown;
+
+const viewOffset = Object.getOwnPropertyDescriptor(DataView.prototype, 'byteOffset')?.get;
+
+/** Whether a resizable buffer has become too short for a view that isn't detached. */
+function isCutOff(view: ArrayBufferView): boolean {
+  try {
+    (typedArrayName(view) === undefined ? viewOffset : typedArrayKeys)?.call(view);
+    return false;
+  } catch {
+    return true;
+  }
 }
 
 function isDetached(buffer: ArrayBufferLike): boolean {
@@ -214,17 +234,18 @@ export function lengthOfArrayLike(
 
 /** The bytes of a buffer or of a view of one; undefined for anything else. */
 export function bytesOf(argument: string, source: unknown): Uint8Array | undefined {
-  let buffer = source as ArrayBufferLike;
-  let range: [number?, number?] = [];
-  if (ArrayBuffer.isView(source)) {
-    buffer = source.buffer;
-    range = [source.byteOffset, source.byteLength];
-  } else if (!isBuffer(source)) {
-    return undefined;
+  const isView = ArrayBuffer.isView(source);
+  if (!isView && !isBuffer(source)) return undefined;
+  const buffer = isView ? source.buffer : (source as ArrayBufferLike);
+  if (isDetached(buffer)) {
+    throw new TypeError(
+      `${argument} is a detached buffer; expected one with its bytes: was it transferred to a worker?`,
+    );
   }
-  if (!isDetached(buffer)) return new Uint8Array(buffer, ...range);
+  if (!isView) return new Uint8Array(buffer);
+  if (!isCutOff(source)) return new Uint8Array(buffer, source.byteOffset, source.byteLength);
   throw new TypeError(
-    `${argument} is a detached buffer; expected one with its bytes: was it transferred to a worker?`,
+    `${argument} is a view that reaches beyond its buffer, which was made shorter; expected one with its bytes.`,
   );
 }
 

@@ -103,7 +103,10 @@ export abstract class Navigation {
     return this.#links.faceSlots;
   }
 
-  /** Changes with every change of connectivity; moving vertices does not count as one. */
+  /**
+   * Changes with every change of connectivity, and with each undo and redo. Moving vertices does not count
+   * as one, but taking that back does.
+   */
   get version(): number {
     this.#links.checkAlive();
     return this.#links.version;

@@ -1,10 +1,15 @@
+import { describe } from './arguments.js';
 import { connect, type Listener, type Thread, type WorkerLike, workerOf } from './connection.js';
 
 export type { Thread, WorkerLike } from './connection.js';
 
 /** Starts a thread that runs worker-thread.js, or takes one that was made elsewhere. */
 export function startThread(listener: Listener, make: () => WorkerLike = newMeshWorker): Thread {
-  return connect(make(), listener);
+  const worker: WorkerLike | undefined = make();
+  if (typeof worker?.postMessage !== 'function') {
+    throw new TypeError(`options.worker returned ${describe(worker)}; expected a worker.`);
+  }
+  return connect(worker, listener);
 }
 
 const newMeshWorker = () =>

@@ -58,8 +58,9 @@ export interface GeometryMesh {
  * nothing is lost; what doesn't, attributes of vertices. They keep their names: `normal`, `uv`, `uv1`,
  * `color`, `tangent`, `skinIndex`, ... Normalised integers become floats, but for colours in bytes; morph
  * targets become `morph position 0` and so on, relative to the attribute. Groups become the face attribute
- * `group`, which holds the index of the material (-1 where none is drawn). What lies outside of the draw
- * range is no part of the mesh. What makes no manifold is mended, as by `HalfedgeMesh.fromSoup`.
+ * `group`, which holds the index of the material (-1 where none is drawn). Triangles outside of the
+ * draw range are no part of the mesh; their vertices stay, without faces, unless `dropIsolated` leaves them out. What
+ * makes no manifold is mended, as by `HalfedgeMesh.fromSoup`.
  *
  * ```ts
  * const { mesh, maps } = fromBufferGeometry(new BoxGeometry()); // 8 vertices, 24 in the geometry
