@@ -170,6 +170,43 @@ describe("OpenMesh's names", () => {
     expect(() => om.is_boundary(PolyMesh.InvalidEdgeHandle)).toThrow(RangeError);
     expect(PolyMesh.InvalidVertexHandle.is_valid()).toBe(false);
   });
+
+  test('refuse what is no handle of the kind, and no point, in a sentence', () => {
+    using mesh = build(tetrahedron());
+    const om = new PolyMesh(mesh);
+    const [v, h] = [om.vertex_handle(0), om.halfedge_handle(0)];
+    const [e, f] = [om.edge_handle(0), om.face_handle(0)];
+    const refused = (call: () => unknown, message: string) =>
+      expect(call).toThrow(new TypeError(message));
+    refused(() => om.vv_range(0 as never), 'v is 0; expected a VertexHandle.');
+    refused(() => om.vv_range(f as never), 'v is a FaceHandle; expected a VertexHandle.');
+    refused(() => om.fv_range(v as never), 'f is a VertexHandle; expected a FaceHandle.');
+    refused(() => om.voh_range(f as never), 'h is a FaceHandle; expected a HalfedgeHandle.');
+    refused(
+      () => om.next_halfedge_handle(undefined as never),
+      'h is undefined; expected a HalfedgeHandle.',
+    );
+    refused(() => om.find_halfedge(v, 1 as never), 'b is 1; expected a VertexHandle.');
+    refused(() => om.is_boundary(0 as never), 'item is 0; expected a handle.');
+    refused(
+      () => om.valence(e as never),
+      'item is an EdgeHandle; expected a VertexHandle or a FaceHandle.',
+    );
+    refused(
+      () => om.set_next_halfedge_handle(h, v as never),
+      'next is a VertexHandle; expected a HalfedgeHandle.',
+    );
+    refused(
+      () => om.set_halfedge_handle(e as never, h),
+      'of is an EdgeHandle; expected a VertexHandle or a FaceHandle.',
+    );
+    expect(mesh.validate()).toEqual([]);
+    // A fourth number would be x of the next vertex.
+    expect(() => om.set_point(v, [7, 8, 9, 10])).toThrow(
+      'point is an array of 4 elements; expected three numbers, x, y and z.',
+    );
+    expect(om.point(om.vertex_handle(1))).toEqual([1, 0, 0]);
+  });
 });
 
 describe("CGAL's names", () => {

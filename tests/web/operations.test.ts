@@ -230,6 +230,16 @@ describe('Faces', () => {
     expect(() => mesh.extrudeFace(0, Number.NaN)).toThrow(
       'offset is NaN; expected a finite number.',
     );
+    for (const offsetBy of [
+      (far: number) => mesh.extrudeFace(0, far),
+      (far: number) => mesh.checkExtrudeFace(0, far),
+      (far: number) => mesh.poke(0, far),
+      (far: number) => mesh.checkPoke(0, far),
+    ]) {
+      expect(() => offsetBy(1e39)).toThrow(
+        new RangeError('offset is 1e+39; expected a number that fits a 32-bit float.'),
+      );
+    }
     expect(() => mesh.checkInsetFace(0, '1' as never)).toThrow(TypeError);
     const c = mesh.poke(0, 0.5);
     expect(mesh.valence(c)).toBe(4);

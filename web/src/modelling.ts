@@ -46,7 +46,7 @@ export abstract class Modelling extends Surgery {
   extrudeFace(f: FaceLike, offset: number): Face {
     const links = linksOf(this);
     links.checkFace(f);
-    checkNumber('offset', offset);
+    checkOffset(offset);
     return done(links, links.core._extrude_face(links.address, modeOf(links), f, offset)) as Face;
   }
 
@@ -54,7 +54,7 @@ export abstract class Modelling extends Surgery {
   checkExtrudeFace(f: FaceLike, offset: number): Refusal | null {
     const links = linksOf(this);
     links.checkFace(f);
-    checkNumber('offset', offset);
+    checkOffset(offset);
     return answer(links, links.core._extrude_face(links.address, CHECK_ONLY, f, offset));
   }
 
@@ -94,7 +94,7 @@ export abstract class Modelling extends Surgery {
   poke(f: FaceLike, offset = 0): Vertex {
     const links = linksOf(this);
     links.checkFace(f);
-    checkNumber('offset', offset);
+    checkOffset(offset);
     return done(links, links.core._poke(links.address, modeOf(links), f, offset)) as Vertex;
   }
 
@@ -102,7 +102,7 @@ export abstract class Modelling extends Surgery {
   checkPoke(f: FaceLike, offset = 0): Refusal | null {
     const links = linksOf(this);
     links.checkFace(f);
-    checkNumber('offset', offset);
+    checkOffset(offset);
     return answer(links, links.core._poke(links.address, CHECK_ONLY, f, offset));
   }
 
@@ -154,6 +154,13 @@ export abstract class Modelling extends Surgery {
     checkNumber('amount', amount);
     return answer(links, links.core._bevel_vertex(links.address, CHECK_ONLY, v, amount));
   }
+}
+
+/** Throws a sentence unless `value` can be added to a position. */
+function checkOffset(value: unknown): void {
+  checkNumber('offset', value);
+  if (Number.isFinite(Math.fround(value as number))) return;
+  refuse('offset', value, 'a number that fits a 32-bit float', 'number');
 }
 
 /** Throws a sentence unless `value` is a number; which ones the operation takes, the core tells. */

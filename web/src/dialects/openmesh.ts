@@ -1,4 +1,6 @@
-import type { Direction } from '../items.js';
+import { describe } from '../arguments.js';
+import { checkGivenPosition } from '../edit.js';
+import type { Direction, ItemKind } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
 import { checkReadable } from './readable.js';
@@ -32,6 +34,26 @@ export class EdgeHandle extends Handle {
 }
 export class FaceHandle extends Handle {
   readonly kind = 'face';
+}
+
+const VERTEX_OR_FACE = 'a VertexHandle or a FaceHandle';
+
+/** The index of a handle of the kind that is asked for. Throws a sentence for anything else. */
+const ofVertex = (v: VertexHandle, argument = 'v') =>
+  indexOf(v, 'vertex', argument, 'a VertexHandle');
+const ofHalfedge = (h: HalfedgeHandle, argument = 'h') =>
+  indexOf(h, 'halfedge', argument, 'a HalfedgeHandle');
+const ofFace = (f: FaceHandle, argument = 'f', expected = 'a FaceHandle') =>
+  indexOf(f, 'face', argument, expected);
+
+function indexOf(
+  handle: VertexHandle | HalfedgeHandle | FaceHandle,
+  kind: ItemKind,
+  argument: string,
+  expected: string,
+): number {
+  if (handle?.kind === kind) return handle.idx();
+  throw new TypeError(`${argument} is ${describe(handle)}; expected ${expected}.`);
 }
 
 /**
@@ -112,13 +134,13 @@ export class PolyMesh {
   }
   /** By its index, or of a halfedge. */
   edge_handle(of: number | HalfedgeHandle): EdgeHandle {
-    if (typeof of !== 'number') return this.#edge(this.mesh.edge(of.idx()));
+    if (typeof of !== 'number') return this.#edge(this.mesh.edge(ofHalfedge(of, 'of')));
     this.mesh.edgeHalfedge(of);
     return this.#edge(of);
   }
   /** By its index, or of a halfedge; invalid for a boundary halfedge. */
   face_handle(of: number | HalfedgeHandle): FaceHandle {
-    if (typeof of !== 'number') return this.#face(this.mesh.face(of.idx()));
+    if (typeof of !== 'number') return this.#face(this.mesh.face(ofHalfedge(of, 'of')));
     this.mesh.faceHalfedge(of);
     return this.#face(of);
   }
@@ -126,25 +148,25 @@ export class PolyMesh {
     return this.face_handle(this.opposite_halfedge_handle(h));
   }
   to_vertex_handle(h: HalfedgeHandle): VertexHandle {
-    return this.#vertex(this.mesh.toVertex(h.idx()));
+    return this.#vertex(this.mesh.toVertex(ofHalfedge(h)));
   }
   from_vertex_handle(h: HalfedgeHandle): VertexHandle {
-    return this.#vertex(this.mesh.fromVertex(h.idx()));
+    return this.#vertex(this.mesh.fromVertex(ofHalfedge(h)));
   }
   next_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.next(h.idx()));
+    return this.#halfedge(this.mesh.next(ofHalfedge(h)));
   }
   prev_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.prev(h.idx()));
+    return this.#halfedge(this.mesh.prev(ofHalfedge(h)));
   }
   opposite_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.opposite(h.idx()));
+    return this.#halfedge(this.mesh.opposite(ofHalfedge(h)));
   }
   cw_rotated_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.rotateCw(h.idx()));
+    return this.#halfedge(this.mesh.rotateCw(ofHalfedge(h)));
   }
   ccw_rotated_halfedge_handle(h: HalfedgeHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.rotateCcw(h.idx()));
+    return this.#halfedge(this.mesh.rotateCcw(ofHalfedge(h)));
   }
 
   // ---- queries ------------------------------------------------------------------------------------
@@ -153,45 +175,46 @@ export class PolyMesh {
     if (item instanceof VertexHandle) return this.mesh.isBoundaryVertex(item.idx());
     if (item instanceof HalfedgeHandle) return this.mesh.isBoundaryHalfedge(item.idx());
     if (item instanceof EdgeHandle) return this.mesh.isBoundaryEdge(item.idx());
-    return this.mesh.isBoundaryFace(item.idx());
+    return this.mesh.isBoundaryFace(ofFace(item, 'item', 'a handle'));
   }
   is_isolated(v: VertexHandle): boolean {
-    return this.mesh.isIsolatedVertex(v.idx());
+    return this.mesh.isIsolatedVertex(ofVertex(v));
   }
   is_manifold(v: VertexHandle): boolean {
-    return this.mesh.isManifoldVertex(v.idx());
+    return this.mesh.isManifoldVertex(ofVertex(v));
   }
   valence(item: VertexHandle | FaceHandle): number {
     return item instanceof VertexHandle
       ? this.mesh.valence(item.idx())
-      : this.mesh.degree(item.idx());
+      : this.mesh.degree(ofFace(item, 'item', VERTEX_OR_FACE));
   }
   find_halfedge(a: VertexHandle, b: VertexHandle): HalfedgeHandle {
-    return this.#halfedge(this.mesh.findHalfedge(a.idx(), b.idx()));
+    return this.#halfedge(this.mesh.findHalfedge(ofVertex(a, 'a'), ofVertex(b, 'b')));
   }
   /** A copy. */
   point(v: VertexHandle): [x: number, y: number, z: number] {
-    this.mesh.vertexHalfedge(v.idx());
+    this.mesh.vertexHalfedge(ofVertex(v));
     const { positions } = this.mesh;
-    const at = 3 * v.idx();
+    const at = 3 * ofVertex(v);
     return [positions[at] as number, positions[at + 1] as number, positions[at + 2] as number];
   }
   set_point(v: VertexHandle, point: ArrayLike<number>): void {
-    this.mesh.vertexHalfedge(v.idx());
-    this.mesh.positions.set(point, 3 * v.idx());
+    const at = ofVertex(v);
+    this.mesh.vertexHalfedge(at);
+    this.mesh.positions.set(checkGivenPosition(point, 'point'), 3 * at);
   }
 
   // ---- circulators --------------------------------------------------------------------------------
   // Those of a vertex `voh` and `vih` also begin at a halfedge that leaves it, or arrives there.
 
   vv_range(v: VertexHandle): VertexHandle[] {
-    return Array.from(this.mesh.vertexVertices(v.idx(), 'cw'), this.#vertex);
+    return Array.from(this.mesh.vertexVertices(ofVertex(v), 'cw'), this.#vertex);
   }
   vv_cw_range(v: VertexHandle): VertexHandle[] {
-    return Array.from(this.mesh.vertexVertices(v.idx(), 'cw'), this.#vertex);
+    return Array.from(this.mesh.vertexVertices(ofVertex(v), 'cw'), this.#vertex);
   }
   vv_ccw_range(v: VertexHandle): VertexHandle[] {
-    return Array.from(this.mesh.vertexVertices(v.idx(), 'ccw'), this.#vertex);
+    return Array.from(this.mesh.vertexVertices(ofVertex(v), 'ccw'), this.#vertex);
   }
   voh_range(at: VertexHandle | HalfedgeHandle): HalfedgeHandle[] {
     return this.#leaving(at, 'cw');
@@ -212,67 +235,67 @@ export class PolyMesh {
     return this.#arriving(at, 'ccw');
   }
   ve_range(v: VertexHandle): EdgeHandle[] {
-    return Array.from(this.mesh.vertexEdges(v.idx(), 'cw'), this.#edge);
+    return Array.from(this.mesh.vertexEdges(ofVertex(v), 'cw'), this.#edge);
   }
   ve_cw_range(v: VertexHandle): EdgeHandle[] {
-    return Array.from(this.mesh.vertexEdges(v.idx(), 'cw'), this.#edge);
+    return Array.from(this.mesh.vertexEdges(ofVertex(v), 'cw'), this.#edge);
   }
   ve_ccw_range(v: VertexHandle): EdgeHandle[] {
-    return Array.from(this.mesh.vertexEdges(v.idx(), 'ccw'), this.#edge);
+    return Array.from(this.mesh.vertexEdges(ofVertex(v), 'ccw'), this.#edge);
   }
   vf_range(v: VertexHandle): FaceHandle[] {
-    return Array.from(this.mesh.vertexFaces(v.idx(), 'cw'), this.#face);
+    return Array.from(this.mesh.vertexFaces(ofVertex(v), 'cw'), this.#face);
   }
   vf_cw_range(v: VertexHandle): FaceHandle[] {
-    return Array.from(this.mesh.vertexFaces(v.idx(), 'cw'), this.#face);
+    return Array.from(this.mesh.vertexFaces(ofVertex(v), 'cw'), this.#face);
   }
   vf_ccw_range(v: VertexHandle): FaceHandle[] {
-    return Array.from(this.mesh.vertexFaces(v.idx(), 'ccw'), this.#face);
+    return Array.from(this.mesh.vertexFaces(ofVertex(v), 'ccw'), this.#face);
   }
   fv_range(f: FaceHandle): VertexHandle[] {
-    return Array.from(this.mesh.faceVertices(f.idx(), 'ccw'), this.#vertex);
+    return Array.from(this.mesh.faceVertices(ofFace(f), 'ccw'), this.#vertex);
   }
   fv_cw_range(f: FaceHandle): VertexHandle[] {
-    return Array.from(this.mesh.faceVertices(f.idx(), 'cw'), this.#vertex);
+    return Array.from(this.mesh.faceVertices(ofFace(f), 'cw'), this.#vertex);
   }
   fv_ccw_range(f: FaceHandle): VertexHandle[] {
-    return Array.from(this.mesh.faceVertices(f.idx(), 'ccw'), this.#vertex);
+    return Array.from(this.mesh.faceVertices(ofFace(f), 'ccw'), this.#vertex);
   }
   fh_range(f: FaceHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.faceHalfedges(f.idx(), 'ccw'), this.#halfedge);
+    return Array.from(this.mesh.faceHalfedges(ofFace(f), 'ccw'), this.#halfedge);
   }
   fh_cw_range(f: FaceHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.faceHalfedges(f.idx(), 'cw'), this.#halfedge);
+    return Array.from(this.mesh.faceHalfedges(ofFace(f), 'cw'), this.#halfedge);
   }
   fh_ccw_range(f: FaceHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.faceHalfedges(f.idx(), 'ccw'), this.#halfedge);
+    return Array.from(this.mesh.faceHalfedges(ofFace(f), 'ccw'), this.#halfedge);
   }
   fe_range(f: FaceHandle): EdgeHandle[] {
-    return Array.from(this.mesh.faceEdges(f.idx(), 'ccw'), this.#edge);
+    return Array.from(this.mesh.faceEdges(ofFace(f), 'ccw'), this.#edge);
   }
   fe_cw_range(f: FaceHandle): EdgeHandle[] {
-    return Array.from(this.mesh.faceEdges(f.idx(), 'cw'), this.#edge);
+    return Array.from(this.mesh.faceEdges(ofFace(f), 'cw'), this.#edge);
   }
   fe_ccw_range(f: FaceHandle): EdgeHandle[] {
-    return Array.from(this.mesh.faceEdges(f.idx(), 'ccw'), this.#edge);
+    return Array.from(this.mesh.faceEdges(ofFace(f), 'ccw'), this.#edge);
   }
   ff_range(f: FaceHandle): FaceHandle[] {
-    return Array.from(this.mesh.faceFaces(f.idx(), 'ccw'), this.#face);
+    return Array.from(this.mesh.faceFaces(ofFace(f), 'ccw'), this.#face);
   }
   ff_cw_range(f: FaceHandle): FaceHandle[] {
-    return Array.from(this.mesh.faceFaces(f.idx(), 'cw'), this.#face);
+    return Array.from(this.mesh.faceFaces(ofFace(f), 'cw'), this.#face);
   }
   ff_ccw_range(f: FaceHandle): FaceHandle[] {
-    return Array.from(this.mesh.faceFaces(f.idx(), 'ccw'), this.#face);
+    return Array.from(this.mesh.faceFaces(ofFace(f), 'ccw'), this.#face);
   }
   hl_range(h: HalfedgeHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'ccw'), this.#halfedge);
+    return Array.from(this.mesh.halfedgeLoop(ofHalfedge(h), 'ccw'), this.#halfedge);
   }
   hl_cw_range(h: HalfedgeHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'cw'), this.#halfedge);
+    return Array.from(this.mesh.halfedgeLoop(ofHalfedge(h), 'cw'), this.#halfedge);
   }
   hl_ccw_range(h: HalfedgeHandle): HalfedgeHandle[] {
-    return Array.from(this.mesh.halfedgeLoop(h.idx(), 'ccw'), this.#halfedge);
+    return Array.from(this.mesh.halfedgeLoop(ofHalfedge(h), 'ccw'), this.#halfedge);
   }
 
   // ---- low-level changes ----------------------------------------------------------------------------
@@ -282,29 +305,37 @@ export class PolyMesh {
   /** The outgoing halfedge of a vertex, or the halfedge of a face. */
   set_halfedge_handle(of: VertexHandle | FaceHandle, h: HalfedgeHandle): void {
     const { vertexHalfedge, faceHalfedge } = this.mesh.connectivity;
+    const [at, halfedge] = [
+      of instanceof VertexHandle ? of.idx() : ofFace(of, 'of', VERTEX_OR_FACE),
+      ofHalfedge(h),
+    ];
     this.#check(of, h);
-    if (of instanceof VertexHandle) vertexHalfedge[of.idx()] = h.idx();
-    else faceHalfedge[of.idx()] = h.idx();
+    if (of instanceof VertexHandle) vertexHalfedge[at] = halfedge;
+    else faceHalfedge[at] = halfedge;
   }
   /** The vertex that `h` points to. */
   set_vertex_handle(h: HalfedgeHandle, v: VertexHandle): void {
+    const [at, vertex] = [ofHalfedge(h), ofVertex(v)];
     this.#check(h, v);
-    this.mesh.connectivity.toVertex[h.idx()] = v.idx();
+    this.mesh.connectivity.toVertex[at] = vertex;
   }
   set_face_handle(h: HalfedgeHandle, f: FaceHandle): void {
+    const [at, face] = [ofHalfedge(h), ofFace(f)];
     this.#check(h, f);
-    this.mesh.connectivity.face[h.idx()] = f.idx();
+    this.mesh.connectivity.face[at] = face;
   }
   set_boundary(h: HalfedgeHandle): void {
+    const at = ofHalfedge(h);
     this.#check(h);
-    this.mesh.connectivity.face[h.idx()] = -1;
+    this.mesh.connectivity.face[at] = -1;
   }
   /** Sets the link back as well. */
   set_next_halfedge_handle(h: HalfedgeHandle, next: HalfedgeHandle): void {
+    const [before, after] = [ofHalfedge(h), ofHalfedge(next, 'next')];
     this.#check(h, next);
     const links = this.mesh.connectivity;
-    links.next[h.idx()] = next.idx();
-    links.prev[next.idx()] = h.idx();
+    links.next[before] = after;
+    links.prev[after] = before;
   }
   /** The outgoing halfedge of a boundary vertex becomes a boundary halfedge. */
   adjust_outgoing_halfedge(v: VertexHandle): void {
@@ -325,7 +356,7 @@ export class PolyMesh {
     const [v, start] =
       at instanceof VertexHandle
         ? [at.idx(), undefined]
-        : [this.mesh.fromVertex(at.idx()), at.idx()];
+        : [this.from_vertex_handle(at).idx(), at.idx()];
     return Array.from(this.mesh.vertexOutgoingHalfedges(v, direction, start), this.#halfedge);
   }
   #arriving(at: VertexHandle | HalfedgeHandle, direction: Direction): HalfedgeHandle[] {
