@@ -38,6 +38,11 @@ export async function models(address: URL): Promise<GltfPart[]> {
   return report.format === 'glb' ? readGltfParts(glb) : readGltfParts(gltf);
 }
 
+/** What a Blob takes: bytes that are not shared. */
+export async function download(mesh: HalfedgeMesh): Promise<Uint8Array<ArrayBuffer>[]> {
+  return [mesh.write('ply'), mesh.toBytes(), await writeGltf(mesh)];
+}
+
 export function explain(error: unknown): string {
   return error instanceof HalfedgeError ? error.code + error.witness.faces.join() : '';
 }

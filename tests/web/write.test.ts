@@ -36,6 +36,9 @@ describe('write', () => {
     const bytes: Uint8Array[] = [mesh.write('ply'), mesh.write('stl', { encoding: 'binary' })];
     expect(text.map((content) => typeof content)).toEqual(['string', 'string']);
     for (const content of bytes) expect(content).toBeInstanceOf(Uint8Array);
+    // A Blob doesn't take bytes that may be shared.
+    const size = mesh.write('stl').length + mesh.toBytes().length;
+    expect(new Blob([mesh.write('stl'), mesh.toBytes()]).size).toBe(size);
   });
 
   const forms: [FileFormat, WriteOptions][] = [

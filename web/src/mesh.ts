@@ -36,7 +36,7 @@ import {
 } from './topology.js';
 import { type AppendMaps, appendLinks, bytesOfLinks, dualLinks, linksOfBytes } from './transfer.js';
 import { warmUp } from './warm-up.js';
-import { type WriteOptions, writeFile } from './write.js';
+import { type OwnBytes, type WriteOptions, writeFile } from './write.js';
 
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
@@ -208,14 +208,14 @@ export class HalfedgeMesh extends Shapes {
   write(
     format: 'ply' | 'stl',
     options?: WriteOptions & { encoding?: 'binary' | 'binary-big-endian' },
-  ): Uint8Array;
+  ): OwnBytes;
   write(format: FileFormat, options: WriteOptions & { encoding: 'text' }): string;
   write(
     format: FileFormat,
     options: WriteOptions & { encoding: 'binary' | 'binary-big-endian' },
-  ): Uint8Array;
-  write(format: FileFormat, options?: WriteOptions): string | Uint8Array;
-  write(format: FileFormat, options: WriteOptions = {}): string | Uint8Array {
+  ): OwnBytes;
+  write(format: FileFormat, options?: WriteOptions): string | OwnBytes;
+  write(format: FileFormat, options: WriteOptions = {}): string | OwnBytes {
     return writeFile(linksOf(this), format, options);
   }
 
@@ -224,7 +224,7 @@ export class HalfedgeMesh extends Shapes {
    * worker: what {@link fromBytes} reads. History and generations are no part of it. The format is
    * documented in src/halfedge/io/bytes.h, and has a version.
    */
-  toBytes(): Uint8Array {
+  toBytes(): OwnBytes {
     return bytesOfLinks(linksOf(this));
   }
 

@@ -7,6 +7,7 @@ import { type Core, core } from './loader.js';
 import { outOfMemory, withInputs } from './memory.js';
 import { unwrap } from './reports.js';
 import { take } from './rings.js';
+import type { OwnBytes } from './write.js';
 
 /**
  * Where the items of a mesh went when it was appended to another, by its slots; -1 for those that
@@ -49,7 +50,7 @@ export function dualLinks({ core, address }: Links): Links {
 }
 
 /** The bytes of a mesh. */
-export function bytesOfLinks({ core, address: mesh }: Links): Uint8Array {
+export function bytesOfLinks({ core, address: mesh }: Links): OwnBytes {
   const { address, count } = unwrap(core.toBytes(mesh)).bytes;
   try {
     return new Uint8Array(core.memory.buffer, address, count).slice();

@@ -6,6 +6,12 @@ import { checkOptions, type OptionNames } from './options.js';
 import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
+/**
+ * Bytes in a buffer of their own, as a Blob or a Response takes them. So said that TypeScript before 5.7, which
+ * doesn't tell them from shared ones, understands it, too.
+ */
+export type OwnBytes = ReturnType<Uint8Array['slice']>;
+
 /** How the numbers of a file are written. */
 export type FileEncoding = 'text' | 'binary' | 'binary-big-endian';
 
@@ -42,7 +48,7 @@ const WRITE_OPTIONS: OptionNames<WriteOptions> = {
 };
 
 /** The bytes of the file, or its text. */
-export function writeFile(links: Links, format: unknown, options: unknown): string | Uint8Array {
+export function writeFile(links: Links, format: unknown, options: unknown): string | OwnBytes {
   links.checkAlive();
   const index = formatIndex('format', format);
   const { encoding, attributes, names, onNote } = checkWriteOptions(options, format as FileFormat);
@@ -64,7 +70,7 @@ function takeContent(
   core: Core,
   { address, count }: { address: number; count: number },
   encoding: FileEncoding,
-): string | Uint8Array {
+): string | OwnBytes {
   try {
     const bytes = new Uint8Array(core.memory.buffer, address, count);
     return encoding === 'text' ? new TextDecoder().decode(bytes) : bytes.slice();

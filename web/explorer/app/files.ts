@@ -16,13 +16,7 @@ export function fileOf(opened: MeshDocument, format: FileFormat): MeshFile {
     names: opened.names,
     onNote: (note) => notes.push(note),
   });
-  const isCut = opened.diagnosis?.findings.some(({ fate }) => fate === 'cut');
-  if (isCut && format === 'stl') {
-    notes.push(
-      'STL has no vertices of its own: doubled vertices become one again where it is read.',
-    );
-  }
-  return { name: fileName(opened, format), content: new Blob([content as BlobPart]), notes };
+  return { name: fileName(opened, format), content: new Blob([content]), notes };
 }
 
 /** `scan-repaired.stl`: of letters that every system takes in the name of a file. */

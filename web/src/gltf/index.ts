@@ -1,6 +1,7 @@
 // glTF and GLB, through the loader and the exporter of three.js (a peer dependency of this entry alone).
 
 import type { HalfedgeMesh } from '../mesh.js';
+import type { OwnBytes } from '../write.js';
 import {
   type GltfPart,
   type GltfReport,
@@ -73,14 +74,14 @@ export function writeGltf(
 export function writeGltf(
   mesh: HalfedgeMesh,
   options?: WriteGltfOptions & { format?: 'glb' },
-): Promise<Uint8Array>;
+): Promise<OwnBytes>;
 export function writeGltf(
   mesh: HalfedgeMesh,
   options?: WriteGltfOptions,
-): Promise<Uint8Array | string>;
+): Promise<OwnBytes | string>;
 export function writeGltf(
   mesh: HalfedgeMesh,
   options: WriteGltfOptions = {},
-): Promise<Uint8Array | string> {
+): Promise<OwnBytes | string> {
   return writeMesh(mesh, options);
 }

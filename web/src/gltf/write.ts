@@ -5,6 +5,7 @@ import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
+import type { OwnBytes } from '../write.js';
 import type { Buffers, Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 import { checkPositions, writableBuffers } from './writable.js';
@@ -23,7 +24,7 @@ const WRITE_GLTF_OPTIONS: OptionNames<WriteGltfOptions> = { format: true, onNote
 export async function writeMesh(
   mesh: unknown,
   options: WriteGltfOptions,
-): Promise<Uint8Array | string> {
+): Promise<OwnBytes | string> {
   if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
   linksOf(mesh).checkAlive();
   const { format = 'glb', onNote } = checkOptions(options, WRITE_GLTF_OPTIONS);
@@ -33,7 +34,7 @@ export async function writeMesh(
   // Now: the mesh may change while three.js is loaded.
   const scene = await sceneOf(triangleBuffers(mesh, (note) => notes.push(note)));
   const { GLTFExporter } = await loadExporter();
-  let content: Uint8Array | string;
+  let content: OwnBytes | string;
   try {
     const written = await withFileReader(() =>
       new GLTFExporter().parseAsync(scene, { binary: format === 'glb', onlyVisible: false }),
