@@ -155,6 +155,7 @@ export abstract class EulerOperations extends Construction {
    *
    * @returns `toVertex(h)`
    * @throws HalfedgeError `same-loop` (one face lies on both sides of the edge, as in a segment),
+   * `loop-edge` (the edge, or one of a triangle beside it, leads back to where it begins),
    * `boundary-vertices` (both ends lie on the boundary, the edge doesn't),
    * `common-neighbour`, `same-vertex`, `edge-without-face`, `repeated-vertex`, `leaves-pillow`
    */

@@ -114,7 +114,7 @@ export abstract class Modelling extends Surgery {
    * Inverse: `collapse` of the short sides; of positions only undo.
    *
    * @returns the new face
-   * @throws HalfedgeError `boundary-edge`, `valence-below-three`, `out-of-range`
+   * @throws HalfedgeError `loop-edge`, `boundary-edge`, `valence-below-three`, `out-of-range`
    */
   bevelEdge(e: EdgeLike, amount: number): Face {
     const links = linksOf(this);

@@ -68,7 +68,7 @@ export abstract class Surgery extends EulerOperations {
    * Inverse: `glue(opposite(h), returned)`.
    *
    * @returns the new halfedge without a face, which leads the same way as `h`
-   * @throws HalfedgeError `boundary-edge`, `no-boundary-end` (both edges would join the same vertices)
+   * @throws HalfedgeError `loop-edge`, `boundary-edge`, `no-boundary-end` (both edges would join the same vertices)
    */
   cut(h: HalfedgeLike): Halfedge {
     const links = linksOf(this);
@@ -90,7 +90,7 @@ export abstract class Surgery extends EulerOperations {
    * Inverse: `gluePath(opposite(last of the path), returned, count)`, if it passes no boundary vertex.
    *
    * @returns the copy, without a face, of the last halfedge of the path
-   * @throws HalfedgeError `not-a-path`, `boundary-edge`, `no-boundary-end`
+   * @throws HalfedgeError `not-a-path`, `loop-edge`, `boundary-edge`, `no-boundary-end`
    */
   cutPath(path: ArrayLike<HalfedgeLike>): Halfedge {
     const links = linksOf(this);

@@ -71,7 +71,8 @@ void BasicConnectivity<kStored>::exchange_new(ItemKind kind, bool is_stored, Arr
   } else {
     const Index count = write.word - size;
     array.grow_to(write.word);
-    std::memcpy(array.begin() + size, journal_->take_dropped(count), count * sizeof(Index));
+    const void* const dropped = journal_->take_dropped(count);
+    if (count > 0) std::memcpy(array.begin() + size, dropped, count * sizeof(Index));
   }
   write.word = size;
 }

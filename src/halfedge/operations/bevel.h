@@ -99,18 +99,20 @@ template <EditableSurface Mesh>
   return mesh.face(mesh.opposite(spokes[0].side));
 }
 
-/// Whether bevel_edge(e, amount) can be done: else not-an-edge; boundary-edge; valence-below-three,
-/// if both ends have no other edge than one; out-of-range.
+/// Whether bevel_edge(e, amount) can be done: else not-an-edge; loop-edge; boundary-edge;
+/// valence-below-three, if both ends have no other edge than one; out-of-range.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_bevel_edge(const Mesh& mesh, Edge e, double amount) {
   if (Result<void> live = check_live(mesh, e); !live) return live;
-  Index splits = 0;
-  for (const Index side : {0U, 1U}) {
-    const Halfedge h = mesh.edge_halfedge(e, side);
-    if (mesh.is_boundary(h)) return is_boundary_edge(e, h);
-    if (mesh.next_on_vertex(mesh.next_on_vertex(h)) != h) ++splits;
-  }
   const Halfedge h = mesh.edge_halfedge(e);
+  if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
+    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+  }
+  Index splits = 0;
+  for (const Halfedge side : {h, mesh.opposite(h)}) {
+    if (mesh.is_boundary(side)) return is_boundary_edge(e, side);
+    if (mesh.next_on_vertex(mesh.next_on_vertex(side)) != side) ++splits;
+  }
   if (splits == 0) return both_valences_below_three(e, mesh.from_vertex(h), mesh.to_vertex(h));
   if (!(0 <= amount && amount <= 1)) return not_a_fraction("amount", amount);
   return {};

@@ -71,10 +71,13 @@ Halfedge cut_edge(Mesh& mesh, Halfedge h) {
   return g;
 }
 
-/// Whether `h` is a live halfedge of an edge with faces on both sides.
+/// Whether `h` is a live halfedge of an edge with two ends and faces on both sides.
 template <class Mesh>
 [[nodiscard]] Result<void> check_inner_edge(const Mesh& mesh, Halfedge h) {
   if (Result<void> live = check_live(mesh, h); !live) return live;
+  if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
+    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+  }
   for (const Halfedge side : {h, mesh.opposite(h)}) {
     if (mesh.is_boundary(side)) return is_boundary_edge(mesh.edge(h), side);
   }
@@ -83,8 +86,8 @@ template <class Mesh>
 
 }  // namespace internal
 
-/// Whether cut(h) can be done: else not-a-halfedge; boundary-edge; no-boundary-end, if neither end
-/// lies on the boundary: the two edges would both join the same vertices.
+/// Whether cut(h) can be done: else not-a-halfedge; loop-edge; boundary-edge; no-boundary-end, if
+/// neither end lies on the boundary: the two edges would both join the same vertices.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_cut(const Mesh& mesh, Halfedge h) {
   if (Result<void> can = internal::check_inner_edge(mesh, h); !can) return can;
@@ -112,7 +115,7 @@ template <EditableSurface Mesh>
 }
 
 /// Whether cut_path(path) can be done: else not-a-path, if it is empty, a halfedge doesn't begin
-/// where the one before it ends, or an edge occurs twice; not-a-halfedge; boundary-edge;
+/// where the one before it ends, or an edge occurs twice; not-a-halfedge; loop-edge; boundary-edge;
 /// no-boundary-end, if it is one edge without any; out-of-memory. cost: O(n log n)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_cut_path(const Mesh& mesh, std::span<const Halfedge> path) {

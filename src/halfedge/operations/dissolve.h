@@ -181,9 +181,11 @@ template <EditableSurface Mesh>
   }
   const Halfedge ends[] = {mesh.next(o), mesh.next(h)};  // other edges that leave them
   (void)decorator::join_face(mesh, h);                   // two faces, and no edge else: can't fail
-  straighten(mesh, ends[0]);
-  // Both ends can be those of one more edge, which is gone then if it lay between them.
-  if (!mesh.is_deleted(ends[1])) straighten(mesh, ends[1]);
+  // Both ends can be those of one more edge, which is gone then if it lay between them; in a
+  // degenerate complex both can be one, where all edges of a face were shared.
+  for (const Halfedge end : ends) {
+    if (!mesh.is_deleted(end)) straighten(mesh, end);
+  }
   return f;
 }
 

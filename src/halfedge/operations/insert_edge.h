@@ -98,7 +98,7 @@ template <class Mesh>
 
 /// Whether remove_edge(e) can be done: else not-an-edge; faces-share-edges or faces-share-vertex,
 /// if its two faces have more in common than `e`; edge-without-face, if `e` lies on the boundary
-/// and another edge of its face does too; out-of-memory.
+/// and another edge of its face does too; last-edge, of a loop; out-of-memory.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_remove_edge(const Mesh& mesh, Edge e) {
   if (Result<void> live = check_live(mesh, e); !live) return live;
@@ -106,7 +106,8 @@ template <EditableSurface Mesh>
   if (mesh.is_boundary(e)) {
     return decorator::check_join_face(mesh, mesh.is_boundary(h) ? h : mesh.opposite(h));
   }
-  return internal::check_join_along(mesh, h, 1);
+  if (Result<void> can = internal::check_join_along(mesh, h, 1); !can) return can;
+  return decorator::check_join_face(mesh, h);  // last-edge: all else is known
 }
 
 /// Removes an edge; the loops on its two sides become one: that of edge_halfedge(e, 0), with its

@@ -149,10 +149,22 @@ template <class Mesh>
   return {found[0], found[1]};
 }
 
+/// A loop edge among the edge and the triangles beside it, of a degenerate complex; or empty.
+template <class Mesh>
+[[nodiscard]] Halfedge find_loop_edge(const Mesh& mesh, const CollapseSite& site) {
+  if (site.a == site.b) return site.h;
+  if (site.left == site.b) return site.after_h;
+  if (site.left == site.a) return mesh.next(site.after_h);
+  if (site.right == site.a) return site.after_o;
+  if (site.right == site.b) return mesh.next(site.after_o);
+  return {};
+}
+
 /// What makes a collapse impossible; the items say what of, where there are such.
 struct CollapseObstacle {
   enum class Kind : std::uint8_t {
     kNone,
+    kLoopEdge,        // `side` leads back to where it begins
     kSameLoop,        // one face on both sides
     kPinches,         // an interior edge between two boundary vertices
     kSameApex,        // two triangles with the same corners
@@ -183,6 +195,7 @@ template <class Mesh>
   using Kind = CollapseObstacle::Kind;
   const CollapseSite site(mesh, h);
   if (mesh.face(site.h) == mesh.face(site.o)) return {Kind::kSameLoop};
+  if (const Halfedge g = find_loop_edge(mesh, site); g.valid()) return {Kind::kLoopEdge, g};
   const bool is_interior = !mesh.is_boundary(site.h) && !mesh.is_boundary(site.o);
   if (is_interior && mesh.is_boundary(site.a) && mesh.is_boundary(site.b)) return {Kind::kPinches};
   if (site.left.valid() && site.left == site.right) return {Kind::kSameApex};
@@ -211,6 +224,8 @@ template <class Mesh>
   const CollapseSite site(mesh, h);
   const Edge e = mesh.edge(h);
   switch (obstacle.kind) {
+    case Kind::kLoopEdge:
+      return decorator::internal::is_loop_edge(obstacle.side, mesh.to_vertex(obstacle.side));
     case Kind::kSameLoop:
       return decorator::internal::in_same_loop(site.h, site.o);
     case Kind::kPinches:
@@ -253,6 +268,8 @@ template <EditableSurface Mesh>
 ///
 ///   not-a-halfedge
 ///   same-loop          one face lies on both sides
+///   loop-edge          the edge, or another one of a triangle beside it, leads back to where it
+///                      begins
 ///   boundary-vertices  a and b lie on the boundary, their edge doesn't: b would be pinched
 ///   same-vertex        the triangles on both sides have the same third corner
 ///   edge-without-face  a triangle on one side is on the boundary with its two other edges, which

@@ -86,7 +86,8 @@ namespace internal {
 
 template <class Mesh>
 [[nodiscard]] bool is_in_triangle(const Mesh& mesh, Halfedge h) {
-  return !mesh.is_boundary(h) && mesh.next(mesh.next(mesh.next(h))) == h;
+  const Halfedge after = mesh.next(h);
+  return !mesh.is_boundary(h) && after != h && mesh.next(mesh.next(after)) == h;
 }
 
 /// An edge from to_vertex(x) to to_vertex(y) through their face, which stays on the side of x; on
