@@ -250,7 +250,7 @@ export abstract class EulerOperations extends Construction {
    *
    * @returns the face that stays; `NONE` of an edge on the boundary
    * @throws HalfedgeError `faces-share-edges`, `faces-share-vertex` (if the two faces have more in common),
-   * `edge-without-face` (if another edge of the face is on the boundary, too)
+   * `edge-without-face` (if another edge of the face is on the boundary, too), `last-edge` (of a loop)
    */
   removeEdge(e: EdgeLike): Face | typeof NONE {
     const links = linksOf(this);
