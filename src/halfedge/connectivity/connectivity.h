@@ -533,7 +533,3 @@ using Connectivity = BasicConnectivity<kEverything>;
 #include <halfedge/connectivity/connectivity_history.h>
 #include <halfedge/connectivity/connectivity_impl.h>
 #include <halfedge/connectivity/link_writers.h>
-
-#undef HALFEDGE_NEEDS_FACES
-#undef HALFEDGE_NEEDS_FACE_HALFEDGES
-#undef HALFEDGE_NEEDS_ANCHORS
