@@ -204,32 +204,74 @@ describe('The camera of the player', () => {
     expect(moved).toBe(true);
   });
 
-  test('turns to the selected item where a walk begins behind the mesh, and to the items after it', async () => {
-    const page = await ExplorerPage.open({ link: 'sample=cube&select=f0', mesh: 'Cube' });
-    const cube = HalfedgeMesh.cube();
-    /** Whether a face looks towards the camera: of a cube, whether it is seen. */
-    const isSeen = async (f: number) => {
-      const onScreen = await page.projection();
-      const corners = [...cube.faceVertices(f)].map((v) =>
-        onScreen(cube.positions.subarray(3 * v, 3 * v + 3)),
-      );
-      const turns = corners.reduce((sum, [x, y], i) => {
-        const [nextX, nextY] = corners[(i + 1) % corners.length];
-        return sum + x * nextY - y * nextX;
-      }, 0);
-      return turns < 0; // counter-clockwise, where y grows downwards
-    };
-    expect(await isSeen(0)).toBe(true);
-    for (let i = 0; i < 26; i++) await page.press('ArrowLeft'); // half a turn
-    expect(await isSeen(0)).toBe(false);
-    await page.page.check('[value=faceFaces]');
-    await page.page.focus('main.stage canvas');
-    for (const [i, f] of [...cube.faceFaces(0)].entries()) {
+  test.each([
+    'sample=cube&select=f0',
+    'sample=cube&edits=reverse&select=f0', // faces show their backs
+  ])(
+    'turns to the selected item where a walk begins behind the mesh, and to the items after it: %s',
+    async (link) => {
+      const page = await ExplorerPage.open({ link, mesh: 'Cube' });
+      const cube = HalfedgeMesh.cube();
+      /** Whether a face looks towards the camera: of a cube, whether it is seen. */
+      const isSeen = async (f: number) => {
+        const onScreen = await page.projection();
+        const corners = [...cube.faceVertices(f)].map((v) =>
+          onScreen(cube.positions.subarray(3 * v, 3 * v + 3)),
+        );
+        const turns = corners.reduce((sum, [x, y], i) => {
+          const [nextX, nextY] = corners[(i + 1) % corners.length];
+          return sum + x * nextY - y * nextX;
+        }, 0);
+        return turns < 0; // counter-clockwise, where y grows downwards
+      };
+      expect(await isSeen(0)).toBe(true);
+      for (let i = 0; i < 26; i++) await page.press('ArrowLeft'); // half a turn
+      expect(await isSeen(0)).toBe(false);
+      await page.page.check('[value=faceFaces]');
+      await page.page.focus('main.stage canvas');
+      for (let i = 0; i < 4; i++) {
+        await page.press('.');
+        const f = Number((await page.visited()).at(-1)?.slice(1));
+        const faces = i === 0 ? [0, f] : [f];
+        const areSeen = async () => (await Promise.all(faces.map(isSeen))).every(Boolean);
+        expect(await page.comesTrue(areSeen)).toBe(true);
+      }
+      expect(page.complaints).toEqual([]);
+      await page.close();
+    },
+  );
+
+  test('turns in time to what comes to lie behind the horizon', async () => {
+    const page = await ExplorerPage.open();
+    await page.broken('crack', 'Crack');
+    await page.goTo('h967'); // on the crack, which runs around the sphere
+    await page.press('1');
+    for (let i = 1; i <= 28; i++) {
       await page.press('.');
-      const faces = i === 0 ? [0, f] : [f];
-      const areSeen = async () => (await Promise.all(faces.map(isSeen))).every(Boolean);
-      expect(await page.comesTrue(areSeen)).toBe(true);
+      const isSeen = () => page.page.isVisible(`.tag.current:not(.behind, .away):text-is("${i}")`);
+      expect(await page.comesTrue(isSeen)).toBe(true);
     }
+    expect(page.complaints).toEqual([]);
+    await page.close();
+  });
+
+  test('ends as near to the selected item as it began to fly, whatever is visited meanwhile', async () => {
+    const page = await ExplorerPage.open({ motion: true });
+    await page.page.focus('main.stage canvas');
+    for (let i = 0; i < 26; i++) await page.press('ArrowLeft'); // half a turn
+    await page.rest();
+    await page.page.evaluate(() => {
+      const step = () => new KeyboardEvent('keydown', { key: '.', bubbles: true });
+      for (let i = 0; i < 3; i++) document.activeElement?.dispatchEvent(step());
+    });
+    const camera = async () => {
+      await page.rest();
+      return ((await page.state('camera')) ?? '').split(' ').map(Number);
+    };
+    const after = await camera();
+    expect(await page.visited()).toHaveLength(3);
+    await page.press('z'); // to the selected item
+    for (const [i, number] of (await camera()).entries()) expect(number).toBeCloseTo(after[i], 3);
     expect(page.complaints).toEqual([]);
     await page.close();
   });

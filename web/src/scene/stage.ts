@@ -12,6 +12,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { PickView } from '../three/projection.js';
+import { Flight, type Pose } from './flight.js';
 import { prefersReducedMotion } from './reduced-motion.js';
 import type { Screen } from './screen.js';
 
@@ -38,9 +39,10 @@ export const FILE_LAYER = 1;
 const FIELD_OF_VIEW = 32;
 /** How far from the axis is in sight at depth 1. */
 const SLOPE = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
-const FLIGHT_MS = 420;
-/** So far from a card an item with its mark is in sight. */
-const CARD_MARGIN = 12;
+/** How much of the free part of the canvas is filled with what is looked at. */
+const SHARE = 0.86;
+/** So far from a card, or from the edge, an item with its mark is in sight. */
+const MARGIN = 12;
 /** Pixels of an exported picture to the CSS pixel. */
 const CAPTURE_RATIO = 2;
 
@@ -65,7 +67,8 @@ export class Stage {
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #covered: Covered | null = null;
   #frame = 0;
-  #flight: ((now: number) => boolean) | null = null;
+  #flight: Flight | null = null;
+  #held = false;
   #motion: ((now: number) => boolean) | null = null;
   #asleep = false;
   #missed = false;
@@ -84,9 +87,13 @@ export class Stage {
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => {
       this.#flight = null;
+      this.#held = true;
       // It may have been asked for since.
       this.controls.enableDamping = !prefersReducedMotion();
       this.controls.saveState();
+    });
+    this.controls.addEventListener('end', () => {
+      this.#held = false;
     });
     const takeBack = ({ pointerType }: PointerEvent) => {
       if (pointerType === 'touch') this.#takeBack();
@@ -241,20 +248,20 @@ export class Stage {
   }
 
   /** The distance from which a sphere of this radius fills `share` of the free part of the canvas. */
-  distanceFor(radius: number, share = 0.86): number {
+  distanceFor(radius: number, share = SHARE): number {
     const { x, y } = this.#freeSlopes(share);
     const slope = Math.min(x, y);
     return (radius * Math.hypot(1, slope)) / slope;
   }
 
   /** Jumps to where all points fill the free part of the canvas, seen from `direction`. */
-  lookAtAll(points: Float32Array, direction: Vector3, share = 0.86): void {
+  lookAtAll(points: Float32Array, direction: Vector3, share = SHARE): void {
     const { target, distance } = this.#framing(points, direction, share);
     this.look(target, direction, distance);
   }
 
   /** As `lookAtAll`, in a short flight. */
-  flyToAll(points: Float32Array, direction: Vector3, share = 0.86): void {
+  flyToAll(points: Float32Array, direction: Vector3, share = SHARE): void {
     const { target, distance } = this.#framing(points, direction, share);
     this.fly(target, direction, distance);
   }
@@ -270,30 +277,50 @@ export class Stage {
 
   /** Moves there in a short flight; at once where motion is to be reduced. */
   fly(at: Vector3, direction: Vector3, distance: number): void {
-    const target = this.#besidesCard(at, direction, distance);
+    const goal = this.poseFor(at, direction, distance);
     if (prefersReducedMotion()) {
-      this.look(target, direction, distance);
+      this.look(goal.target, direction, distance);
       return;
     }
-    const fromTarget = this.controls.target.clone();
-    const from = this.camera.position.clone().sub(fromTarget);
-    const fromLength = from.length();
-    from.divideScalar(fromLength);
-    const to = direction.clone().normalize();
-    const began = performance.now();
-    this.#flight = (now) => {
-      const linear = Math.min(1, Math.max(0, (now - began) / FLIGHT_MS));
-      const t = linear * linear * (3 - 2 * linear);
-      const heading = from.clone().lerp(to, t);
-      if (heading.lengthSq() < 1e-6) heading.copy(to);
-      this.controls.target.lerpVectors(fromTarget, target, t);
-      this.camera.position
-        .copy(heading)
-        .setLength(fromLength * (distance / fromLength) ** t)
-        .add(this.controls.target);
-      return linear < 1;
-    };
+    this.#flight = new Flight(this.pose, goal, performance.now(), this.#flight !== null);
     this.invalidate();
+  }
+
+  /** Where the camera is in the end if it flies to look at `at` from there. */
+  poseFor(at: Vector3, direction: Vector3, distance: number): Pose {
+    const target = this.#besidesCard(at, direction, distance);
+    return { target, position: direction.clone().setLength(distance).add(target) };
+  }
+
+  /** Where the camera is in the end if it flies to see all points from there. */
+  poseForAll(points: Float32Array, direction: Vector3): Pose {
+    const { target, distance } = this.#framing(points, direction, SHARE);
+    return this.poseFor(target, direction, distance);
+  }
+
+  /** Where the camera is. */
+  get pose(): Pose {
+    return { target: this.controls.target.clone(), position: this.camera.position.clone() };
+  }
+
+  /** Where the camera is, or will be when its flight is over. */
+  get goal(): Pose {
+    return this.#flight?.goal ?? this.pose;
+  }
+
+  /** The camera as it is there. */
+  cameraAt({ target, position }: Pose): PerspectiveCamera {
+    // It has a light, which stays with it.
+    const camera = new PerspectiveCamera().copy(this.camera, false);
+    camera.position.copy(position);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+    return camera;
+  }
+
+  /** Whether somebody turns the camera right now. */
+  get held(): boolean {
+    return this.#held;
   }
 
   /** Where to look, so that what lies at `at` appears in the middle of the part that no card covers. */
@@ -311,20 +338,21 @@ export class Stage {
   }
 
   /** Whether a point is in the part of the picture that no panel or card covers. */
-  inSight(point: Vector3): boolean {
-    const { x, y, z } = this.project(point, new Vector3());
+  inSight(point: Vector3, camera: PerspectiveCamera): boolean {
+    const { x, y, z } = this.project(point, new Vector3(), camera);
     const card = this.#covered;
-    if (card && x > card.left - CARD_MARGIN && x < card.right + CARD_MARGIN) {
-      if (y > card.top - CARD_MARGIN && y < card.bottom + CARD_MARGIN) return false;
+    if (card && x > card.left - MARGIN && x < card.right + MARGIN) {
+      if (y > card.top - MARGIN && y < card.bottom + MARGIN) return false;
     }
     const { top, right, bottom, left } = this.#insets;
-    const inside = x > left && x < this.size.x - right && y > top && y < this.size.y - bottom;
-    return inside && z < 1;
+    const { x: width, y: height } = this.size;
+    if (x < left + MARGIN || x > width - right - MARGIN) return false;
+    return y > top + MARGIN && y < height - bottom - MARGIN && z < 1;
   }
 
   /** Where a point appears: CSS pixels from the canvas's top left; `z` beyond 1 is out of sight. */
-  project(point: Vector3, out: Vector3): Vector3 {
-    out.copy(point).project(this.camera);
+  project(point: Vector3, out: Vector3, camera = this.camera): Vector3 {
+    out.copy(point).project(camera);
     out.x = ((out.x + 1) * this.size.x) / 2;
     out.y = ((1 - out.y) * this.size.y) / 2;
     return out;
@@ -394,7 +422,8 @@ export class Stage {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const flying = this.#flight?.(now) ?? false;
+    const seat = { target: this.controls.target, position: this.camera.position };
+    const flying = this.#flight?.at(now, seat) ?? false;
     if (!flying) this.#flight = null;
     const animated = this.#motion?.(now) ?? false;
     if (!animated) this.#motion = null;

@@ -1,9 +1,10 @@
-import { Spherical, Vector3 } from 'three';
+import { type PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { type Item, sameItem } from '../teaching/items.js';
 import type { CirculatorPlayer } from '../teaching/player.js';
 import type { ItemPicker } from '../three/item-picker.js';
 import { anchorOf, facesAt, reachOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';
+import type { Pose } from './flight.js';
 import type { Glyphs } from './glyphs.js';
 import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
@@ -16,6 +17,8 @@ const NUMBER_PX = 24;
 const NAME_PX = 44;
 /** It is worth a flight to come to this share of the distance. */
 const MUCH_NEARER = 0.8;
+/** What a walk visits is looked at with so much of the picture around it. */
+const ROOM = 1.15;
 /** Walks longer than this go too far to be looked at from near. */
 const LONG_WALK = 40;
 /** No item is looked at from farther away than where a sphere of this radius is seen; all is within 1. */
@@ -54,8 +57,7 @@ export class Travel {
       this.fit();
       return;
     }
-    const distance = this.#distanceFor(item, shown);
-    this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
+    this.#approach(item, this.#distanceFor(item, shown), shown);
   }
 
   /** Flies to a place of the file, as near as shows it with what is around it. */
@@ -71,7 +73,7 @@ export class Travel {
 
   /** Turns the camera around the middle of the picture, by angles in radians. */
   orbit(horizontal: number, vertical: number): void {
-    const offset = new Spherical().setFromVector3(this.#offset());
+    const offset = new Spherical().setFromVector3(this.#offset(this.#stage.pose));
     offset.theta += horizontal;
     offset.phi += vertical;
     offset.makeSafe();
@@ -81,55 +83,61 @@ export class Travel {
 
   /** Moves the camera to `factor` times its distance. */
   zoom(factor: number): void {
-    const offset = this.#offset();
+    const offset = this.#offset(this.#stage.pose);
     this.#stage.look(this.#stage.controls.target.clone(), offset, factor * offset.length());
   }
 
   /**
    * Keeps the player in sight: comes near when a walk around `selected` begins whose numbers would lie
-   * on each other, and turns to what has left the picture or lies on the far side of the mesh: the
-   * selected item when a walk begins, the current one in any case.
+   * on each other, and turns to what is out of the picture or behind the mesh: the selected item when a
+   * walk begins, the current one in any case. What a flight under way will show is waited for, and nobody's
+   * hand is led.
    */
   follow(player: CirculatorPlayer, selected: Item, begins: boolean): void {
     const { shown } = this;
     const item = player.current?.item;
-    if (!shown || !item) return;
-    if (begins && this.#isTooSmall(player, selected, shown)) {
-      this.focus(selected);
+    if (!shown || !item || this.#stage.held) return;
+    const near = begins ? this.#nearEnough(player, selected, shown) : null;
+    if (near !== null) {
+      this.#approach(selected, near, shown);
       return;
     }
     const items = begins ? [selected, item] : [item];
-    const lost = items.find(
-      (each) => !this.#stage.inSight(this.#anchor(each, shown)) || this.#isBehind(each, shown),
-    );
+    const lost = this.#hidden(items, shown);
     if (lost) this.#turnTo(lost, shown, items);
   }
 
-  /** Whether the mesh hides an item that looks away from the camera: if it is turned, it is seen. */
-  #isBehind(item: Item, shown: Shown): boolean {
-    if (normalOf([item], shown).dot(this.#offset()) >= 0) return false;
-    return shown.picker.hides(this.#anchor(item, shown), this.#stage.camera);
-  }
-
-  /** Whether a lap has numbers that can't be read from here, and could be from where the selected item is seen well. */
-  #isTooSmall(player: CirculatorPlayer, selected: Item, shown: Shown): boolean {
-    if (player.count >= LONG_WALK) return false;
-    const { x, y, z } = this.#anchor(selected, shown);
-    const near = this.#distanceFor(selected, shown);
-    if (near > MUCH_NEARER * this.#stage.depthOf(x, y, z)) return false;
-    const seen = (item: Item) => this.#stage.project(this.#anchor(item, shown), new Vector3());
-    const name = seen(selected);
-    const others = [...player.lap()].filter((item) => !sameItem(item, selected)).map(seen);
-    return others.some(
+  /** From how far the numbers of a lap can be read, if that is nearer than the camera is and they can't be from there. */
+  #nearEnough(player: CirculatorPlayer, selected: Item, shown: Shown): number | null {
+    if (player.count >= LONG_WALK) return null;
+    const others = [...player.lap()]
+      .filter((item) => !sameItem(item, selected))
+      .map((item) => this.#anchor(item, shown));
+    const middle = this.#anchor(selected, shown);
+    const reach = Math.max(...others.map((other) => ROOM * other.distanceTo(middle)));
+    const near = this.#distanceFor(selected, shown, reach);
+    const camera = this.#camera();
+    if (near > MUCH_NEARER * camera.position.distanceTo(middle)) return null;
+    const seen = (point: Vector3) => this.#stage.project(point, new Vector3(), camera);
+    const name = seen(middle);
+    const numbers = others.map(seen);
+    const areMixed = numbers.some(
       (one, i) =>
         apart(one, name) < NAME_PX ||
-        others.slice(0, i).some((other) => apart(one, other) < NUMBER_PX),
+        numbers.slice(0, i).some((other) => apart(one, other) < NUMBER_PX),
     );
+    return areMixed ? near : null;
   }
 
-  /** From how far an item fills the picture with what is around it. */
-  #distanceFor(item: Item, { surface }: Shown): number {
-    return this.#stage.distanceFor(Math.min(FARTHEST, 1.8 * reachOf(item, surface)));
+  /** From how far an item fills the picture with what is around it, and all that is so far from it. */
+  #distanceFor(item: Item, { surface }: Shown, reach = 0): number {
+    const radius = Math.max(1.8 * reachOf(item, surface), reach);
+    return this.#stage.distanceFor(Math.min(FARTHEST, radius));
+  }
+
+  /** Flies to an item, to look at it from so far. */
+  #approach(item: Item, distance: number, shown: Shown): void {
+    this.#stage.fly(this.#anchor(item, shown), this.#towards([item], shown), distance);
   }
 
   /** Turns to the first of the items that can't be seen from here, if there is one. */
@@ -141,33 +149,74 @@ export class Travel {
 
   /** The first of the items that can't be seen from here. */
   #hidden(items: readonly Item[], shown: Shown): Item | undefined {
+    const camera = this.#camera();
     return items.find((item) => {
       const point = this.#anchor(item, shown);
-      return !this.#stage.inSight(point) || shown.picker.hides(point, this.#stage.camera);
+      return !this.#stage.inSight(point, camera) || shown.picker.hides(point, camera);
     });
   }
 
-  /** Flies to an item, to look at it and those with it from as far away as now. */
+  /**
+   * Flies to an item, to look at it and those with it from as far away as now. Where the mesh would hide it
+   * from that side as well it tries others, and stays where none shows more than is seen already.
+   */
   #turnTo(item: Item, shown: Shown, items: readonly Item[] = [item]): void {
     const distance = this.#offset().length();
-    this.#stage.fly(this.#anchor(item, shown), this.#towards(items, shown), distance);
+    const at = this.#anchor(item, shown);
+    const pose = (direction: Vector3) => this.#stage.poseFor(at, direction, distance);
+    const side = this.#sideOf(item, items, shown, pose);
+    if (side) this.#stage.fly(at, side, distance);
+    else if (!this.#stage.inSight(at, this.#camera())) {
+      this.#stage.fly(at, this.#towards(items, shown), distance);
+    }
+  }
+
+  /** From where the mesh does not hide an item; rather where those with it are seen, too. `pose`: where the camera is then. */
+  #sideOf(
+    item: Item,
+    items: readonly Item[],
+    shown: Shown,
+    pose: (direction: Vector3) => Pose,
+  ): Vector3 | undefined {
+    const at = this.#anchor(item, shown);
+    const normal = normalOf([item], shown);
+    // Faces that were wound the wrong way round are seen from their backs.
+    const directions = [
+      this.#towards(items, shown),
+      this.#facing(normalOf(items, shown).negate()),
+      this.#facing(normal.clone()),
+      this.#facing(normal.clone().negate()),
+      normal,
+    ];
+    return directions.find((direction) => {
+      if (direction.lengthSq() < 1e-9) return false;
+      return !shown.picker.hides(at, this.#stage.cameraAt(pose(direction)));
+    });
   }
 
   #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
     return anchorOf(item, surface, frames, glyphs);
   }
 
-  /** From the middle of the picture to the camera. */
-  #offset(): Vector3 {
-    const { camera, controls } = this.#stage;
-    return camera.position.clone().sub(controls.target);
+  /** From the middle of the picture to the camera; to where it will be, if it flies. */
+  #offset({ target, position }: Pose = this.#stage.goal): Vector3 {
+    return position.clone().sub(target);
+  }
+
+  /** The camera as it stands, or will when its flight is over. */
+  #camera(): PerspectiveCamera {
+    return this.#stage.cameraAt(this.#stage.goal);
   }
 
   /** Flies to where the whole mesh is seen with all of the items before it, where one can't be seen now. */
   turnTo(items: readonly Item[]): void {
     const { shown } = this;
     const hidden = shown && this.#hidden(items, shown);
-    if (hidden) this.#stage.flyToAll(shown.surface.points, this.#towards(items, shown));
+    if (!hidden) return;
+    const { points } = shown.surface;
+    const pose = (direction: Vector3) => this.#stage.poseForAll(points, direction);
+    const side = this.#sideOf(hidden, items, shown, pose) ?? this.#towards(items, shown);
+    this.#stage.flyToAll(points, side);
   }
 
   /** Jumps to where the whole mesh is seen, and an item with all that is around it. */
