@@ -36,10 +36,9 @@ template <Storage kStored>
 Result<void> BasicConnectivity<kStored>::enable_generations() {
   constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
   for (const ItemKind kind : kKinds) {
-    const Result<Attribute*> added = attributes_.add(
+    const Result<Attribute*> added = add_attribute(
         kind, "generation",
-        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true},
-        slots(kind));
+        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
     if (added) continue;
     for (const ItemKind done : kKinds) {
       if (done == kind) return added.error();
@@ -47,7 +46,6 @@ Result<void> BasicConnectivity<kStored>::enable_generations() {
     }
   }
   attributes_.end_all_generations();  // those that were enabled before, if any
-  forget_redo();
   return {};
 }
 
