@@ -210,5 +210,24 @@ TEST(HistoryMemoryDeathTest, AReorderingThatDoesNotFitAtItsEndChangesNothing) {
   EXPECT_EXIT(reorder_without_room_for_a_column(), testing::ExitedWithCode(0), "");
 }
 
+// After compact a column made for what is left has to have room for what undo brings back.
+[[noreturn]] void undo_a_compaction_without_memory() {
+  Mesh mesh = with_history(quad_grid(400, 400));
+  for (Index f = 100; f < mesh.face_slots(); ++f) {
+    if (!operations::delete_face(mesh, Face(f)).ok()) std::_Exit(2);
+  }
+  expect(compact(mesh).ok() && mesh.face_count() == 100, 3);
+  mesh.end_step();
+  expect(mesh.enable_generations().ok(), 4);
+  use_up_all_memory();
+  expect(mesh.undo() && mesh.face_count() == 160'000, 5);
+  leave(mesh.generation(Face(159'999)) == mesh.generation(Face(0)));
+}
+
+TEST(HistoryMemoryDeathTest, GenerationsHaveRoomForWhatUndoBringsBack) {
+  HALFEDGE_NEEDS_A_MEMORY_LIMIT();
+  EXPECT_EXIT(undo_a_compaction_without_memory(), testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
 }  // namespace halfedge::test

@@ -485,6 +485,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
 
   template <class Item>
   [[nodiscard]] Index generation_of(Item item) const;
+  [[nodiscard]] Result<Attribute*> add_column(ItemKind kind, std::string_view name,
+                                              const AttributeOptions& options);
   [[nodiscard]] Halfedge add_edge_slot();
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
   void note_loop_links_at(Index h);

@@ -10,6 +10,14 @@ namespace halfedge {
 template <Storage kStored>
 Result<Attribute*> BasicConnectivity<kStored>::add_attribute(ItemKind kind, std::string_view name,
                                                              const AttributeOptions& options) {
+  Result<Attribute*> added = add_column(kind, name, options);
+  if (added) forget_redo();  // in which the column has no part
+  return added;
+}
+
+template <Storage kStored>
+Result<Attribute*> BasicConnectivity<kStored>::add_column(ItemKind kind, std::string_view name,
+                                                          const AttributeOptions& options) {
   Result<Attribute*> added =
       attributes_.add(kind, name, options, kind == ItemKind::kMesh ? 0 : slots(kind));
   if (!added) return added;
@@ -18,7 +26,6 @@ Result<Attribute*> BasicConnectivity<kStored>::add_attribute(ItemKind kind, std:
     remove_attribute(kind, name);
     return Error{"out-of-memory", "There is not enough memory for the attribute."};
   }
-  forget_redo();  // in which the column has no part
   return added;
 }
 
@@ -36,9 +43,9 @@ template <Storage kStored>
 Result<void> BasicConnectivity<kStored>::enable_generations() {
   constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
   for (const ItemKind kind : kKinds) {
-    const Result<Attribute*> added = add_attribute(
-        kind, "generation",
-        {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
+    const Result<Attribute*> added =
+        add_column(kind, "generation",
+                   {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
     if (added) continue;
     for (const ItemKind done : kKinds) {
       if (done == kind) return added.error();
@@ -46,6 +53,7 @@ Result<void> BasicConnectivity<kStored>::enable_generations() {
     }
   }
   attributes_.end_all_generations();  // those that were enabled before, if any
+  forget_redo();
   return {};
 }
 
