@@ -5,6 +5,7 @@
 #include <halfedge/mend/measure.h>
 #include <halfedge/operations/append.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -215,6 +216,20 @@ TEST(DropSmallComponents, DropsADustOfMany) {
   ASSERT_TRUE(append(mesh, cube_at(0)));
   EXPECT_EQ(mended(mesh, drop_with({.faces = 2})).summary, "20480 components dropped.");
   EXPECT_EQ(counts_of(mesh), (std::array<Index, 3>{8, 12, 6}));
+}
+
+TEST(DropSmallComponents, RefusesAShare) {
+  for (const mend::DropOptions& options :
+       {mend::DropOptions{.area = std::nan("")}, mend::DropOptions{.diagonal = -0.5}}) {
+    Mesh mesh = cube_at(0);
+    const Result<mend::Report> report = drop_with(options)(mesh);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, "bad-share");
+    EXPECT_EQ(mesh.face_count(), 6U);
+  }
+  Mesh mesh = cube_at(0);
+  EXPECT_EQ(drop_with({.area = 1.5})(mesh).error().message,
+            "The least share of the area is 1.5; expected a number from 0 to 1.");
 }
 
 }  // namespace

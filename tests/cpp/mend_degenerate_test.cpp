@@ -5,6 +5,7 @@
 #include <halfedge/operations/append.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <string>
 #include <vector>
@@ -322,6 +323,16 @@ TEST(RemoveDegenerateFaces, ListsAllSliversThatStay) {
   }
   EXPECT_GT(stay, 10U);
   EXPECT_GT(removed, 100U);
+}
+
+TEST(RemoveDegenerateFaces, RefusesATolerance) {
+  for (const double tolerance : {std::nan(""), -1.0, std::numeric_limits<double>::infinity()}) {
+    Mesh mesh = shapes::mesh_of(shapes::cube()).value();
+    const Result<mend::Report> report = remove_with(tolerance)(mesh);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, "bad-tolerance");
+    EXPECT_EQ(mesh.face_count(), 6U);
+  }
 }
 
 }  // namespace

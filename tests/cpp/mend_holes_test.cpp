@@ -351,5 +351,14 @@ TEST(FillHoles, ClosesHolesPunchedIntoTheCollection) {
   EXPECT_GE(closed, 30U);
 }
 
+TEST(FillHoles, RefusesAnAngle) {
+  for (const double angle : {std::nan(""), -1.0, 181.0}) {
+    Mesh mesh;
+    const Result<mend::Report> report = mend::fill_holes(mesh, {.max_angle = angle});
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().code, "bad-angle");
+  }
+}
+
 }  // namespace
 }  // namespace halfedge::test

@@ -414,6 +414,7 @@ TEST(Stitch, RefusesATolerance) {
     const Result<mend::Report> report = stitch_within(tolerance)(mesh);
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().code, "bad-tolerance");
+    EXPECT_TRUE(report.error().message.ends_with("; expected a finite number from 0."));
   }
 }
 

@@ -237,6 +237,11 @@ class Remover {
 }  // namespace
 
 Result<Report> remove_degenerate_faces(Surface& surface, const DegenerateOptions& options) {
+  if (const Result<void> checked = check_option(
+          "bad-tolerance", "The tolerance of removing degenerate faces", options.tolerance);
+      !checked) {
+    return checked.error();
+  }
   if (Result<void> valid = surface.check_valid(); !valid) return valid.error();
   Report report;
   if (Result<void> done = Remover(surface, options.tolerance, report).run(); !done) {

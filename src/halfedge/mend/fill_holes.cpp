@@ -132,6 +132,11 @@ class Filler {
 }  // namespace
 
 Result<Report> fill_holes(Surface& surface, const FillOptions& options) {
+  if (const Result<void> checked =
+          check_option("bad-angle", "The largest angle of a filling", options.max_angle, 180);
+      !checked) {
+    return checked.error();
+  }
   const Result<Array<Halfedge>> loops = surface.boundary_loops();
   if (!loops) return loops.error();
   Report report;

@@ -17,8 +17,8 @@
 /// - What is valid at level 4 of `validate` is so afterwards.
 /// - Live items keep their indices; deleted slots are taken by the next new items.
 /// - With history on, it can be undone to the last word. `Mesh::end_step` closes the step.
-/// - The only error, but where one is named, is out-of-memory: then a part may have been done, of
-///   which all this holds.
+/// - The only error, but where others are named, is out-of-memory: then a part may have been done,
+///   of which all this holds. Options are checked before anything is done.
 namespace halfedge::mend {
 
 struct StitchOptions {
@@ -38,6 +38,7 @@ struct StitchOptions {
 ///
 /// report: edges: those that were glued and stay
 /// cost: O(n log n) of n boundary edges, and the valences of the vertices that go
+/// errors: bad-tolerance, for one that is negative or no finite number
 [[nodiscard]] Result<Report> stitch_boundaries(Surface& surface, const StitchOptions& options);
 
 /// Gives each fan of faces at a pinched vertex a vertex of its own: the one of the anchor keeps the
@@ -72,7 +73,7 @@ struct OrientOptions {
 /// A component that is too small by one of these is dropped.
 struct DropOptions {
   Index faces = 0;      ///< it has fewer faces
-  double area = 0;      ///< its area is a smaller share of that of the largest component
+  double area = 0;      ///< its area is a smaller share, 0 to 1, of that of the largest one
   double diagonal = 0;  ///< so is the diagonal of its box
 };
 
@@ -80,6 +81,7 @@ struct DropOptions {
 /// (operations::delete_isolated_vertices). (CGAL: keep_large_connected_components)
 ///
 /// report: faces: those that were deleted. cost: O(slots), nearly
+/// errors: bad-share, for one that is no number from 0 to 1
 [[nodiscard]] Result<Report> drop_small_components(Surface& surface, const DropOptions& options);
 
 struct DegenerateOptions {
@@ -104,7 +106,8 @@ struct DegenerateOptions {
 /// report: vertices: those that edges were collapsed into; edges: those that were flipped; faces:
 ///         those that gained a corner
 /// cost: O(slots), and what the operations cost
-/// errors: corrupt-connectivity, for a mesh that isn't valid at level 4
+/// errors: bad-tolerance, for one that is negative or no finite number; corrupt-connectivity, for a
+///         mesh that isn't valid at level 4
 [[nodiscard]] Result<Report> remove_degenerate_faces(Surface& surface,
                                                      const DegenerateOptions& options);
 
@@ -125,6 +128,7 @@ struct FillOptions {
 /// attributes: new faces and edges have the defaults; corners what the boundary halfedges had
 /// report: faces: the new ones
 /// cost: of a loop of n edges O(n^3) up to 200, above about O(n log n) and the valences
+/// errors: bad-angle, for one that is no number from 0 to 180
 [[nodiscard]] Result<Report> fill_holes(Surface& surface, const FillOptions& options);
 
 }  // namespace halfedge::mend

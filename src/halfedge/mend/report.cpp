@@ -3,6 +3,7 @@
 #include <halfedge/mend/surface_of.h>
 #include <halfedge/sentence.h>
 
+#include <cmath>
 #include <utility>
 
 namespace halfedge::mend {
@@ -42,6 +43,13 @@ constexpr std::array<Wording, kCodeCount> kWordings{{
 }  // namespace
 
 const char* name_of(Code code) { return kWordings[std::size_t(code)].name; }
+
+Result<void> check_option(const char* code, std::string_view of, double value, double most) {
+  if (value >= 0 && value <= most && std::isfinite(value)) return {};
+  return Error{code, sentence::of("{} is {}; expected a {} from 0{}.", of, sentence::number(value),
+                                  std::isfinite(most) ? "number" : "finite number",
+                                  std::isfinite(most) ? " to " + sentence::number(most) : "")};
+}
 
 std::string reason_of(const Error& error) {
   return error.message.substr(0, error.message.size() - 1);

@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace halfedge::mend {
@@ -40,6 +42,11 @@ inline constexpr std::size_t kCodeCount = std::size_t(Code::kFoldingHole) + 1;
 
 /// "stitched-edge" and so on: stable, in kebab-case.
 [[nodiscard]] const char* name_of(Code code);
+
+/// Refuses what is no finite number from 0, or one above `most`, as `code`. `of` names the option
+/// as a sentence begins with it: "The tolerance of stitching".
+[[nodiscard]] Result<void> check_option(const char* code, std::string_view of, double value,
+                                        double most = std::numeric_limits<double>::infinity());
 
 /// What an error says, to end another sentence with: without its full stop.
 [[nodiscard]] std::string reason_of(const Error& error);

@@ -4,10 +4,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace halfedge::mend {
 
 Result<Report> drop_small_components(Surface& surface, const DropOptions& options) {
+  for (const auto& [of, share] : {std::pair{"The least share of the area", options.area},
+                                  std::pair{"The least share of the diagonal", options.diagonal}}) {
+    if (Result<void> checked = check_option("bad-share", of, share, 1); !checked) {
+      return checked.error();
+    }
+  }
   const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
   const Result<Components> labelled = surface.components();
   if (!labelled) return labelled.error();

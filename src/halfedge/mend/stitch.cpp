@@ -3,7 +3,6 @@
 #include <halfedge/mend/repairs.h>
 #include <halfedge/sentence.h>
 
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -204,10 +203,10 @@ class Stitcher {
 
 Result<Report> stitch_boundaries(Surface& surface, const StitchOptions& options) {
   Report report;
-  if (!(options.tolerance >= 0 && std::isfinite(options.tolerance))) {
-    return Error{"bad-tolerance",
-                 sentence::of("The tolerance of stitching is {}; expected a finite number from 0.",
-                              sentence::number(options.tolerance))};
+  if (const Result<void> checked =
+          check_option("bad-tolerance", "The tolerance of stitching", options.tolerance);
+      !checked) {
+    return checked.error();
   }
   if (Result<void> done = Stitcher(surface, report).run(options.tolerance); !done) {
     return done.error();
