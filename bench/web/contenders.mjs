@@ -178,7 +178,7 @@ function oneRingsByCirculatorsCw(mesh) {
   let sum = 0;
   const { vertexSlots } = mesh;
   for (let v = 0; v < vertexSlots; v++) {
-    const ring = mesh.circulate('vertexVertices', v, { direction: 'cw' });
+    const ring = mesh.circulate('vertexVertices', v, 'cw');
     const first = ring.halfedge;
     if (first === NONE) continue;
     do {

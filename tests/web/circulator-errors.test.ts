@@ -196,6 +196,9 @@ describe('A circulator', () => {
       );
       expect(() => range(mesh, kind)(0, 5 as never)).toThrow(TypeError);
       expect(() => mesh.circulate(kind, 0, { direction: null as never })).toThrow(TypeError);
+      expect(() => mesh.circulate(kind, 0, 'left' as 'cw')).toThrow(
+        new RangeError(`direction is "left"; expected 'ccw' or 'cw'.`),
+      );
     },
   );
 

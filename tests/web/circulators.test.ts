@@ -133,7 +133,11 @@ describe.each([
         for (let item = 0; item < count; item++) {
           for (const direction of directions) {
             const ring = [...range(mesh, kind)(item, direction)];
-            const circulator = mesh.circulate(kind, item, { direction });
+            const circulator = mesh.circulate(kind, item, direction);
+            const sameByOptions = mesh.circulate(kind, item, { direction });
+            expect(sameByOptions.current).toBe(circulator.current);
+            expect(sameByOptions.next()).toBe(circulator.next());
+            circulator.prev();
             if (ring.length === 0) {
               expect([circulator.current, circulator.next(), circulator.prev()]).toEqual([
                 -1, -1, -1,

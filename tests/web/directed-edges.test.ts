@@ -182,7 +182,7 @@ describe('Directed Edges, as the full mesh', () => {
             expect(lap.into(buffer)).toBe(shown.length);
             expect([...buffer.subarray(0, shown.length)]).toEqual(shown);
           }
-          const circulator = mesh.circulate(kind, item, { direction });
+          const circulator = mesh.circulate(kind, item, item % 2 === 0 ? direction : { direction });
           const model = whole.circulate(kind, item, { direction });
           const compare = (shown: number, expected: number) =>
             expect(shown === NONE ? NONE : both.named(kind, [shown])[0]).toBe(expected);
@@ -392,6 +392,7 @@ describe('Directed Edges', () => {
       expect(actual.constructor).toBe(error.constructor);
     }
     expect(() => mesh.circulate('constructor' as never, 0)).toThrow(/kind is "constructor"/);
+    expect(() => mesh.circulate('vertexFaces', 5, 'left' as 'cw')).toThrow(/direction is "left"/);
   });
 
   test('cannot be used after dispose', () => {

@@ -236,13 +236,18 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
   /**
    * An endless circulator around one item; `kind` is the name of one of the methods above. It begins
    * where a lap of that method does.
+   *
+   * @param options or a direction alone
    */
   circulate<Name extends CirculatorKind>(
     kind: Name,
     item: number,
-    options: CirculateOptions = {},
+    options: Direction | CirculateOptions = {},
   ): DirectedCirculator<Shown<Name>> {
-    const { direction = 'ccw', start } = checkOptions(options, CIRCULATE_OPTIONS);
+    const { direction = 'ccw', start }: CirculateOptions =
+      typeof options === 'string'
+        ? { direction: options }
+        : checkOptions(options, CIRCULATE_OPTIONS);
     const around = KINDS[kind] as Kind | undefined;
     if (around === undefined) throw noSuchKind(kind);
     const links = directedLinksOf(this);
