@@ -126,7 +126,7 @@ class SideConnector {
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
       if constexpr (kCanPrefetch) fetch_places(corners, first);
       for (Index i = 0; i < size; ++i) {
-        const Direction direction(corners[i], corners[i + 1 == size ? 0 : i + 1]);
+        const DirectedSide direction(corners[i], corners[i + 1 == size ? 0 : i + 1]);
         Index& next_place = groups_.next_place(direction);
         const Index place = next_place;
         next_place = place + 2;

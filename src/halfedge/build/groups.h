@@ -14,12 +14,12 @@ namespace halfedge {
 /// A side of a face by its edge: it *runs up* if it leads from the smaller vertex of the edge to
 /// the larger, else it runs down. Written so that compilers make no branch of it, which couldn't be
 /// predicted.
-struct Direction {
+struct DirectedSide {
   Index low;
   Index high;
   Index down;  ///< 1 if the side runs down
 
-  Direction(Index from, Index to)
+  DirectedSide(Index from, Index to)
       : low(std::min(from, to)), high(from + to - low), down(Index{from > to}) {}
 };
 
@@ -45,7 +45,7 @@ class Groups {
   [[nodiscard]] Index end() const { return end_; }
 
   /// The place of the next side of this direction, to be moved on by 2 when it is taken.
-  [[nodiscard]] Index& next_place(const Direction& side) {
+  [[nodiscard]] Index& next_place(const DirectedSide& side) {
     return next_[std::size_t{2} * side.low + side.down];
   }
 
