@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
+#include <halfedge/connectivity/compact.h>
 #include <halfedge/mesh.h>
+#include <halfedge/operations/deletion.h>
 
 #include <algorithm>
 #include <concepts>
@@ -422,6 +424,59 @@ TEST(CirculatorsDeathTest, AssertOnUseAfterTheConnectivityChanged) {
   EXPECT_DEATH((void)range.begin(), sentence);
   EXPECT_DEATH((void)range.circulator(), sentence);
   EXPECT_EQ(collect(mesh.vertex_faces_cw(Vertex(0))).size(), 3U);
+}
+
+TEST(LiveItemsDeathTest, AssertOnUseAfterThereAreMoreOrFewerSlots) {
+  if (!kCheckedCirculators) GTEST_SKIP() << "live items are checked in debug builds";
+  const char* sentence = "live items were asked for after there were more or fewer slots";
+  Mesh mesh = built(cube());
+  const auto range = mesh.vertices();
+  auto iterator = range.begin();
+  (void)mesh.new_vertex();
+  EXPECT_DEATH((void)*iterator, sentence);
+  EXPECT_DEATH(++iterator, sentence);
+  EXPECT_DEATH((void)range.begin(), sentence);
+  // Without the check this would not end.
+  EXPECT_DEATH(
+      for ([[maybe_unused]] const Vertex v
+           : mesh.vertices()) { (void)mesh.new_vertex(); },
+      sentence);
+  auto last = mesh.vertices().begin();
+  mesh.release(Vertex(8));
+  EXPECT_EQ(*++last, Vertex(1));
+  ASSERT_TRUE(compact(mesh));
+  EXPECT_DEATH(++last, sentence);
+}
+
+TEST(LiveItems, MayBeDeletedMeanwhile) {
+  Mesh mesh = reference_build(two_components());
+  for (const Face f : mesh.faces()) ASSERT_TRUE(operations::delete_face(mesh, f));
+  EXPECT_EQ(mesh.face_count() + mesh.edge_count() + mesh.vertex_count(), 0U);
+}
+
+// HALFEDGE_CHECKED=1 asks for this in release builds, where there is no assert.
+TEST(CirculatorsDeathTest, EndTheProgramWhereTheyAreCheckedInAnyBuild) {
+  Mesh mesh = built(cube());
+  auto iterator = LiveRange<Connectivity, Vertex, true>(mesh).begin();
+  const Orbit<Connectivity, walk::RotateCw, view::Self, true> orbit(
+      mesh, mesh.vertex_halfedge(Vertex(0)));
+  (void)mesh.new_vertex();
+  EXPECT_DEATH(++iterator, "");
+  EXPECT_DEATH((void)orbit.begin(), "");
+}
+
+TEST(CirculatorsDeathTest, AssertThatThereIsSomethingToVisit) {
+#if defined(NDEBUG)
+  GTEST_SKIP() << "asserts are off in release builds";
+#else
+  const Mesh mesh = built(with_isolated_vertices());
+  auto circulator = mesh.vertex_vertices_cw(Vertex(3)).circulator();
+  const char* sentence = "nothing to visit: ask valid";
+  EXPECT_DEATH((void)*circulator, sentence);
+  EXPECT_DEATH(++circulator, sentence);
+  EXPECT_DEATH(--circulator, sentence);
+  EXPECT_DEATH((void)*decltype(circulator){}, sentence);
+#endif
 }
 
 TEST(CirculatorsDeathTest, AssertThatAnExplicitStartBelongsToTheItem) {

@@ -23,7 +23,10 @@ namespace halfedge {
 /// open path from one boundary neighbour to the other. Sides without a face are skipped; where the
 /// anchor of a vertex has a face there are none (invariant 5), and they aren't looked for. Each
 /// step is O(1); nothing is allocated.
-template <class Mesh>
+///
+/// `Checked` is in their names for the linker: a program that is compiled for debugging may use a
+/// library that isn't, and what their functions return differs in size.
+template <class Mesh, bool Checked = kCheckedCirculators>
 class Circulators {
   using RotateCw = walk::RotateCw;
   using RotateCcw = walk::RotateCcw;
@@ -31,7 +34,9 @@ class Circulators {
   using LoopCw = walk::LoopCw;
   using AcrossEdge = walk::AcrossEdge;
   template <class Walk, class View>
-  using Lap = Orbit<Mesh, Walk, View>;
+  using Lap = Orbit<Mesh, Walk, View, Checked>;
+  template <class Item>
+  using Live = LiveRange<Mesh, Item, Checked>;
 
  public:
   /// Around a vertex. `start`, where given, is a halfedge that leaves `v`.
@@ -88,10 +93,10 @@ class Circulators {
   [[nodiscard]] auto edge_faces(Edge e) const { return across<view::ItsFace>(e); }
 
   /// All live items in index order.
-  [[nodiscard]] auto vertices() const { return LiveRange<Mesh, Vertex>(self()); }
-  [[nodiscard]] auto halfedges() const { return LiveRange<Mesh, Halfedge>(self()); }
-  [[nodiscard]] auto edges() const { return LiveRange<Mesh, Edge>(self()); }
-  [[nodiscard]] auto faces() const { return LiveRange<Mesh, Face>(self()); }
+  [[nodiscard]] auto vertices() const { return Live<Vertex>(self()); }
+  [[nodiscard]] auto halfedges() const { return Live<Halfedge>(self()); }
+  [[nodiscard]] auto edges() const { return Live<Edge>(self()); }
+  [[nodiscard]] auto faces() const { return Live<Face>(self()); }
 
   // ---- what one lap tells
 

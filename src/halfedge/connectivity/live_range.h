@@ -1,14 +1,17 @@
 #pragma once
 
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/connectivity/version_stamp.h>
 
 #include <cstddef>
 #include <iterator>
 
 namespace halfedge {
 
-/// The live items of one kind in index order; deleted slots are stepped over.
-template <class Mesh, class Item>
+/// The live items of one kind in index order; deleted slots are stepped over. Items may be deleted
+/// meanwhile. Invalidated by what makes more slots of the kind, or fewer: a loop that adds items in
+/// each round would meet these, too, and not end. Checked builds assert on use after that.
+template <class Mesh, class Item, bool Checked = kCheckedCirculators>
 class LiveRange {
  public:
   class Iterator {
@@ -21,10 +24,17 @@ class LiveRange {
     using pointer = void;
 
     Iterator() = default;
-    Iterator(const Mesh& mesh, Index at) : mesh_(&mesh), at_(at), at_end_(false) { skip_deleted(); }
+    Iterator(const Mesh& mesh, Index at)
+        : mesh_(&mesh), at_(at), at_end_(false), stamp_(mesh.slots(Item{})) {
+      skip_deleted();
+    }
 
-    [[nodiscard]] Item operator*() const { return Item(at_); }
+    [[nodiscard]] Item operator*() const {
+      stamp_.check(mesh_->slots(Item{}));
+      return Item(at_);
+    }
     Iterator& operator++() {
+      stamp_.check(mesh_->slots(Item{}));
       ++at_;
       skip_deleted();
       return *this;
@@ -49,16 +59,21 @@ class LiveRange {
     const Mesh* mesh_ = nullptr;
     Index at_ = 0;
     bool at_end_ = true;
+    [[no_unique_address]] SlotsStamp<Checked> stamp_;
   };
 
-  explicit LiveRange(const Mesh& mesh) : mesh_(&mesh) {}
+  explicit LiveRange(const Mesh& mesh) : mesh_(&mesh), stamp_(mesh.slots(Item{})) {}
 
-  [[nodiscard]] Iterator begin() const { return Iterator(*mesh_, 0); }
+  [[nodiscard]] Iterator begin() const {
+    stamp_.check(mesh_->slots(Item{}));
+    return Iterator(*mesh_, 0);
+  }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
   [[nodiscard]] bool empty() const { return begin() == end(); }
 
  private:
   const Mesh* mesh_;
+  [[no_unique_address]] SlotsStamp<Checked> stamp_;
 };
 
 }  // namespace halfedge

@@ -1,20 +1,11 @@
 #pragma once
 
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/connectivity/version_stamp.h>
 
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
-
-/// Checked circulators notice that the connectivity changed under them. On in debug builds.
-#if !defined(HALFEDGE_CHECKED)
-#if defined(NDEBUG)
-#define HALFEDGE_CHECKED 0
-#else
-#define HALFEDGE_CHECKED 1
-#endif
-#endif
 
 /// An orbit: halfedges reached by one step again and again, each shown as some item. It has a
 /// *walk* (how to step on, and back) and a *view* (what to show of a halfedge). All eleven kinds of
@@ -26,8 +17,6 @@
 ///             | v
 ///           from(h)          face(h) lies to the left of h
 namespace halfedge {
-
-inline constexpr bool kCheckedCirculators = HALFEDGE_CHECKED != 0;
 
 namespace walk {
 
@@ -90,31 +79,10 @@ struct OppositeFace {
 
 }  // namespace view
 
-/// What a checked circulator remembers of the mesh; nothing in release builds.
-template <bool Checked>
-class VersionStamp {
- public:
-  VersionStamp() = default;
-  explicit VersionStamp(const auto&) {}
-  void check(const auto&) const {}
-};
-template <>
-class VersionStamp<true> {
- public:
-  VersionStamp() = default;
-  explicit VersionStamp(const auto& mesh) : version_(mesh.version()) {}
-  void check([[maybe_unused]] const auto& mesh) const {
-    assert(version_ == mesh.version() &&
-           "a circulator was used after the connectivity changed under it: make a new one");
-  }
-
- private:
-  [[maybe_unused]] std::uint64_t version_ = 0;  // read by the assert only
-};
-
 /// Endless and bidirectional: it has no end, it stops when you say so. `halfedge()` is where it
 /// stands, `*c` what the kind of circulator shows of it. Empty (`!valid()`) where there is nothing
-/// to visit. Invalidated by any change of connectivity; checked builds assert on use after that.
+/// to visit: then nothing else may be asked. Invalidated by any change of connectivity; checked
+/// builds assert on use after that.
 template <class Mesh, class Walk, class View, bool Checked = kCheckedCirculators>
 class Circulator {
  public:
@@ -131,18 +99,18 @@ class Circulator {
   [[nodiscard]] bool valid() const { return at_.valid(); }
   [[nodiscard]] Halfedge halfedge() const { return at_; }
   [[nodiscard]] reference operator*() const {
-    stamp_.check(*mesh_);
+    check();
     return View::of(*mesh_, at_);
   }
 
   Circulator& operator++() {
-    stamp_.check(*mesh_);
+    check();
     at_ = Walk::on(*mesh_, at_);
     settle<&Walk::template on<Mesh>>();
     return *this;
   }
   Circulator& operator--() {
-    stamp_.check(*mesh_);
+    check();
     at_ = Walk::back(*mesh_, at_);
     settle<&Walk::template back<Mesh>>();
     return *this;
@@ -161,6 +129,11 @@ class Circulator {
   friend bool operator==(const Circulator& a, const Circulator& b) { return a.at_ == b.at_; }
 
  private:
+  void check() const {
+    assert(valid() && "a circulator was used that has nothing to visit: ask valid() first");
+    stamp_.check(*mesh_);
+  }
+
   // Steps over halfedges that show nothing; empty if a whole lap shows nothing.
   template <auto Step>
   void settle() {
