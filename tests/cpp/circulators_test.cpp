@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
 #include <halfedge/connectivity/compact.h>
+#include <halfedge/directed_edges/directed_edges.h>
 #include <halfedge/mesh.h>
 #include <halfedge/operations/deletion.h>
 
@@ -10,6 +11,7 @@
 #include <string>
 #include <type_traits>
 #include <vector>
+#include <version>
 
 #include "support/built.h"
 #include "support/random_polygons.h"
@@ -50,6 +52,19 @@ static_assert(kIsForwardRange<decltype(std::declval<M>().vertices())>);
 static_assert(kIsForwardRange<decltype(std::declval<M>().halfedges())>);
 static_assert(kIsForwardRange<decltype(std::declval<M>().edges())>);
 static_assert(kIsForwardRange<decltype(std::declval<M>().faces())>);
+
+#if defined(__cpp_lib_ranges)
+// Views and borrowed ranges own nothing, and their iterators need no range: so they can be piped
+// into std::views as values, and what std::ranges::find gives of a temporary one is an iterator.
+template <class Range>
+constexpr bool kIsBorrowedView = std::ranges::view<Range>&& std::ranges::borrowed_range<Range>&&
+    std::ranges::forward_range<const Range>;
+static_assert(kIsBorrowedView<decltype(std::declval<M>().outgoing_ccw(Vertex{}))>);
+static_assert(kIsBorrowedView<decltype(std::declval<M>().edge_faces(Edge{}))>);
+static_assert(kIsBorrowedView<decltype(std::declval<M>().faces())>);
+static_assert(kIsBorrowedView<decltype(std::declval<DirectedEdgesMesh>().vertices())>);
+static_assert(kIsBorrowedView<decltype(std::declval<DirectedEdgesMesh>().face_faces_cw(Face{}))>);
+#endif
 
 template <class Range>
 using ItemOf = std::iter_value_t<typename Range::Iterator>;
@@ -388,6 +403,34 @@ TEST(Circulators, AsRangesAreMultiPassAndReflexive) {
   EXPECT_TRUE(at == ring.end());
   EXPECT_TRUE(at == at);
 }
+
+// clang before 16 can't compile the views of libstdc++, whatever they are of.
+#if defined(__cpp_lib_ranges) && (!defined(__clang__) || __clang_major__ >= 16)
+TEST(Circulators, AsRangesArePipedIntoViews) {
+  const Mesh mesh = built(quad_grid(3, 3));
+  // The range itself is gone when the view is used.
+  const auto neighbours_beyond = [&mesh](Vertex v, Index least) {
+    const auto ring = mesh.outgoing_ccw(v);
+    return ring | std::views::transform([&mesh](Halfedge h) { return mesh.to_vertex(h); }) |
+           std::views::filter([least](Vertex w) { return w.index() >= least; });
+  };
+  std::vector<Vertex> found;
+  for (const Vertex w : neighbours_beyond(Vertex(5), 5)) found.push_back(w);
+  EXPECT_EQ(found, (std::vector<Vertex>{Vertex(9), Vertex(6)}));
+
+  const auto is_boundary = [&mesh](Halfedge h) { return mesh.is_boundary(h); };
+  const auto gap = std::ranges::find_if(mesh.outgoing_ccw(Vertex(1)), is_boundary);
+  EXPECT_EQ(*gap, mesh.vertex_halfedge(Vertex(1)));
+  const auto corner = std::ranges::max_element(
+      mesh.vertices(), {}, [&mesh](Vertex v) { return mesh.position(v).x + mesh.position(v).y; });
+  EXPECT_EQ(*corner, Vertex(15));
+  found.clear();
+  for (const Vertex v : mesh.vertices() | std::views::drop(2) | std::views::take(2)) {
+    found.push_back(v);
+  }
+  EXPECT_EQ(found, (std::vector<Vertex>{Vertex(2), Vertex(3)}));
+}
+#endif
 
 TEST(LiveItems, AreListedInIndexOrderWithoutTheDeleted) {
   Mesh mesh = reference_build(two_components());

@@ -5,6 +5,11 @@
 
 #include <cstddef>
 #include <iterator>
+#include <version>
+
+#if defined(__cpp_lib_ranges)
+#include <ranges>
+#endif
 
 namespace halfedge {
 
@@ -77,3 +82,12 @@ class LiveRange {
 };
 
 }  // namespace halfedge
+
+#if defined(__cpp_lib_ranges)
+/// It owns nothing, and its iterators don't need it: see Orbit.
+template <class Mesh, class Item, bool Checked>
+inline constexpr bool std::ranges::enable_view<halfedge::LiveRange<Mesh, Item, Checked>> = true;
+template <class Mesh, class Item, bool Checked>
+inline constexpr bool std::ranges::enable_borrowed_range<halfedge::LiveRange<Mesh, Item, Checked>> =
+    true;
+#endif

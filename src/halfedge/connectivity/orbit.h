@@ -6,6 +6,11 @@
 #include <cassert>
 #include <cstddef>
 #include <iterator>
+#include <version>
+
+#if defined(__cpp_lib_ranges)
+#include <ranges>
+#endif
 
 /// An orbit: halfedges reached by one step again and again, each shown as some item. It has a
 /// *walk* (how to step on, and back) and a *view* (what to show of a halfedge). All eleven kinds of
@@ -156,7 +161,9 @@ class Circulator {
 
 /// One lap as a range: `for (Vertex w : mesh.vertex_vertices_ccw(v))`. A forward range without
 /// allocation or lap counter: an iterator marks the end by forgetting where it is, so `it == it`
-/// always holds and the orbit of an isolated vertex is empty.
+/// always holds and the orbit of an isolated vertex is empty. It is a view and a borrowed range in
+/// the words of the standard library: it owns nothing, and its iterators don't need it. So it can
+/// be piped into std::views, and std::ranges::find of it gives an iterator.
 template <class Mesh, class Walk, class View, bool Checked = kCheckedCirculators>
 class Orbit {
  public:
@@ -258,3 +265,11 @@ class Orbit {
 };
 
 }  // namespace halfedge
+
+#if defined(__cpp_lib_ranges)
+template <class Mesh, class Walk, class View, bool Checked>
+inline constexpr bool std::ranges::enable_view<halfedge::Orbit<Mesh, Walk, View, Checked>> = true;
+template <class Mesh, class Walk, class View, bool Checked>
+inline constexpr bool
+    std::ranges::enable_borrowed_range<halfedge::Orbit<Mesh, Walk, View, Checked>> = true;
+#endif
