@@ -30,6 +30,13 @@ class BasicMesh : public BasicConnectivity<kStored> {
   using Base::free_vertices;
   using Base::vertex_slots;
 
+  BasicMesh() = default;
+  BasicMesh(BasicMesh&&) noexcept = default;
+  BasicMesh& operator=(BasicMesh&&) noexcept = default;
+  BasicMesh(const BasicMesh&) = delete;  // a copy can fail: use assign()
+  BasicMesh& operator=(const BasicMesh&) = delete;
+  ~BasicMesh() = default;
+
   [[nodiscard]] Point position(Vertex v) const {
     const float* p = &positions_[3 * std::size_t{v.index()}];
     return {p[0], p[1], p[2]};

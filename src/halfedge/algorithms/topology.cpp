@@ -104,12 +104,8 @@ bool all_faces_have(const BasicConnectivity<kStored>& mesh, int degree) {
 }  // namespace
 
 template <Storage kStored>
-std::int64_t euler_characteristic(const BasicConnectivity<kStored>& mesh) {
-  return std::int64_t{mesh.vertex_count()} - mesh.edge_count() + mesh.face_count();
-}
-
-template <Storage kStored>
-Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<kStored>& mesh) {
+requires StoresSurface<BasicConnectivity<kStored>> Result<Array<Halfedge>> boundary_loops(
+    const BasicConnectivity<kStored>& mesh) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
   const Links& links = mesh.links();
   Array<Halfedge> loops;
@@ -136,7 +132,8 @@ Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<kStored>& mesh) {
 }
 
 template <Storage kStored>
-Result<Components> connected_components(const BasicConnectivity<kStored>& mesh) {
+requires StoresSurface<BasicConnectivity<kStored>> Result<Components> connected_components(
+    const BasicConnectivity<kStored>& mesh) {
   Result<Array<Halfedge>> loops = boundary_loops(mesh);
   if (!loops) return loops.error();
   Components components;
@@ -153,7 +150,8 @@ Result<Components> connected_components(const BasicConnectivity<kStored>& mesh) 
 }
 
 template <Storage kStored>
-Result<std::int64_t> genus(const BasicConnectivity<kStored>& mesh) {
+requires StoresSurface<BasicConnectivity<kStored>> Result<std::int64_t> genus(
+    const BasicConnectivity<kStored>& mesh) {
   Result<Components> components = connected_components(mesh);
   if (!components) return components.error();
   std::int64_t sum = 0;
@@ -162,22 +160,20 @@ Result<std::int64_t> genus(const BasicConnectivity<kStored>& mesh) {
 }
 
 template <Storage kStored>
+requires StoresSurface<BasicConnectivity<kStored>>
 bool is_closed(const BasicConnectivity<kStored>& mesh) {
   const Array<Index>& face = mesh.links().face;
   return std::find(face.begin(), face.end(), kNone) == face.end();
 }
 
 template <Storage kStored>
-bool is_triangle_mesh(const BasicConnectivity<kStored>& mesh) {
-  return all_faces_have(mesh, 3);
-}
+requires StoresSurface<BasicConnectivity<kStored>>
+bool is_triangle_mesh(const BasicConnectivity<kStored>& mesh) { return all_faces_have(mesh, 3); }
 template <Storage kStored>
-bool is_quad_mesh(const BasicConnectivity<kStored>& mesh) {
-  return all_faces_have(mesh, 4);
-}
+requires StoresSurface<BasicConnectivity<kStored>>
+bool is_quad_mesh(const BasicConnectivity<kStored>& mesh) { return all_faces_have(mesh, 4); }
 
 #define HALFEDGE_INSTANTIATE(storage)                                                  \
-  template std::int64_t euler_characteristic(const BasicConnectivity<storage>&);       \
   template Result<Array<Halfedge>> boundary_loops(const BasicConnectivity<storage>&);  \
   template Result<Components> connected_components(const BasicConnectivity<storage>&); \
   template Result<std::int64_t> genus(const BasicConnectivity<storage>&);              \

@@ -57,6 +57,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Moving leaves `other` empty. It counts as a change of both.
   BasicConnectivity(BasicConnectivity&& other) noexcept { *this = std::move(other); }
   BasicConnectivity& operator=(BasicConnectivity&& other) noexcept;
+  BasicConnectivity(const BasicConnectivity&) = delete;  // a copy can fail: use assign()
+  BasicConnectivity& operator=(const BasicConnectivity&) = delete;
+  ~BasicConnectivity() = default;
 
   // ---- storage ------------------------------------------------------------------------------
 

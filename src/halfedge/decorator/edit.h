@@ -10,12 +10,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace halfedge::decorator {
 
-/// A mesh type whose faces, if it knows any, are known to its halfedges.
+/// A mesh type whose faces, if it knows any, are known to its halfedges; not a const one.
 template <class Mesh>
-concept Editable = StoresFaces<Mesh> || !StoresFaceHalfedges<Mesh>;
+concept Editable = (StoresFaces<Mesh> || !StoresFaceHalfedges<Mesh>)&&!std::is_const_v<Mesh>;
 /// A mesh type that can delete faces: one that stores a halfedge of each, or none at all.
 template <class Mesh>
 concept DeletesFaces = !StoresFaces<Mesh> || StoresFaceHalfedges<Mesh>;

@@ -73,6 +73,7 @@ enum class BytesFrom : std::uint8_t { kAnywhere, kThisProgram };
 ///         none, or the reverse; kPrevAtRunTime chooses what the bytes have),
 ///         corrupt-connectivity, attribute-exists, bad-attribute, out-of-memory
 template <Storage kStored>
+requires StoresSurface<BasicMesh<kStored>>
 [[nodiscard]] Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
                                       BytesFrom from = BytesFrom::kAnywhere);
 

@@ -286,8 +286,8 @@ Result<bool> stores_prev(std::span<const std::uint8_t> bytes) {
 }
 
 template <Storage kStored>
-Result<void> from_bytes(std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh,
-                        BytesFrom from) {
+requires StoresSurface<BasicMesh<kStored>> Result<void> from_bytes(
+    std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh, BytesFrom from) {
   const Result<Header> header = read_header(bytes);
   if (!header) return header.error();
   BasicMesh<kStored> read;

@@ -53,6 +53,7 @@ void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& li
 /// cost: O(slots of other), amortised
 /// errors: too-large, out-of-memory, corrupt-connectivity (of `other`)
 template <Storage kStored, Storage kOther>
+requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
 [[nodiscard]] Result<CompactMaps> append(BasicMesh<kStored>& mesh, const BasicMesh<kOther>& other) {
   if (Result<void> sizes = check_array_sizes(other); !sizes) return sizes.error();
   Result<CompactMaps> maps = appending::list_live(RawLinks(other));

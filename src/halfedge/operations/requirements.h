@@ -3,12 +3,14 @@
 #include <halfedge/decorator/edit.h>
 #include <halfedge/operations/refusals.h>
 
+#include <type_traits>
+
 /// What all operations share. They are templates over the mesh type, and need what a surface is
 /// known by; prev may be left out.
 namespace halfedge::operations {
 
 template <class Mesh>
-concept EditableSurface = StoresSurface<Mesh>;
+concept EditableSurface = StoresSurface<Mesh> && !std::is_const_v<Mesh>;
 
 using decorator::HasPositions;
 using decorator::internal::check_live;

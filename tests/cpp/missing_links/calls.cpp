@@ -1,5 +1,6 @@
-// Compiles as it stands. With one of the macros, it calls what needs a link that isn't stored, and
-// must not compile: see the tests missing_links.* in tests/cpp/CMakeLists.txt.
+// Compiles as it stands. With one of the macros, it calls what needs a link that isn't stored, or
+// what else a mesh can't do, and must not compile: see the tests missing_links.* in
+// tests/cpp/CMakeLists.txt.
 
 #include <halfedge/halfedge.h>
 
@@ -34,6 +35,22 @@ Index without_anchors(const BasicConnectivity<kWithoutAnchors>& mesh, Vertex v, 
   return kNone;
 }
 
+std::int64_t numbers(const BasicMesh<kWithoutFaceHalfedges>& mesh) {
+#if defined(TOPOLOGY_WITHOUT_FACES)
+  if (!is_closed(mesh)) return genus(mesh).value();
+#endif
+  return euler_characteristic(mesh);
+}
+
+void edit([[maybe_unused]] const Mesh& original, Mesh& mesh) {
+#if defined(EDIT_OF_CONST_MESH)
+  (void)operations::flip_edge(original, Edge(0));
+#elif defined(COPY_OF_MESH)
+  mesh = Mesh(original);
+#endif
+  (void)operations::flip_edge(mesh, Edge(0));
+}
+
 // An algorithm that says in its requires clause what it needs.
 template <StoresPrev Mesh>
 Index sum_of_prev(const Mesh& mesh) {
@@ -50,6 +67,9 @@ using Chosen = Connectivity;
 }  // namespace
 
 int main() {
+  Mesh mesh;
+  edit({}, mesh);
+  (void)numbers({});
   return int(without_faces({}, Vertex(0)) + without_face_halfedges({}, Face(0), Halfedge(0)) +
              without_anchors({}, Vertex(0), Halfedge(0)) + sum_of_prev(Chosen{}));
 }
