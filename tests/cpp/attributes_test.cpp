@@ -45,6 +45,8 @@ TEST(Attributes, AreFoundByKindAndName) {
   Attribute& weight = add(mesh, ItemKind::kEdge, "weight");
   EXPECT_EQ(mesh.find_attribute(ItemKind::kEdge, "weight"), &weight);
   EXPECT_EQ(mesh.find_attribute(ItemKind::kFace, "weight"), nullptr);
+  const Attribute* read_only = std::as_const(mesh).find_attribute(ItemKind::kEdge, "weight");
+  EXPECT_EQ(read_only, &weight);
   EXPECT_TRUE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
   EXPECT_FALSE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
   EXPECT_FALSE(mesh.attributes().has_any());

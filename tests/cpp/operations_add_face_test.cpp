@@ -314,5 +314,18 @@ TEST(AddFace, MakesRealMeshesInRandomOrder) {
   EXPECT_GE(seed, 80U);
 }
 
+TEST(AddFace, TakesCornersInBraces) {
+  Mesh mesh;
+  const Vertex a = mesh.add_vertex({0, 0, 0});
+  const Vertex b = mesh.add_vertex({1, 0, 0});
+  const Vertex c = mesh.add_vertex({0, 1, 0});
+  EXPECT_TRUE(check_add_face(mesh, {a, b, c}));
+  const Result<Face> f = add_face(mesh, {a, b, c});
+  ASSERT_TRUE(f);
+  EXPECT_EQ(mesh.to_vertex(mesh.face_halfedge(f.value())), a);
+  EXPECT_EQ(check_add_face(mesh, {c, a, b}).error().code, "duplicate-face");
+  EXPECT_EQ(add_face(mesh, {}).error().code, "degree-below-three");
+}
+
 }  // namespace
 }  // namespace halfedge::test

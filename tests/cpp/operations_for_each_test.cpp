@@ -82,5 +82,20 @@ TEST(ForEach, WorksWithoutPrev) {
   EXPECT_TRUE(validate(light).empty());
 }
 
+TEST(ForEach, TakesAVectorAnArrayAndASpan) {
+  const Mesh mesh = reference_build(pillow());
+  std::vector<Edge> edges = all_slots<Edge>(mesh.edge_slots());
+  const Edge two[] = {edges[2], edges[0]};
+  std::vector<Edge> seen;
+  const auto see = [&](Edge e) { seen.push_back(e); };
+  for_each(mesh, edges, see);
+  EXPECT_EQ(seen, edges);
+  for_each(mesh, two, see);
+  for_each(mesh, std::span(edges).first(1), see);
+  for_each(mesh, std::span<const Edge>(edges).last(1), see);
+  edges.insert(edges.end(), {edges[2], edges[0], edges[0], edges[2]});
+  EXPECT_EQ(seen, edges);
+}
+
 }  // namespace
 }  // namespace halfedge::test

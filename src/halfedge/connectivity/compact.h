@@ -14,11 +14,20 @@ struct CompactMaps {
   Array<Index> edges;
   Array<Index> faces;
 
-  [[nodiscard]] Vertex operator()(Vertex old) const { return Vertex(vertices[old.index()]); }
-  [[nodiscard]] Edge operator()(Edge old) const { return Edge(edges[old.index()]); }
-  [[nodiscard]] Face operator()(Face old) const { return Face(faces[old.index()]); }
+  /// Where an item went; empty for one that was deleted, and for an empty handle, as the face of a
+  /// boundary halfedge.
+  [[nodiscard]] Vertex operator()(Vertex old) const {
+    return old.valid() ? Vertex(vertices[old.index()]) : old;
+  }
+  [[nodiscard]] Edge operator()(Edge old) const {
+    return old.valid() ? Edge(edges[old.index()]) : old;
+  }
+  [[nodiscard]] Face operator()(Face old) const {
+    return old.valid() ? Face(faces[old.index()]) : old;
+  }
   /// Sides keep theirs: the halfedge on side 0 of an edge is on side 0 of where the edge went.
   [[nodiscard]] Halfedge operator()(Halfedge old) const {
+    if (!old.valid()) return old;
     const Index e = edges[old.index() >> 1U];
     return e == kNone ? Halfedge{} : Halfedge(2 * e + (old.index() & 1U));
   }

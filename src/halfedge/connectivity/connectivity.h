@@ -340,7 +340,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   bool remove_attribute(ItemKind kind, std::string_view name) {
     return attributes_.remove(kind, name);
   }
+  /// Null if there is none of that name.
   [[nodiscard]] Attribute* find_attribute(ItemKind kind, std::string_view name) {
+    return attributes_.find(kind, name);
+  }
+  [[nodiscard]] const Attribute* find_attribute(ItemKind kind, std::string_view name) const {
     return attributes_.find(kind, name);
   }
   [[nodiscard]] const Attributes& attributes() const { return attributes_; }

@@ -5,6 +5,7 @@
 #include <halfedge/operations/requirements.h>
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 
 namespace halfedge::operations {
@@ -201,6 +202,11 @@ template <EditableSurface Mesh>
   if (!new_edges) return new_edges.error();
   return {};
 }
+/// check_add_face(mesh, {a, b, c})
+template <EditableSurface Mesh>
+[[nodiscard]] Result<void> check_add_face(const Mesh& mesh, std::initializer_list<Vertex> corners) {
+  return check_add_face(mesh, std::span<const Vertex>(corners.begin(), corners.size()));
+}
 
 /// A face with these corners, counter-clockwise; the edges between them that don't exist yet are
 /// new. (OpenMesh: add_face; CGAL: Surface_mesh::add_face, Euler::add_face)
@@ -242,6 +248,11 @@ template <EditableSurface Mesh>
     if (h == last.halfedge) break;
   }
   return mesh.face(last.halfedge);
+}
+/// add_face(mesh, {a, b, c})
+template <EditableSurface Mesh>
+[[nodiscard]] Result<Face> add_face(Mesh& mesh, std::initializer_list<Vertex> corners) {
+  return add_face(mesh, std::span<const Vertex>(corners.begin(), corners.size()));
 }
 
 }  // namespace halfedge::operations

@@ -57,5 +57,12 @@ void for_each(const Mesh& mesh, std::span<const Item> items, const Edit& edit) {
     for (const Item item : block) edit(item);
   }
 }
+/// The same for a vector or an array of them.
+template <EditableSurface Mesh, class Items, class Edit>
+requires requires(const Items& items) { std::span(items); }
+void for_each(const Mesh& mesh, const Items& items, const Edit& edit) {
+  const std::span all(items);
+  for_each(mesh, std::span<const typename decltype(all)::value_type>(all), edit);
+}
 
 }  // namespace halfedge::operations
