@@ -51,6 +51,8 @@ class BasicMesh : public BasicConnectivity<kStored> {
 
   /// 3 * vertex_slots() floats.
   [[nodiscard]] std::span<const float> positions() const { return positions_.span(); }
+  /// What holds them, for who reads on while they grow.
+  [[nodiscard]] const Array<float>& position_array() const { return positions_; }
   /// Writes through it are not part of history.
   [[nodiscard]] Array<float>& mutable_positions() { return positions_; }
 

@@ -44,7 +44,7 @@ std::vector<Array<Index>*> arrays_of(Links& links) {
 
 // Everything that promises to survive a corrupt mesh. Its results are right or errors.
 void run_everything(const Mesh& mesh, bool valid) {
-  for (int level = 0; level <= kMaxValidationLevel; ++level) {
+  for (int level = 0; level <= kGeometryLevel; ++level) {
     EXPECT_TRUE(!valid || !has_errors(validate(mesh, level)));
   }
   EXPECT_TRUE(boundary_loops(mesh).ok() || !valid);

@@ -312,7 +312,7 @@ test.each([
 ])('Sentences say of which class an object is: %#', (value, name) => {
   using mesh = HalfedgeMesh.cube();
   expect(() => mesh.validate(value as never)).toThrow(
-    `level is ${name}; expected an integer from 0 to 4.`,
+    `level is ${name}; expected an integer from 0 to 4, or 'geometry'.`,
   );
 });
 

@@ -181,6 +181,16 @@ describe('halfedge check', () => {
     );
   });
 
+  test('looks at where the vertices lie if asked to', async () => {
+    const flat = 'v 0 0 0\nv 2 0 0\nv 1 0 0\nf 1 2 3\n';
+    expect(await run(['check', '--strict'], flat)).toMatchObject({ status: 0 });
+    const warned = await run(['check', '--geometry'], flat);
+    expect(warned.status).toBe(0);
+    expect(warned.out).toContain('standard input: warning: Face 0 has no area to speak of: it is');
+    expect(warned.out).toContain(' [degenerate-face]\n');
+    expect(await run(['check', '--geometry', '--strict'], flat)).toMatchObject({ status: 1 });
+  });
+
   test('takes warnings for problems if asked to', async () => {
     expect(await run(['check', 'bowtie.off'])).toMatchObject({
       status: 0,

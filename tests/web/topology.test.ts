@@ -1,4 +1,4 @@
-import { HalfedgeMesh, init } from 'halfedge';
+import { type Edge, HalfedgeMesh, init } from 'halfedge';
 import {
   annulus,
   bowTie,
@@ -136,6 +136,37 @@ describe('validate', () => {
     ]);
   });
 
+  test("at the level 'geometry' tells where the vertices lie, beside all others", () => {
+    using mesh = HalfedgeMesh.cube();
+    const found = () =>
+      mesh
+        .validate('geometry')
+        .map(({ severity, code, kind, index }) => [severity, code, kind, index]);
+    expect(found()).toEqual([]);
+    const [a, b] = mesh.edgeVertices(3 as Edge);
+    mesh.positions.copyWithin(3 * b, 3 * a, 3 * a + 3);
+    expect(found()).toEqual([['warning', 'zero-length-edge', 'edge', 3]]);
+    mesh.positions[3 * b] = Number.NaN;
+    mesh.addVertex([9, 9, 9]);
+    expect(found()).toEqual([
+      ['info', 'isolated-vertex', 'vertex', 8],
+      ['error', 'non-finite-position', 'vertex', b],
+    ]);
+    expect(mesh.validate()).toHaveLength(1);
+    using lean = HalfedgeMesh.fromTriangles([0, 0, 0, 2, 0, 0, 1, 0, 0], [0, 1, 2], {
+      storePrev: false,
+    });
+    expect(lean.validate('geometry')).toEqual([
+      {
+        code: 'degenerate-face',
+        severity: 'warning',
+        kind: 'face',
+        index: 0,
+        message: 'Face 0 has no area to speak of: it is 2 long and 0 wide.',
+      },
+    ]);
+  });
+
   test.each([
     [5, RangeError],
     [-1, RangeError],
@@ -146,7 +177,9 @@ describe('validate', () => {
   ])('refuses level %p', (level, kind) => {
     using mesh = build(quadGrid());
     expect(() => mesh.validate(level as number)).toThrow(kind);
-    expect(() => mesh.validate(level as number)).toThrow('expected an integer from 0 to 4');
+    expect(() => mesh.validate(level as number)).toThrow(
+      "expected an integer from 0 to 4, or 'geometry'.",
+    );
   });
 });
 

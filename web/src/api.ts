@@ -69,6 +69,6 @@ export type {
   TorusOptions,
   UvSphereOptions,
 } from './shapes.js';
-export type { Component } from './topology.js';
+export type { Component, ValidationLevel } from './topology.js';
 export type { AppendMaps } from './transfer.js';
 export type { FileEncoding, WriteOptions } from './write.js';

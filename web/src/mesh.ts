@@ -33,6 +33,7 @@ import {
   polygonsOf,
   problemsOf,
   trianglesOf,
+  type ValidationLevel,
 } from './topology.js';
 import { type AppendMaps, appendLinks, bytesOfLinks, dualLinks, linksOfBytes } from './transfer.js';
 import { warmUp } from './warm-up.js';
@@ -291,8 +292,13 @@ export class HalfedgeMesh extends Shapes {
    * it is valid. Levels 0 to 3 check the links, level 4 adds the rules of polygon meshes. Isolated
    * and pinched vertices are told, as information and as a warning, but are no error. Linear time,
    * whatever the arrays hold.
+   *
+   * `'geometry'` adds to level 4 where the vertices lie: `non-finite-position`, an error; and as
+   * warnings `zero-length-edge`, `degenerate-face` (no wider than 10^-6 of its length, or without area:
+   * what {@link removeDegenerateFaces} removes where it can), and `coincident-vertices`, which no edges
+   * without length join.
    */
-  validate(level = 4): Problem[] {
+  validate(level: ValidationLevel = 4): Problem[] {
     return problemsOf(linksOf(this), level);
   }
 

@@ -19,9 +19,15 @@ export interface Component {
   readonly genus: number;
 }
 
+/** What `validate` looks at: level 4 adds the rules of polygon meshes, and 'geometry' where the vertices lie. */
+export type ValidationLevel = number | 'geometry';
+/** The number that 'geometry' has in C++. */
+const GEOMETRY = 5;
+
 /** What is wrong with the mesh, up to a level. */
 export function problemsOf(links: Links, level: unknown): Problem[] {
-  return findings(links.core.validate(links.address, checkLevel(level)));
+  const number = level === 'geometry' ? GEOMETRY : checkLevel(level, ", or 'geometry'");
+  return findings(links.core.validate(links.address, number));
 }
 
 /** What a validation has found, in sentences. */
@@ -30,9 +36,9 @@ export function findings(raw: RawFinding[]): Problem[] {
 }
 
 /** `level`, if `validate` knows it. */
-export function checkLevel(level: unknown): number {
+export function checkLevel(level: unknown, others = ''): number {
   if ([0, 1, 2, 3, 4].includes(level as number)) return level as number;
-  refuse('level', level, 'an integer from 0 to 4', 'number');
+  refuse('level', level, `an integer from 0 to 4${others}`, 'number');
 }
 
 /** One halfedge of each boundary loop. */

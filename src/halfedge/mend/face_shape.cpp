@@ -1,3 +1,4 @@
+#include <halfedge/inlining.h>
 #include <halfedge/mend/face_shape.h>
 
 #include <algorithm>
@@ -9,7 +10,7 @@ namespace halfedge::mend {
 
 double FaceShape::limit(double tolerance) const { return std::max(tolerance, kThin * length); }
 
-FaceShape shape_of(const Surface& surface, Face f) {
+HALFEDGE_NOINLINE FaceShape shape_of(const SurfaceView& surface, Face f) {
   const auto at = [&](Vertex v) { return point_of(surface, v); };
   FaceShape shape;
   const Halfedge first = surface.halfedge(f);
@@ -61,7 +62,7 @@ double width_of(const Vector& a, const Vector& b, const Vector& c) {
   return width > kThin * longest ? width : 0;
 }
 
-Vector area_vector(const Surface& surface, Halfedge h, const Vector& there) {
+HALFEDGE_NOINLINE Vector area_vector(const SurfaceView& surface, Halfedge h, const Vector& there) {
   Vector sum = {};
   Vector last = point_of(surface, surface.to_vertex(h)) - there;
   for (Halfedge on_loop = surface.next(h); surface.next(on_loop) != h;

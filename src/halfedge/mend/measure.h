@@ -12,7 +12,7 @@ inline constexpr double kThin = 1e-6;
 [[nodiscard]] double length(const Vector& a);
 /// Of length 1, or 0 if `a` is no longer than `least`.
 [[nodiscard]] Vector unit_vector(const Vector& a, double least);
-[[nodiscard]] inline Vector point_of(const Surface& surface, Vertex v) {
+[[nodiscard]] inline Vector point_of(const SurfaceView& surface, Vertex v) {
   const Point p = surface.position(v);
   return {double{p.x}, double{p.y}, double{p.z}};
 }

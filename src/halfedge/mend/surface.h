@@ -9,15 +9,11 @@
 
 namespace halfedge::mend {
 
-/// A mesh while it is mended, whatever it stores: so the repairs are compiled once. What they read
-/// are the links, which stay where they are; what they change goes through the operations, and so
-/// into history. Where a function has the name of an operation it is that operation.
-class Surface {
+/// The links and positions of a mesh, to be read, whatever else it stores.
+class SurfaceView {
  public:
-  Surface(const Surface&) = delete;
-  Surface& operator=(const Surface&) = delete;
-
-  // ---- reading ------------------------------------------------------------------------------
+  SurfaceView(const Links& links, const Array<float>& positions)
+      : links_(links), positions_(positions) {}
 
   [[nodiscard]] const Links& links() const { return links_; }
   [[nodiscard]] std::span<const float> positions() const { return positions_.span(); }
@@ -58,6 +54,21 @@ class Surface {
     const float* p = &positions_[3 * std::size_t{v.index()}];
     return {p[0], p[1], p[2]};
   }
+
+ private:
+  const Links& links_;
+  const Array<float>& positions_;
+};
+
+/// A mesh while it is mended, whatever it stores: so the repairs are compiled once. What they read
+/// are the links, which stay where they are; what they change goes through the operations, and so
+/// into history. Where a function has the name of an operation it is that operation.
+class Surface : public SurfaceView {
+ public:
+  Surface(const Surface&) = delete;
+  Surface& operator=(const Surface&) = delete;
+
+  // ---- reading ------------------------------------------------------------------------------
 
   [[nodiscard]] virtual Halfedge prev(Halfedge h) const = 0;
   [[nodiscard]] virtual Result<Components> components() const = 0;
@@ -100,13 +111,8 @@ class Surface {
   virtual void release(Face f) = 0;
 
  protected:
-  Surface(const Links& links, const Array<float>& positions)
-      : links_(links), positions_(positions) {}
+  using SurfaceView::SurfaceView;
   ~Surface() = default;
-
- private:
-  const Links& links_;
-  const Array<float>& positions_;
 };
 
 }  // namespace halfedge::mend

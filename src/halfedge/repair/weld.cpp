@@ -1,3 +1,4 @@
+#include <halfedge/inlining.h>
 #include <halfedge/repair/weld.h>
 #include <halfedge/sort.h>
 
@@ -301,7 +302,8 @@ class NearWelder {
 
 }  // namespace
 
-bool weld(std::span<const float> positions, std::optional<double> tolerance, Vertices& out) {
+HALFEDGE_NOINLINE bool weld(std::span<const float> positions, std::optional<double> tolerance,
+                            Vertices& out) {
   if (!out.of_input.resize(positions.size() / 3, kNone)) return false;
   if (!tolerance) return keep_apart(positions, out);
   if (!ExactWelder(positions, out).run()) return false;

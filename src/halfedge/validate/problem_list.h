@@ -37,8 +37,12 @@ enum class Rule : std::uint8_t {
   kPinchedVertex,
   kIsolatedVertex,
   kOutOfMemory,
+  kNonFinitePosition,
+  kZeroLengthEdge,
+  kDegenerateFace,
+  kCoincidentVertices,
 };
-inline constexpr std::size_t kRuleCount = std::size_t(Rule::kOutOfMemory) + 1;
+inline constexpr std::size_t kRuleCount = std::size_t(Rule::kCoincidentVertices) + 1;
 
 /// Collects problems; a rule that is broken too often is counted, no longer listed.
 class ProblemList {
@@ -90,12 +94,17 @@ class ProblemList {
                                                                  "same-face-twice",
                                                                  "pinched-vertex",
                                                                  "isolated-vertex",
-                                                                 "out-of-memory"};
+                                                                 "out-of-memory",
+                                                                 "non-finite-position",
+                                                                 "zero-length-edge",
+                                                                 "degenerate-face",
+                                                                 "coincident-vertices"};
     return kCodes[std::size_t(rule)];
   }
   [[nodiscard]] static constexpr Severity severity(Rule rule) {
-    if (rule == Rule::kPinchedVertex) return Severity::kWarning;
-    return rule == Rule::kIsolatedVertex ? Severity::kInfo : Severity::kError;
+    if (rule == Rule::kIsolatedVertex) return Severity::kInfo;
+    const bool is_warning = rule == Rule::kPinchedVertex || rule > Rule::kNonFinitePosition;
+    return is_warning ? Severity::kWarning : Severity::kError;
   }
 
  private:

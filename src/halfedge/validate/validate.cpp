@@ -1,4 +1,5 @@
 #include <halfedge/sentence.h>
+#include <halfedge/validate/check_geometry.h>
 #include <halfedge/validate/checker.h>
 #include <halfedge/validate/problem_list.h>
 #include <halfedge/validate/validate.h>
@@ -12,10 +13,11 @@ namespace halfedge {
 
 namespace {
 
-// Each step needs what the steps before it have checked, and is left out where they failed.
+// Each step needs what the steps before it have checked, and is left out where they failed. Whether
+// faces and vertices can be walked around.
 template <class Mesh>
-std::vector<Problem> run(const Mesh& mesh, int level, ProblemList problems) {
-  assert(0 <= level && level <= kMaxValidationLevel);
+bool run(const Mesh& mesh, int level, ProblemList& problems) {
+  assert(0 <= level && level <= kGeometryLevel);
   const std::size_t before = problems.error_count();
   const auto clean = [&] { return problems.error_count() == before; };
   ReferenceChecker<Mesh> references(mesh, problems);
@@ -28,13 +30,14 @@ std::vector<Problem> run(const Mesh& mesh, int level, ProblemList problems) {
     links.check_inverse_links();
     if (level >= 1) links.check_loops_agree();
   }
-  if (clean()) {
+  const bool can_be_walked = clean();
+  if (can_be_walked) {
     if (level >= 2) orbits.check_vertex_orbits();
     if (level >= 3) orbits.check_face_loops();
     if (level >= 3) orbits.check_boundary();
     if (level >= 4) PolygonChecker<Mesh>(mesh, problems).check_polygons();
   }
-  return std::move(problems).take();
+  return can_be_walked;
 }
 
 template <Storage kStored>
@@ -48,13 +51,20 @@ std::vector<Problem> run_with_positions(const BasicMesh<kStored>& mesh, int leve
                           expected);
     });
   }
-  return run<BasicConnectivity<kStored>>(mesh, level, std::move(problems));
+  const bool has_positions = size == expected;
+  const bool can_be_walked = run<BasicConnectivity<kStored>>(mesh, level, problems);
+  if (level >= kGeometryLevel && has_positions && can_be_walked) {
+    check_geometry({mesh.links(), mesh.position_array()}, problems);
+  }
+  return std::move(problems).take();
 }
 
 }  // namespace
 
 std::vector<Problem> validate(const Connectivity& mesh, int level) {
-  return run(mesh, level, ProblemList{});
+  ProblemList problems;
+  (void)run(mesh, level, problems);
+  return std::move(problems).take();
 }
 
 std::vector<Problem> validate(const Mesh& mesh, int level) {

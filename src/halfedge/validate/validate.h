@@ -42,8 +42,10 @@ struct Problem {
   std::string message;
 };
 
-/// The highest level of `validate`.
+/// The highest level of `validate` that is about links.
 inline constexpr int kMaxValidationLevel = 4;
+/// Beyond it: all levels, and where the vertices lie.
+inline constexpr int kGeometryLevel = 5;
 
 /// So many problems of one code are listed; one more then says how many are left out, so that a
 /// mesh of a million broken faces makes no gigabyte of sentences.
@@ -86,6 +88,11 @@ template <class Reduced, class Whole>
 ///   | pinched-vertex           warning: the faces at a vertex form one fan
 ///   | isolated-vertex          information: a vertex has an edge
 ///   | out-of-memory            there was memory for the checks; those left out are named
+/// 5 | non-finite-position      the coordinates of a vertex are finite numbers
+///   | zero-length-edge         warning: the ends of an edge lie apart
+///   | degenerate-face          warning: a face is wider than 10^-6 of its length, and has an area;
+///   |                          told of the edge alone, where one of a triangle has no length
+///   | coincident-vertices      warning: what lies in one place is joined by edges without length
 ///
 /// Numbers in brackets are the invariants listed at `Connectivity`. Levels 0 to 3 accept the
 /// degenerate complexes (one loop edge, one segment); level 4 is for polygon meshes.
@@ -93,10 +100,12 @@ template <class Reduced, class Whole>
 /// The arrays may hold anything, of any size: no index is used before it is checked, no walk is
 /// begun before it is known to end. So, within level 0, nothing follows a link that is out of
 /// range, and levels 2 to 4, which walk around vertices and faces, are checked only where levels 0
-/// and 1 find no error.
+/// and 1 find no error. So is level 5, kGeometryLevel, for meshes that have positions; others have
+/// nothing to check there.
 ///
-/// pre: 0 <= level <= kMaxValidationLevel
-/// cost: O(slots), at most 4 bytes a vertex and 1 byte a halfedge of scratch memory
+/// pre: 0 <= level <= kGeometryLevel
+/// cost: O(slots), at most 4 bytes a vertex and 1 byte a halfedge of scratch memory; level 5 some
+/// 60 bytes a vertex
 [[nodiscard]] std::vector<Problem> validate(const Connectivity& mesh,
                                             int level = kMaxValidationLevel);
 [[nodiscard]] std::vector<Problem> validate(const Mesh& mesh, int level = kMaxValidationLevel);

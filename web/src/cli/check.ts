@@ -9,6 +9,9 @@ import { print } from './output.js';
 import { Progress } from './progress.js';
 
 const OPTIONS: Options = {
+  geometry: {
+    help: 'also looks for edges without length, faces without area and vertices in one place',
+  },
   strict: { help: 'counts warnings as problems, such as fans that touch in a vertex' },
   ...COMMON,
 };
@@ -33,7 +36,8 @@ async function run(args: Arguments): Promise<number> {
 
 async function checkOne(path: string, args: Arguments, progress: Progress): Promise<boolean> {
   const { mesh, report } = await load(path, args, progress);
-  const faults = orComplain(nameOf(path), () => faultsOf(mesh, report));
+  const level = args.has('geometry') ? 'geometry' : 4;
+  const faults = orComplain(nameOf(path), () => faultsOf(mesh, report, level));
   mesh.dispose();
   const grave = faults.filter(
     ({ severity }) => severity === 'error' || (severity === 'warning' && args.has('strict')),
