@@ -191,6 +191,53 @@ TEST(PlyAttributes, HaveTheUsualNames) {
                                 "numbers, as many in each row"});
 }
 
+// No type of the format, but what programs make of arrays of such integers.
+TEST(PlyAttributes, HaveIntegersOf64BitsAsDoubles) {
+  const auto header = [](const char* format) {
+    return std::string("ply\nformat ") + format +
+           " 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+           "property int64 label\nelement face 1\nproperty list uint64 int64 vertex_indices\n"
+           "property uint64 id\nproperty list uchar int64 pair\nend_header\n";
+  };
+  const std::int64_t labels[] = {-7, 1, std::int64_t{1} << 40};
+  const float positions[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const auto expect = [](const std::string& file) {
+    const test::MeshFile read = read_mesh(file);
+    EXPECT_EQ(read.error, "");
+    EXPECT_EQ(describe_all(read.mesh),
+              (Strings{"vertex label float64 1 copy", "face id float64 1 copy",
+                       "face pair float64 2 copy"}));
+    EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "label"), (Doubles{-7, 1, 0x1p40}));
+    EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "id"), Doubles{0x1p63});
+    EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "pair"), (Doubles{5, -6}));
+    EXPECT_EQ(read.notes,
+              (Strings{"read the property \"label\" of \"vertex\", integers of 64 bits, as doubles",
+                       "read the properties \"id\", \"pair\" of \"face\", integers of 64 bits, as "
+                       "doubles"}));
+  };
+  expect(header("ascii") +
+         "0 0 0 -7\n1 0 0 1\n0 1 0 1099511627776\n3 0 1 2 9223372036854775808 2 5 -6\n");
+  for (const bool big : {false, true}) {
+    std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian");
+    const auto append = [&](auto value) {
+      std::string raw(sizeof(value), '\0');
+      std::memcpy(raw.data(), &value, sizeof(value));
+      if (big) std::reverse(raw.begin(), raw.end());
+      bytes += raw;
+    };
+    for (std::size_t v = 0; v < 3; ++v) {
+      for (const float x : positions[v]) append(x);
+      append(labels[v]);
+    }
+    append(std::uint64_t{3});
+    for (const std::int64_t v : {0, 1, 2}) append(v);
+    append(std::uint64_t{1} << 63U);
+    append(std::uint8_t{2});
+    for (const std::int64_t k : {5, -6}) append(k);
+    expect(bytes);
+  }
+}
+
 // The same file in text and in both byte orders.
 void expect_lists(const Mesh& mesh) {
   EXPECT_EQ(describe_all(mesh),

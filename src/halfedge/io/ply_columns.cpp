@@ -26,8 +26,11 @@ constexpr Group kGroups[] = {
     {"uv", {"texture_u", "texture_v"}, 2},
 };
 
-/// Float, double, and then the integers.
-Scalar scalar_of(PlyType type) { return static_cast<Scalar>((static_cast<int>(type) + 2) % 8); }
+Scalar scalar_of(PlyType type) {
+  if (type == PlyType::kFloat32) return Scalar::kFloat32;
+  if (type == PlyType::kFloat64 || is_long(type)) return Scalar::kFloat64;
+  return static_cast<Scalar>(static_cast<int>(type) + 2);  // behind the two
+}
 
 OnSplit policy_of(std::string_view name, PlyType type) {
   if (name == "normal" && !is_integer(type)) return OnSplit::kNormalize;
@@ -199,7 +202,7 @@ bool read_number(TextScanner& text, PlyType type, std::byte* value) {
   text.skip_blanks();
   const char* const start = text.position();
   float single = 0;
-  if (type == PlyType::kFloat64) {
+  if (type == PlyType::kFloat64 || is_long(type)) {
     double number = 0;
     if (!text.read_double(number)) return false;
     std::memcpy(value, &number, sizeof(number));

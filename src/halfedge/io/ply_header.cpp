@@ -1,3 +1,4 @@
+#include <halfedge/inlining.h>
 #include <halfedge/io/ply_header.h>
 #include <halfedge/io/readers.h>
 #include <halfedge/sentence.h>
@@ -11,12 +12,15 @@ namespace {
 
 std::optional<PlyType> type_of(std::string_view name) {
   constexpr std::pair<std::string_view, PlyType> kTypes[] = {
-      {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},       {"uchar", PlyType::kUint8},
-      {"uint8", PlyType::kUint8},    {"short", PlyType::kInt16},     {"int16", PlyType::kInt16},
-      {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16},   {"int", PlyType::kInt32},
-      {"int32", PlyType::kInt32},    {"uint", PlyType::kUint32},     {"uint32", PlyType::kUint32},
-      {"float", PlyType::kFloat32},  {"float32", PlyType::kFloat32}, {"double", PlyType::kFloat64},
-      {"float64", PlyType::kFloat64}};
+      {"char", PlyType::kInt8},      {"int8", PlyType::kInt8},
+      {"uchar", PlyType::kUint8},    {"uint8", PlyType::kUint8},
+      {"short", PlyType::kInt16},    {"int16", PlyType::kInt16},
+      {"ushort", PlyType::kUint16},  {"uint16", PlyType::kUint16},
+      {"int", PlyType::kInt32},      {"int32", PlyType::kInt32},
+      {"uint", PlyType::kUint32},    {"uint32", PlyType::kUint32},
+      {"int64", PlyType::kInt64},    {"uint64", PlyType::kUint64},
+      {"float", PlyType::kFloat32},  {"float32", PlyType::kFloat32},
+      {"double", PlyType::kFloat64}, {"float64", PlyType::kFloat64}};
   for (const auto& [known, type] : kTypes) {
     if (known == name) return type;
   }
@@ -274,6 +278,21 @@ const PlyProperty* PlyElement::vertex_list() const {
     only = &property;
   }
   return only;
+}
+
+HALFEDGE_COLD std::string PlyElement::name_of(const std::vector<bool>& which) const {
+  constexpr std::size_t kNamed = 8;
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < properties.size(); ++k) {
+    if (which[k] && count++ < kNamed) {
+      names += (count == 1 ? "" : ", ") + quoted(properties[k].name);
+    }
+  }
+  if (count == 0) return {};
+  if (count > kNamed) names += sentence::of(" and {} more", count - kNamed);
+  return sentence::of("{}{} of {}", count == 1 ? "the property " : "the properties ", names,
+                      quoted(name));
 }
 
 const PlyElement* PlyHeader::find(std::string_view element) const {

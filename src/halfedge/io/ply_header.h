@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,16 +20,22 @@ enum class PlyType : std::uint8_t {
   kUint16,
   kInt32,
   kUint32,
+  kInt64,
+  kUint64,
   kFloat32,
   kFloat64
 };
 
 /// The bytes of a value in a binary file.
 [[nodiscard]] constexpr std::size_t size_of(PlyType type) {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 [[nodiscard]] constexpr bool is_integer(PlyType type) { return type < PlyType::kFloat32; }
+/// An integer of 64 bits, which attributes hold as a double.
+[[nodiscard]] constexpr bool is_long(PlyType type) {
+  return type == PlyType::kInt64 || type == PlyType::kUint64;
+}
 
 /// Names are views of the file.
 struct PlyProperty {
@@ -48,6 +55,9 @@ struct PlyElement {
   /// The list of the vertices of each row, under either of its usual names, or else the only list
   /// of integers; or null.
   [[nodiscard]] const PlyProperty* vertex_list() const;
+  /// Some of the properties, the first few by name: `the property "a" of "vertex"`. Empty if there
+  /// is none.
+  [[nodiscard]] std::string name_of(const std::vector<bool>& which) const;
 };
 
 enum class PlyEncoding : std::uint8_t { kText, kLittleEndian, kBigEndian };

@@ -185,24 +185,25 @@ bool PlyReader<Source>::skip_rows(const PlyElement& element) {
   return true;
 }
 
-/// Says which properties of an element nobody reads: the first few by name.
+/// Says which properties of an element nobody reads, and which change their type.
 template <class Source>
 void PlyReader<Source>::note_unread(const PlyElement& element,
                                     std::span<const PlyProperty* const> read) {
-  constexpr std::size_t kNamed = 8;
-  std::string names;
-  std::size_t count = 0;
-  for (const PlyProperty& property : element.properties) {
-    const auto k = static_cast<std::size_t>(&property - element.properties.data());
-    if (k < targets_.size() && targets_[k].column != PlyTarget::kNowhere) continue;
-    if (std::find(read.begin(), read.end(), &property) != read.end()) continue;
-    if (count++ < kNamed) names += (count == 1 ? "" : ", ") + quoted(property.name);
+  std::vector<bool> unread(element.properties.size());
+  std::vector<bool> changed(element.properties.size());
+  for (std::size_t k = 0; k < element.properties.size(); ++k) {
+    const PlyProperty& property = element.properties[k];
+    const bool is_kept = k < targets_.size() && targets_[k].column != PlyTarget::kNowhere;
+    unread[k] = !is_kept && std::find(read.begin(), read.end(), &property) == read.end();
+    changed[k] = is_kept && is_long(property.type);
   }
-  if (count == 0 || element.count == 0) return;
-  if (count > kNamed) names += sentence::of(" and {} more", count - kNamed);
-  notes_.push_back(sentence::of("{}{} of {}",
-                                count == 1 ? "ignored the property " : "ignored the properties ",
-                                names, quoted(element.name)));
+  if (element.count == 0) return;
+  if (const std::string names = element.name_of(unread); !names.empty()) {
+    notes_.push_back("ignored " + names);
+  }
+  if (const std::string names = element.name_of(changed); !names.empty()) {
+    notes_.push_back("read " + names + ", integers of 64 bits, as doubles");
+  }
 }
 
 template <class Source>

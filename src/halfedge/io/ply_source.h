@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,7 @@ class PlyText {
  public:
   PlyText(std::span<const std::uint8_t> bytes, std::size_t offset, std::uint64_t rows)
       : text_(bytes), data_(text_), rows_(rows) {
-    data_.move_to(reinterpret_cast<const char*>(bytes.data()) + offset);
+    data_.move_to(reinterpret_cast<const char*>(bytes.data()) + std::min(offset, bytes.size()));
     text_ = data_;
   }
 
@@ -189,7 +190,7 @@ class PlyBinary {
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     if (room(type) == 0) return false;
     const ByteScanner start = bytes_;
-    const double number = take(type);  // holds whatever 32 bits hold
+    const double number = take(type);  // of 64 bits, one far out of range may be rounded
     if (number >= -0x1p32 && number <= 0x1p32) {
       value = static_cast<std::int64_t>(number);
       if (static_cast<double>(value) == number) return true;
@@ -199,6 +200,11 @@ class PlyBinary {
   }
   [[nodiscard]] bool read(PlyType type, std::byte* value) {
     if (room(type) == 0) return false;
+    if (is_long(type)) {
+      const double number = take_long(type);
+      std::memcpy(value, &number, sizeof(number));
+      return true;
+    }
     copy_numbers({bytes_.position(), 0}, {reinterpret_cast<std::uint8_t*>(value), 0}, 1,
                  size_of(type), kIsReversed);
     bytes_.skip(size_of(type));
@@ -252,12 +258,21 @@ class PlyBinary {
         return bytes_.take<std::int32_t, kOrder>();
       case PlyType::kUint32:
         return bytes_.take<std::uint32_t, kOrder>();
+      case PlyType::kInt64:
+      case PlyType::kUint64:
+        return take_long(type);
       case PlyType::kFloat32:
         return static_cast<double>(bytes_.take<float, kOrder>());
       case PlyType::kFloat64:
         return bytes_.take<double, kOrder>();
     }
     return 0;
+  }
+
+  HALFEDGE_NOINLINE double take_long(PlyType type) {
+    const auto number = bytes_.take<std::int64_t, kOrder>();
+    return type == PlyType::kInt64 ? static_cast<double>(number)
+                                   : static_cast<double>(static_cast<std::uint64_t>(number));
   }
 
   ByteScanner bytes_;

@@ -62,6 +62,7 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
   for (const PlyProperty& property : element.properties) {
     const bool is_axis = property.name == "x" || property.name == "y" || property.name == "z";
     if (property.length_type || (is_axis && property.type != PlyType::kFloat32)) return false;
+    if (is_long(property.type)) return false;
     size += size_of(property.type);
   }
   ByteScanner& bytes = source_.bytes();
