@@ -13,6 +13,7 @@
 namespace halfedge {
 namespace {
 
+using namespace std::string_literals;
 using test::off_error;
 using test::parse_off;
 using test::Parsed;
@@ -172,6 +173,16 @@ TEST(Off, ReadsAnEmptyMesh) {
     EXPECT_EQ(off_error(text), "") << text;
     EXPECT_TRUE(parse_off(text).positions.empty());
     EXPECT_TRUE(parse_off(text).faces.empty());
+  }
+}
+
+TEST(Off, PassesOverWhatFillsUpATextBehindItsEnd) {
+  for (const std::string& padding : {"\0"s, "\n\0\0"s, "\x1A\0"s}) {
+    const Parsed file = parse_off("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2" + padding);
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.notes, std::vector<std::string>());
+    EXPECT_EQ(file.faces.size(), 1U);
+    EXPECT_EQ(parse_off("OFF\n0 0 0" + padding).error, "");
   }
 }
 

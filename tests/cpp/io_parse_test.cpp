@@ -121,6 +121,26 @@ TEST(Parse, RefusesUtf16AndBinary) {
             "text form");
 }
 
+// The bytes of a text, taken for those of triangles, are finite numbers of a fair size.
+TEST(Parse, DoesNotTakeATextWithNulsForBinaryStl) {
+  for (const std::string& text : {std::string(kObj), std::string(kOff)}) {
+    std::string lines;
+    while (lines.size() < 200) lines += "# 1234567\n";
+    for (const std::string& padding : {"\0"s, std::string(600, '\0'), "\x1A\0"s}) {
+      const auto file = parse(bytes_of(lines + text + padding));
+      ASSERT_TRUE(file) << file.error().message;
+      EXPECT_NE(file.value().format, Format::kStl);
+      EXPECT_EQ(file.value().soup.view().face_count(), 1U);
+      EXPECT_EQ(file.value().notes, std::vector<std::string>());
+    }
+  }
+  std::string lines;
+  while (lines.size() < 200) lines += "v 1 2 3\n";
+  EXPECT_EQ(error_of(lines + "\0 "s + lines),
+            "not-text: byte 200 is 0, which no text has: this is no OBJ, OFF, PLY or STL file in "
+            "text form");
+}
+
 TEST(Parse, NamesItsFormats) {
   EXPECT_STREQ(name_of(Format::kObj), "OBJ");
   EXPECT_STREQ(name_of(Format::kOff), "OFF");

@@ -240,6 +240,22 @@ TEST(Ply, TakesTheOnlyListOfIntegersForTheVertices) {
             error);
 }
 
+TEST(Ply, PassesOverWhatFillsUpATextBehindItsEnd) {
+  const std::string text = header("ascii");
+  for (const std::string& padding : {"\n\0"s, "\0\0"s, "\n\x1A\0"s}) {
+    const Parsed file = parse_ply(text + kRows + padding);
+    EXPECT_EQ(file.error, "");
+    EXPECT_EQ(file.notes, std::vector<std::string>());
+    EXPECT_EQ(file.faces.size(), 1U);
+    EXPECT_NE(ply_error(text + padding), "");
+    EXPECT_NE(ply_error(text.substr(0, text.size() - 1) + " #" + padding), "");
+  }
+  // As without it, a row that is too short takes nothing of the next one.
+  EXPECT_EQ(ply_error(text + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n\0"s),
+            "parse-error: line 10: expected a number for z of \"vertex\" 0 of 3, found the end of "
+            "the line");
+}
+
 TEST(Ply, NotesWhatFollows) {
   EXPECT_EQ(
       parse_ply(header("ascii") + kRows + "\nmore\n").notes,

@@ -191,6 +191,15 @@ TEST(Stl, PassesOverWhatFillsUpATextBehindItsEnd) {
   EXPECT_EQ(stl_error("solid"s + std::string(30, '\0')).substr(0, 10), "truncated:");
 }
 
+TEST(Stl, ReadsATextWhoseNameHasNuls) {
+  std::string text = kText;
+  text.insert(text.find('\n'), 3, '\0');
+  const auto file = parse(bytes_of(text));
+  ASSERT_TRUE(file) << file.error().message;
+  EXPECT_FALSE(file.value().binary);
+  EXPECT_EQ(file.value().soup.view().face_count(), 2U);
+}
+
 // Programs that write as they go begin with such a count, and some never come back to it.
 TEST(Stl, CountsTheTrianglesWhereTheHeaderHasAPlaceholder) {
   for (const std::string header : {"made by us", "solid"}) {

@@ -305,12 +305,13 @@ std::vector<std::string> OffReader::notes() {
 }  // namespace
 
 Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const Request& request) {
-  TextScanner text(bytes);
+  TextScanner text(without_padding(bytes));
   const Result<OffHeader> header = read_off_header(text);
   if (!header) return header.error();
   if (header.value().binary) {
-    return read_off_binary(bytes, bytes.size() - text.rest().size(), header.value(),
-                           request.options);
+    // Of which NULs at the end are a part.
+    const std::size_t data = without_padding(bytes).size() - text.rest().size();
+    return read_off_binary(bytes, data, header.value(), request.options);
   }
   OffReader reader(text, header.value(), request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);

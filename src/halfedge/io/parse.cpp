@@ -83,12 +83,11 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
     return Error{"unsupported-format",
                  sentence::of("this is {}, expected an OBJ, OFF, PLY or STL file", name)};
   }
-  const bool has_nul = raw.find('\0') != std::string_view::npos;
   const bool is_stl = stl == io::StlKind::kBinaryOfWrongSize || claimed == Format::kStl;
-  if (has_nul && is_stl) return Format::kStl;
   const std::size_t size = io::without_padding(bytes).size();
   const std::string_view content = size == 0 ? raw : raw.substr(0, size);
   if (const std::size_t nul = content.find('\0'); nul != std::string_view::npos) {
+    if (is_stl) return Format::kStl;
     return Error{
         "not-text",
         sentence::of(

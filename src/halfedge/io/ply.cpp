@@ -29,8 +29,8 @@ Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes, const Request& 
   const std::size_t start = header.value().size;
   switch (header.value().encoding) {
     case PlyEncoding::kText:
-      return read_rows(bytes, header.value(), PlyText(bytes, start, header.value().rows()),
-                       request);
+      return read_rows(bytes, header.value(),
+                       PlyText(without_padding(bytes), start, header.value().rows()), request);
     case PlyEncoding::kLittleEndian:
       return read_rows(bytes, header.value(), PlyBinary<ByteOrder::kLittle>(bytes, start), request);
     case PlyEncoding::kBigEndian:

@@ -15,6 +15,7 @@ namespace {
 /// as a text does.
 bool looks_binary(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLooked = 1024;
+  if (bytes.size() >= kStlStart && count_is_text(bytes)) return false;
   const std::string_view text = TextScanner(bytes).rest();
   const std::string_view lines = TextScanner(without_padding(bytes)).rest();
   const bool is_padded = lines.find_first_of("\r\n") != std::string_view::npos;

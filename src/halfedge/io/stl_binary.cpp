@@ -93,10 +93,17 @@ void add_notes(std::span<const std::uint8_t> bytes, std::size_t count, ParsedFil
 
 }  // namespace
 
+bool count_is_text(std::span<const std::uint8_t> bytes) {
+  const std::span<const std::uint8_t> count = bytes.subspan(kStlHeader, kStlStart - kStlHeader);
+  return std::all_of(count.begin(), count.end(), [](std::uint8_t byte) {
+    return (byte >= ' ' && byte <= '~') || (byte >= '\t' && byte <= '\r');
+  });
+}
+
 bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kLooked = 16;
   constexpr float kNothing = 1e-30F;
-  if (bytes.size() < kStlStart + kStlTriangle) return false;
+  if (bytes.size() < kStlStart + kStlTriangle || count_is_text(bytes)) return false;
   const std::size_t room = (bytes.size() - kStlStart) / kStlTriangle;
   const std::uint64_t announced = announced_triangles(bytes);
   const std::size_t looked =

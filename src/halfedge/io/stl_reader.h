@@ -25,6 +25,10 @@ inline constexpr std::size_t kStlTriangle = 50;  // normal, three corners, two b
   return load<std::uint32_t, ByteOrder::kLittle>(bytes.data() + kStlHeader);
 }
 
+/// Whether that number is four letters, digits or blanks of a text: no file has so many triangles.
+/// pre: kStlStart bytes
+[[nodiscard]] bool count_is_text(std::span<const std::uint8_t> bytes);
+
 /// Whether the letters are those of `word`, in lower case, in any case.
 [[nodiscard]] inline bool is_word(std::string_view text, std::string_view word) {
   if (text.size() != word.size()) return false;
