@@ -44,9 +44,16 @@ val strings_of(const std::vector<std::string>& strings) {
   return list;
 }
 
+/// A letter for each byte: what a file spells in is for JavaScript to find out.
 val names_of(const ParsedFile& file) {
   val names = val::object();
-  for (const SoupNames& table : file.names) names.set(table.attribute, strings_of(table.names));
+  for (const SoupNames& table : file.names) {
+    val list = val::array();
+    for (const std::string& name : table.names) {
+      list.call<void>("push", std::basic_string<unsigned char>(name.begin(), name.end()));
+    }
+    names.set(table.attribute, list);
+  }
   return names;
 }
 

@@ -64,6 +64,18 @@ describe('attributes of files', () => {
     },
   );
 
+  test.each(['utf8', 'latin1'] as const)('have the names of a file in %s', (encoding) => {
+    const names = ['Grün', 'é', 'Österreichische Stahlträger', 'aÿ', 'plain'];
+    const lines = names.map((name, i) => `usemtl ${name}\nf ${i + 1} ${i + 2} ${i + 3}\n`);
+    const text = `mtllib Möbel.mtl\n${'v 0 0 0\n'.repeat(7)}${lines.join('')}`;
+    const data = Uint8Array.from(Buffer.from(text, encoding));
+    const { mesh, report } = HalfedgeMesh.parse(data);
+    expect(report.names).toEqual({ material: ['', ...names], library: ['Möbel.mtl'] });
+    expect(HalfedgeMesh.parseSoup(data).names).toEqual(report.names);
+    const again = mesh.write('obj', { names: report.names });
+    expect(HalfedgeMesh.parse(again).report.names).toEqual(report.names);
+  });
+
   test('come back in OBJ, with names and seams', () => {
     const mesh = sample();
     mesh.attributes.add('vertex', 'color', { components: 3 });

@@ -142,6 +142,7 @@ export interface RawCore {
         mesh: number;
         format: number;
         notes: string[];
+        /** With a letter for each byte. */
         names: Record<string, string[]>;
       } & Partial<RawRepair>)
     | RawFailure;
@@ -158,6 +159,7 @@ export interface RawCore {
         sizes: RawWords;
         corners: RawWords;
         attributes: RawColumn[];
+        /** With a letter for each byte. */
         names: Record<string, string[]>;
         format: number;
         notes: string[];

@@ -14,6 +14,7 @@ import {
   claimOf,
   type FileFormat,
   FORMATS,
+  namesIn,
   type ParseOptions,
 } from './parse.js';
 import { sentence, unwrap } from './reports.js';
@@ -93,7 +94,7 @@ export function parseSoup(data: unknown, options: unknown): FileSoup {
       positions,
       faces: { sizes, corners },
       attributes: columns.map((column) => attributeOf(wasm, column, counts[column.item])),
-      names: file.names,
+      names: namesIn(file.names),
       format: FORMATS[file.format],
       notes: file.notes.map(sentence),
     };

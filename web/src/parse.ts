@@ -79,8 +79,27 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
     const notes = done.notes.map(sentence);
     const format = FORMATS[done.format];
     const report = fileReport(format.toUpperCase(), links, found, notes);
-    return { links, report: { ...report, format, names: done.names } };
+    return { links, report: { ...report, format, names: namesIn(done.names) } };
   });
+}
+
+/**
+ * The names of a file, of which the core gives a letter for each byte: of UTF-8 or, where that is none, of
+ * Latin-1, as older programs write.
+ */
+export function namesIn(raw: AttributeNames): AttributeNames {
+  const decoder = new TextDecoder('utf-8', { fatal: true });
+  const decoded = (name: string) => {
+    if (!/[^\0-\x7f]/.test(name)) return name;
+    try {
+      return decoder.decode(Uint8Array.from(name, (letter) => letter.charCodeAt(0)));
+    } catch {
+      return name;
+    }
+  };
+  return Object.fromEntries(
+    Object.entries(raw).map(([attribute, names]) => [attribute, names.map(decoded)]),
+  );
 }
 
 export function checkParseOptions(options: ParseOptions) {
