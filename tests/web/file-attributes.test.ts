@@ -166,6 +166,20 @@ describe('attributes of files', () => {
     mesh.dispose();
   });
 
+  test('of OBJ have names without control characters, and a note says of how many', () => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' }).set([1, 2, 3]);
+    const notes: string[] = [];
+    const names = { material: ['', 'a\nb', 'c\0d', 'e\tf', 'unused\n'] };
+    const text = mesh.write('obj', { names, onNote: (note) => notes.push(note) });
+    expect(text.match(/usemtl.*/g)?.slice(0, 3)).toEqual([
+      'usemtl a_b',
+      'usemtl c_d',
+      'usemtl e_f',
+    ]);
+    expect(notes[0]).toContain(' with 3 of its 3 names changed: control characters');
+  });
+
   test('are left out on demand', () => {
     const mesh = sample();
     mesh.attributes.add('vertex', 'quality');

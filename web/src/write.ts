@@ -98,7 +98,8 @@ function textOf(names: unknown): Uint8Array {
     if (!Array.isArray(list) || !list.every((name) => typeof name === 'string')) {
       refuse(`options.names.${attribute}`, list, 'strings');
     }
-    const words = [attribute, ...list].map((word) => `${word.replace(/[\0\n]/g, '_')}\n`);
+    // Of the control characters, of which the core makes _ and says so, these two end words.
+    const words = [attribute, ...list].map((word) => `${word.replace(/[\0\n]/g, '\x01')}\n`);
     text += `${words.join('')}\0`;
   }
   return new TextEncoder().encode(text);
