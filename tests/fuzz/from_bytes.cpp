@@ -56,7 +56,7 @@ bool is_read(std::span<const std::uint8_t> bytes) {
   EXPECT_TRUE(std::equal(written.value().begin(), written.value().end(), rewritten.value().begin(),
                          rewritten.value().end()));
   // Whatever it is beyond that, it can be asked about, and added to.
-  (void)validate(mesh);
+  (void)validate(mesh, kGeometryLevel);
   (void)boundary_loops(mesh);
   expect_mendable(again, bytes);
   const Vertex v = mesh.new_vertex();

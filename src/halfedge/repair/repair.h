@@ -96,7 +96,8 @@ struct RepairReport {
 /// - Vertices are welded, if asked for. Faces that can't be are dropped: indices out of range,
 ///   positions that aren't finite, fewer than three different corners. Where a face comes back to a
 ///   vertex (a polygon with a hole and a bridge to it), it is kept and the vertex doubled.
-/// - Of faces with the same vertices, in either orientation, one is kept.
+/// - Of faces with the same vertices, in either orientation, one is kept; both, where two close a
+///   pillow by themselves.
 /// - The faces of each component are turned to agree with the majority, or with the outside of a
 ///   closed component if the votes are equal. A one-sided surface is cut along the fewest edges
 ///   found.
