@@ -202,6 +202,20 @@ TEST(Write, RefusesWhatAFormatCannotHold) {
   EXPECT_EQ(file.positions[13], std::numeric_limits<float>::infinity());
 }
 
+TEST(Write, SaysWhichVerticesReadersWillNotHave) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  Mesh mesh = built({0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5}, {{0, 1, 2}});
+  std::vector<std::string> notes;
+  ASSERT_TRUE(write(mesh, Format::kStl, {.notes = &notes}));
+  EXPECT_EQ(notes,
+            std::vector<std::string>{"left out 1 vertex without faces: STL has no place for it"});
+  notes.clear();
+  mesh.set_position(Vertex(3), {nan, 0, 0});
+  ASSERT_TRUE(write(mesh, Format::kObj, {.notes = &notes}));
+  EXPECT_EQ(notes, std::vector<std::string>{
+                       "wrote 1 vertex whose position isn't finite: readers leave it out"});
+}
+
 TEST(Write, RefusesACorruptMesh) {
   for (const Index wrong : {Index{6}, kNone, Index{1000000}}) {
     Mesh mesh = built(kPositions, kFaces);

@@ -116,17 +116,40 @@ describe('write', () => {
       made.dispose();
       return notes;
     };
-    // Tetrahedra that touch in a point; the last vertex is isolated, and isn't written.
+    // Tetrahedra that touch in a point; further vertices are isolated, and not written.
     const tips = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, -0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1];
     const both = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 4, 5, 6, 4, 7, 5, 4, 6, 7, 5, 7, 6];
     const one = 'Wrote 1 vertex in the same place as another, with which readers of STL join it.';
-    expect(notesOf([...tips, 0, 0, 0], both)).toEqual([one]);
+    const left = 'Left out 1 vertex without faces: STL has no place for it.';
+    expect(notesOf([...tips, 0, 0, 0], both)).toEqual([left, one]);
+    const more = 'Left out 2 vertices without faces: STL has no place for them.';
+    expect(notesOf([...tips, 0, 0, 0, 1, 1, 1], both)).toEqual([more, one]);
     expect(notesOf(tips, both, 'ply')).toEqual([]);
     expect(notesOf(tips.slice(0, 12), both.slice(0, 12))).toEqual([]);
     const twins = [0, 0, 0, 1, 0, 0, 0, 1, 0];
     expect(notesOf([...twins, ...twins], [0, 1, 2, 3, 5, 4])).toEqual([
       'Wrote 3 vertices in the same place as others, with which readers of STL join them.',
     ]);
+  });
+
+  test('notes positions that readers leave out', () => {
+    const notesOf = (format: FileFormat) => {
+      const notes: string[] = [];
+      made.write(format, { onNote: (sentence) => notes.push(sentence) });
+      return notes;
+    };
+    using made = HalfedgeMesh.cube();
+    made.positions[7] = Number.NaN;
+    for (const format of ['obj', 'off', 'ply'] as const) {
+      const one = "Wrote 1 vertex whose position isn't finite: readers leave it out.";
+      expect(notesOf(format)).toEqual([one]);
+    }
+    made.positions.fill(Number.POSITIVE_INFINITY, 0, 4);
+    expect(notesOf('ply')).toEqual([
+      "Wrote 3 vertices whose positions aren't finite: readers leave them out.",
+    ]);
+    made.positions.fill(0);
+    expect(notesOf('off')).toEqual([]);
   });
 
   test('takes the bytes of a mesh without prev', () => {

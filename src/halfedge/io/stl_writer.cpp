@@ -212,7 +212,7 @@ std::optional<Error> check_stl(const LiveMesh& mesh, std::span<const Index> used
   return std::nullopt;
 }
 
-bool note_joined_vertices(const LiveMesh& mesh, std::span<const Index> used) {
+bool note_vertices(const LiveMesh& mesh, std::span<const Index> used) {
   Array<std::uint8_t> seen;
   Array<float> places;
   if (!seen.resize(mesh.vertex_slots(), 0)) return false;
@@ -223,6 +223,11 @@ bool note_joined_vertices(const LiveMesh& mesh, std::span<const Index> used) {
     if (!places.push_back(p[0]) || !places.push_back(p[1]) || !places.push_back(p[2])) return false;
   }
   const std::size_t vertices = places.size() / 3;
+  const std::size_t isolated = mesh.vertex_count() - vertices;
+  if (isolated > 0) {
+    mesh.note(sentence::of("left out {} without faces: STL has no place for {}",
+                           sentence::count_of(isolated, "vertex"), isolated == 1 ? "it" : "them"));
+  }
   PositionTable table;
   Array<float> distinct;
   Array<Index> indices;

@@ -6,12 +6,26 @@
 #include <halfedge/io/stl_writer.h>
 #include <halfedge/sentence.h>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
 namespace halfedge {
 namespace io {
 namespace {
+
+void note_positions(const LiveMesh& mesh) {
+  std::size_t lost = 0;
+  mesh.for_each_vertex([&](Index v) {
+    const float* const p = mesh.position(v);
+    lost += std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) ? 0U : 1U;
+  });
+  if (lost == 0) return;
+  mesh.note(sentence::of(
+      "wrote {} whose {}: readers leave {} out", sentence::count_of(lost, "vertex"),
+      lost == 1 ? "position isn't finite" : "positions aren't finite", lost == 1 ? "it" : "them"));
+}
 
 /// False if the format has no such encoding.
 bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
@@ -63,8 +77,9 @@ Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format
                                                      : " has no big-endian form")};
   }
   if (out.out_of_memory()) return io::no_memory_for_a_file();
+  if (format != Format::kStl && options.notes != nullptr) io::note_positions(mesh);
   if (format == Format::kStl && options.notes != nullptr &&
-      !io::note_joined_vertices(mesh, source.faces.items.span())) {
+      !io::note_vertices(mesh, source.faces.items.span())) {
     return io::no_memory_for_a_file();
   }
   if (format != Format::kPly) {
