@@ -30,6 +30,11 @@ const hit: FaceHit | null = new MeshPicker(object).cast(new Ray(new Vector3(0.1,
 const back = toBufferGeometry(mesh);
 const faces: Uint32Array = back.faces;
 console.log(maps.vertices.length, mesh.faceCount, bytes > 0, faces.length, object.children.length, hit?.distance);
+/** Options that are handed on, given or not. */
+export const view = (weld?: number, normals?: 'flat', color?: number) => {
+  const shown = fromBufferGeometry(geometry, { weld }).mesh;
+  return [new MeshGeometry(shown, { normals }), new HalfedgesHelper(shown, { color })];
+};
 // @ts-expect-error There are three ways to make normals.
 toBufferGeometry(mesh, { normals: 'soft' });
 // @ts-expect-error A mesh is no geometry.

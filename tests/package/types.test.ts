@@ -64,6 +64,15 @@ export function edit(mesh: HalfedgeMesh, e: Edge): Vertex | Refusal {
   return mesh.checkSplitEdge(e) ?? mesh.history.group(() => mesh.splitEdge(e, new Float32Array(3)));
 }
 
+/** Options that are handed on, given or not. */
+export async function handOn(file: Blob, signal?: AbortSignal, format?: 'obj' | 'ply', size?: number): Promise<HalfedgeMesh> {
+  const { mesh } = await parseInWorker(file, { signal, format });
+  mesh.stitchBoundaries({ tolerance: size });
+  mesh.write('ply', { encoding: undefined });
+  mesh.attributes.add('vertex', 'weight', { default: size, onSplit: undefined });
+  return size === 0 ? mesh : HalfedgeMesh.cube({ size });
+}
+
 declare const mesh: HalfedgeMesh;
 declare const someFace: Face;
 // Each of these must be an error, or tsc objects to the directive above it.
@@ -132,7 +141,8 @@ describe('The types, installed, under strict,', () => {
 
   test('serve a consumer in Node, without the types of the browser', async () => {
     // Of all that Node's own types declare, ours need this; to check those too would take seconds.
-    const url = 'declare global { class URL { constructor(address: string); href: string; } }';
+    const url =
+      'declare global { class URL { constructor(address: string); href: string; } interface AbortSignal {} interface Blob {} }';
     const options = { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'] };
     expect(await compile('types-nodenext', options, url + consumer)).toBe('');
   });

@@ -225,6 +225,14 @@ async function inWorker<T>(use: (worker: ReturnType<typeof createMeshWorker>) =>
   }
 }
 
+/** The texts of all declarations of the package. */
+function declarations(): string[] {
+  const dist = new URL('../../dist/', import.meta.url);
+  return readdirSync(dist, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('.d.ts'))
+    .map((path) => readFileSync(new URL(path, dist), 'utf8'));
+}
+
 /** What a call throws, at once or later. */
 async function errorOf(call: () => unknown): Promise<unknown> {
   try {
@@ -279,18 +287,32 @@ describe('A misspelt option', () => {
   });
 
   test('is looked for wherever there are options', () => {
-    const dist = new URL('../../dist/', import.meta.url);
     const known = new Set(CASES.map(([, type]) => type));
     const others = ['EditorOptions', 'InitOptions', 'RunOptions']; // of init.test.ts, and internal
-    const found = readdirSync(dist, { recursive: true, encoding: 'utf8' })
-      .filter((path) => path.endsWith('.d.ts'))
-      .flatMap((path) => [
-        ...readFileSync(new URL(path, dist), 'utf8').matchAll(
-          /\b(?:options|limits)\??: ((?:\w+ & )*)(\w+(?:Options|Limits))\b/g,
-        ),
+    const found = declarations()
+      .flatMap((text) => [
+        ...text.matchAll(/\b(?:options|limits)\??: ((?:\w+ & )*)(\w+(?:Options|Limits))\b/g),
       ])
       .map(([, , type]) => type);
     expect(found.length).toBeGreaterThan(60);
     expect([...new Set(found)].filter((type) => !known.has(type)).sort()).toEqual(others);
   });
+});
+
+/** Interfaces of options, also those that others extend; and lists of items, which may be left out as well. */
+const INTERFACE =
+  /^export interface (\w+(?:Options|Limits|Resources|Decoders)|Items)\b[^{]*\{\n(.*?)^\}/gms;
+
+test('An option that is undefined counts as not given for the compiler, too', () => {
+  const interfaces = declarations().flatMap((text) => [...text.matchAll(INTERFACE)]);
+  const options = interfaces
+    .filter(([, type]) => type !== 'EditorOptions' && type !== 'RunOptions')
+    .flatMap(([, type, body]) =>
+      [...body.matchAll(/^ {4}(?:readonly )?(\w+)\?: (.*);$/gm)].map(
+        ([, name, value]) => [`${type}.${name}`, value] as const,
+      ),
+    );
+  expect(options.length).toBeGreaterThan(80);
+  const strict = options.filter(([, value]) => !value.endsWith(' | undefined'));
+  expect(strict).toEqual([]);
 });

@@ -174,6 +174,25 @@ test('ProblemsHelper takes any part of a witness, and refuses what is no problem
   );
 });
 
+test.each([
+  ['HalfedgesHelper', 1.5, (o: object) => new HalfedgesHelper(HalfedgeMesh.cube(), o)],
+  ['BoundaryLoopsHelper', 2.25, (o: object) => new BoundaryLoopsHelper(HalfedgeMesh.cube(), o)],
+  [
+    'CirculatorHelper',
+    2.5,
+    (o: object) => new CirculatorHelper(HalfedgeMesh.cube(), 'vertexFaces', 0, o),
+  ],
+  ['ProblemsHelper', 3.5, (o: object) => new ProblemsHelper(HalfedgeMesh.cube(), o)],
+])('%s has lines of %d pixels, also where linewidth is undefined', (_, width, make) => {
+  const widthOf = (options: object) => {
+    const [lines] = make(options).children as LineSegments2[];
+    return lines.material.linewidth;
+  };
+  expect(widthOf({})).toBe(width);
+  expect(widthOf({ linewidth: undefined })).toBe(width);
+  expect(widthOf({ linewidth: 4 })).toBe(4);
+});
+
 test('A ray that hits the surface does not hit the helpers upon it', () => {
   const mesh = HalfedgeMesh.cube({ size: 2 });
   const object = new THREE.Mesh(new MeshGeometry(mesh));

@@ -37,13 +37,13 @@ export type AttributeView<Type extends AttributeType = AttributeType> = Instance
 /** What is said of an attribute when it is added. */
 export interface AttributeOptions<Type extends AttributeType = AttributeType> {
   /** Default: 'float32'. */
-  type?: Type;
+  type?: Type | undefined;
   /** Numbers for each item, 1 to 16. Default: 1. */
-  components?: number;
+  components?: number | undefined;
   /** The value of new items: one number, for all components, or one for each. Default: 0. */
-  default?: number | ArrayLike<number>;
+  default?: number | ArrayLike<number> | undefined;
   /** Default: 'interpolate'. */
-  onSplit?: OnSplit;
+  onSplit?: OnSplit | undefined;
 }
 
 const ATTRIBUTE_OPTIONS: OptionNames<AttributeOptions> = {

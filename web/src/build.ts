@@ -33,7 +33,7 @@ export interface StorageOptions {
    * bytes to a vertex of a triangle mesh), and `prev(h)` searches: it walks around the face and the
    * vertex of `h` in step, until one closes. Everything else stays as it is. Default: true.
    */
-  storePrev?: boolean;
+  storePrev?: boolean | undefined;
 }
 
 /** How to build a mesh. */
@@ -42,7 +42,7 @@ export interface BuildOptions extends StorageOptions {}
 /** How to build connectivity alone. */
 export interface FaceOptions extends StorageOptions {
   /** The vertices, where there are more than those of the faces: the others are isolated. */
-  vertexCount?: number;
+  vertexCount?: number | undefined;
 }
 
 export const STORAGE_OPTIONS: OptionNames<StorageOptions> = { storePrev: true };

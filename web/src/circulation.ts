@@ -39,12 +39,12 @@ type Shown<Kind extends CirculatorKind> =
 /** Which way a circulator goes, and where it begins. */
 export interface CirculateOptions {
   /** Default: 'ccw'. */
-  direction?: Direction;
+  direction?: Direction | undefined;
   /**
    * A halfedge to begin at: one that leaves the vertex (`vertexIncomingHalfedges` also takes one that
    * arrives there), or one of the face. Edges and loops have none.
    */
-  start?: HalfedgeLike;
+  start?: HalfedgeLike | undefined;
 }
 
 export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: true, start: true };

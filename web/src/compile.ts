@@ -19,7 +19,7 @@ export interface InitOptions {
    * An address (a `URL` or a string; in Node a string without a scheme is a file path), the bytes of
    * `core.wasm`, or a module compiled from them (such as one sent to a worker).
    */
-  wasm?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module;
+  wasm?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module | undefined;
 }
 
 /** The `wasm` of the options, whatever was passed as options. */

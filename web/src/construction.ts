@@ -24,7 +24,7 @@ import { takeMaps } from './transfer.js';
 /** What is kept by a deletion. */
 export interface DeleteOptions {
   /** Whether vertices stay that have no edge any more. Default: false, they are deleted too. */
-  keepIsolatedVertices?: boolean;
+  keepIsolatedVertices?: boolean | undefined;
 }
 
 const DELETE_OPTIONS: OptionNames<DeleteOptions> = { keepIsolatedVertices: true };

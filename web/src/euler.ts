@@ -31,7 +31,7 @@ export interface CollapseOptions {
    * Whether two faces may be left that have the same corners, glued along all edges, as of a tetrahedron.
    * Default: false.
    */
-  permissive?: boolean;
+  permissive?: boolean | undefined;
 }
 
 /**
@@ -39,8 +39,8 @@ export interface CollapseOptions {
  * the face or the boundary gains a corner. Default: a triangle, and on the boundary nothing.
  */
 export interface SplitVertexOptions {
-  left?: 'triangle' | 'corner';
-  right?: 'triangle' | 'corner';
+  left?: 'triangle' | 'corner' | undefined;
+  right?: 'triangle' | 'corner' | undefined;
 }
 
 const COLLAPSE_OPTIONS: OptionNames<CollapseOptions> = { permissive: true };

@@ -25,7 +25,7 @@ export interface FileSoupOptions extends Pick<ParseOptions, 'format' | 'attribut
    * Whether positions that an STL file repeats are one vertex. With false, corner k of triangle i is
    * vertex 3 i + k, as the file has it, which is quicker. Default: true.
    */
-  weld?: boolean;
+  weld?: boolean | undefined;
 }
 
 const FILE_SOUP_OPTIONS: OptionNames<FileSoupOptions> = {

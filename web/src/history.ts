@@ -2,14 +2,14 @@ import { checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import type { Links } from './links.js';
 import { outOfMemory } from './memory.js';
-import { checkOptions, type OptionNames } from './options.js';
+import { checkOptions, type Given, type OptionNames } from './options.js';
 
 /** How far back history reaches. */
 export interface HistoryLimits {
   /** So many steps. Default: Infinity. */
-  steps?: number;
+  steps?: number | undefined;
   /** So many bytes, 12 for each word that an edit replaced. Default: Infinity. */
-  bytes?: number;
+  bytes?: number | undefined;
 }
 
 const HISTORY_LIMITS: OptionNames<HistoryLimits> = { steps: true, bytes: true };
@@ -29,7 +29,7 @@ const HISTORY_LIMITS: OptionNames<HistoryLimits> = { steps: true, bytes: true };
 export class History {
   readonly #links: Links;
   #enabled = false;
-  #limits: Required<HistoryLimits> = { steps: Infinity, bytes: Infinity };
+  #limits: Required<Given<HistoryLimits>> = { steps: Infinity, bytes: Infinity };
 
   /** @internal */
   constructor(links: Links) {

@@ -59,25 +59,25 @@ export interface StitchOptions {
   /**
    * In the unit of positions: vertices closer than this count as one. Default: 0, those at the same position.
    */
-  tolerance?: number;
+  tolerance?: number | undefined;
 }
 
 /** How to orient components. */
 export interface OrientOptions {
   /** Open components too, so that most of their area faces away from its centre. Default: false. */
-  open?: boolean;
+  open?: boolean | undefined;
   /** Closed components inside of an odd number of others are cavities, and face inward. Default: false. */
-  nested?: boolean;
+  nested?: boolean | undefined;
 }
 
 /** Which components are too small: those that fall short in one of these. */
 export interface DropOptions {
   /** The fewest faces that a component may have: an integer, or Infinity. */
-  faces?: number;
+  faces?: number | undefined;
   /** The least share of the area of the largest component, from 0 to 1. */
-  area?: number;
+  area?: number | undefined;
   /** The least share of the longest diagonal of the box of a component, from 0 to 1. */
-  diagonal?: number;
+  diagonal?: number | undefined;
 }
 
 /** What counts as degenerate. */
@@ -86,18 +86,18 @@ export interface DegenerateOptions {
    * In the unit of positions: edges no longer than this are collapsed, and faces no wider removed. Default: 0,
    * which leaves the surface where it is.
    */
-  tolerance?: number;
+  tolerance?: number | undefined;
 }
 
 /** Which holes to fill. */
 export interface FillOptions {
   /** Boundary loops with more edges are left: an integer, or Infinity, which is the default. */
-  maxEdges?: number;
+  maxEdges?: number | undefined;
   /**
    * In degrees, between the normals of neighbours: what can only be filled with a sharper fold is left, such
    * as the outline of a flat sheet. Default: 160; 180 fills it too.
    */
-  maxAngle?: number;
+  maxAngle?: number | undefined;
 }
 
 const STITCH_OPTIONS: OptionNames<StitchOptions> = { tolerance: true };

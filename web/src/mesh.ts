@@ -205,10 +205,10 @@ export class HalfedgeMesh extends Shapes {
    * `non-finite-position` (in STL), `corrupt-connectivity`, `out-of-memory`
    */
   write(format: 'obj', options?: WriteOptions): string;
-  write(format: 'off', options?: WriteOptions & { encoding?: 'text' }): string;
+  write(format: 'off', options?: WriteOptions & { encoding?: 'text' | undefined }): string;
   write(
     format: 'ply' | 'stl',
-    options?: WriteOptions & { encoding?: 'binary' | 'binary-big-endian' },
+    options?: WriteOptions & { encoding?: 'binary' | 'binary-big-endian' | undefined },
   ): OwnBytes;
   write(format: FileFormat, options: WriteOptions & { encoding: 'text' }): string;
   write(

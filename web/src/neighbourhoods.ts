@@ -11,9 +11,9 @@ import { type Rows, take } from './rings.js';
 
 /** Some items of a mesh, in any order. */
 export interface Items {
-  readonly vertices?: ArrayLike<number>;
-  readonly edges?: ArrayLike<number>;
-  readonly faces?: ArrayLike<number>;
+  readonly vertices?: ArrayLike<number> | undefined;
+  readonly edges?: ArrayLike<number> | undefined;
+  readonly faces?: ArrayLike<number> | undefined;
 }
 
 /** Some items of a mesh, each once, in ascending order. Can be given where {@link Items} are asked for. */

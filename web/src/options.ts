@@ -21,18 +21,20 @@ export function checkOptions<Options extends object>(
   return options as Options;
 }
 
+/** Options without those that are undefined, which count as not given. */
+export type Given<Options> = { [Name in keyof Options]: Exclude<Options[Name], undefined> };
+
 /**
- * As `checkOptions`, and returns a copy for later: with what the object inherits, and without what is undefined,
- * which counts as not given.
+ * As `checkOptions`, and returns a copy for later: with what the object inherits, and without what is undefined.
  */
 export function takeOptions<Options extends object>(
   options: Options,
   names: OptionNames<Options>,
-): Options {
+): Given<Options> {
   checkOptions(options, names);
   const taken: Partial<Options> = {};
   for (const name in names) if (options[name] !== undefined) taken[name] = options[name];
-  return taken as Options;
+  return taken as Given<Options>;
 }
 
 /** Throws unless `value` is an object, and no list; returns it. */

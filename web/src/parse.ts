@@ -19,20 +19,20 @@ export const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
 /** How to read a file. */
 export interface ParseOptions extends StorageOptions, ProgressOptions {
   /** Decides where the content leaves the format open. The content is believed first. */
-  format?: FileFormat;
+  format?: FileFormat | undefined;
   /**
    * Whether faces that make no manifold are mended, as {@link HalfedgeMesh.fromSoup} does, and
    * reported; otherwise they are an error, as in a strict build. Files that need no repair give the
    * same mesh in both ways. Default: true.
    */
-  repair?: boolean;
+  repair?: boolean | undefined;
   /**
    * Whether what the file says of its vertices, corners and faces beside positions becomes
    * {@link HalfedgeMesh.attributes}: `normal`, `color`, `uv`, and what else it names. Texture
    * coordinates and normals of corners are attributes of halfedges. Left out, they cost nothing.
    * Default: true.
    */
-  attributes?: boolean;
+  attributes?: boolean | undefined;
 }
 
 export const PARSE_OPTIONS: OptionNames<ParseOptions> = {

@@ -23,9 +23,9 @@ export interface ProgressOptions {
    * Is told how much of a stage is done, from 0 to 1: of reading about every MiB. `false` cancels with
    * a HalfedgeError `cancelled`; what it throws is thrown.
    */
-  onProgress?: (fraction: number, stage: ParseStage) => unknown;
+  onProgress?: ((fraction: number, stage: ParseStage) => unknown) | undefined;
   /** Cancels: `signal.reason` is thrown. In the same thread that can only happen in `onProgress`. */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
 }
 
 export const PROGRESS_OPTIONS: OptionNames<ProgressOptions> = { onProgress: true, signal: true };

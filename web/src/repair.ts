@@ -49,9 +49,9 @@ export interface SoupOptions extends StorageOptions {
    * vertices that are joined are always closer than the tolerance; a chain of vertices that is longer
    * is cut. Default: false.
    */
-  weld?: boolean | number;
+  weld?: boolean | number | undefined;
   /** Leaves out the vertices without faces. Default: false. */
-  dropIsolated?: boolean;
+  dropIsolated?: boolean | undefined;
 }
 
 export const SOUP_OPTIONS: OptionNames<SoupOptions> = {

@@ -35,57 +35,57 @@ export type Cap = (typeof CAPS)[number];
 /** A shape with its corners on a sphere around the origin. */
 export interface SphereOptions extends StorageOptions {
   /** Default: 1. */
-  radius?: number;
+  radius?: number | undefined;
 }
 
 /** A cube around the origin. */
 export interface CubeOptions extends StorageOptions {
   /** The length of an edge. Default: 1. */
-  size?: number;
+  size?: number | undefined;
 }
 
 /** A shape around the y axis, from -height / 2 to height / 2. */
 export interface PrismOptions extends StorageOptions {
   /** Default: 1. */
-  radius?: number;
+  radius?: number | undefined;
   /** Default: 1. */
-  height?: number;
+  height?: number | undefined;
 }
 
 /** A cone, as a {@link PrismOptions} whose upper end is the apex. */
 export interface ConeOptions extends PrismOptions {
   /** Default: 'polygon'. */
-  base?: Cap;
+  base?: Cap | undefined;
 }
 
 /** Whether what has four sides is cut in two. */
 export interface QuadOptions extends StorageOptions {
   /** Default: false, which leaves quads. */
-  triangles?: boolean;
+  triangles?: boolean | undefined;
 }
 
 /** A cylinder. */
 export interface CylinderOptions extends PrismOptions, QuadOptions {
   /** Rows of faces one above the other. Default: 1. */
-  rings?: number;
+  rings?: number | undefined;
   /** Both ends. Default: 'polygon'. */
-  caps?: Cap;
+  caps?: Cap | undefined;
 }
 
 /** A sheet in the plane of x and y, around the origin. */
 export interface GridOptions extends QuadOptions {
   /** Along x. Default: 1. */
-  width?: number;
+  width?: number | undefined;
   /** Along y. Default: 1. */
-  height?: number;
+  height?: number | undefined;
 }
 
 /** A torus around the z axis. */
 export interface TorusOptions extends QuadOptions {
   /** From the centre to the middle of the tube. Default: 1. */
-  radius?: number;
+  radius?: number | undefined;
   /** The radius of the tube. Default: 0.4. */
-  tube?: number;
+  tube?: number | undefined;
 }
 
 /** A sphere of meridians and circles of latitude. */

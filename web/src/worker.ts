@@ -36,12 +36,12 @@ const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbo
 /** How a job is done. */
 export interface JobOptions {
   /** Cancels the job: its promise is rejected with `signal.reason`. */
-  signal?: AbortSignal;
+  signal?: AbortSignal | undefined;
   /**
    * Hands the buffers that were passed over to the worker instead of copying them: here they are
    * detached then. Default: false.
    */
-  transfer?: boolean;
+  transfer?: boolean | undefined;
 }
 
 /** How to make a worker. */
@@ -50,7 +50,7 @@ export interface MeshWorkerOptions {
    * Makes the worker, which has to run `halfedge/worker-thread`; called again after a job was
    * cancelled. By default one is made of the script beside this one, as all bundlers understand it.
    */
-  worker?: () => WorkerLike;
+  worker?: (() => WorkerLike) | undefined;
 }
 
 const JOB_OPTIONS: OptionNames<JobOptions> = { signal: true, transfer: true };

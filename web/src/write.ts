@@ -25,19 +25,19 @@ export interface WriteOptions {
    * order that the format is defined with: little-endian of PLY and STL, big-endian of OFF. Only PLY
    * has another.
    */
-  encoding?: FileEncoding;
+  encoding?: FileEncoding | undefined;
   /** Whether attributes are written, as far as the format has a place for them. Default: true. */
-  attributes?: boolean;
+  attributes?: boolean | undefined;
   /**
    * The words for the numbers of the face attributes `group`, `object` and `material` in OBJ, as the report
    * of reading it has them. Without them numbers are written.
    */
-  names?: AttributeNames;
+  names?: AttributeNames | undefined;
   /**
    * Called with a sentence for each attribute that isn't in the file, or not as it was; and with one if
    * vertices lie in the same place, which readers of STL join.
    */
-  onNote?: (sentence: string) => void;
+  onNote?: ((sentence: string) => void) | undefined;
 }
 
 const WRITE_OPTIONS: OptionNames<WriteOptions> = {

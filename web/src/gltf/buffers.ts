@@ -7,9 +7,11 @@ import type { GltfDocument, GltfView } from './document.js';
 /** Where the other files of a document come from. */
 export interface GltfResources {
   /** The address of the file, that others are named relative to. */
-  readonly baseUrl?: URL | string;
+  readonly baseUrl?: URL | string | undefined;
   /** Gets the content of another file by its name in the document, instead of fetching it. */
-  readonly resource?: (uri: string) => Promise<ArrayBuffer | Uint8Array> | ArrayBuffer | Uint8Array;
+  readonly resource?:
+    | ((uri: string) => Promise<ArrayBuffer | Uint8Array> | ArrayBuffer | Uint8Array)
+    | undefined;
 }
 
 /** More than any stride: three.js reads the last row of interleaved data with what lies behind it. */

@@ -73,7 +73,7 @@ export function writeGltf(
 ): Promise<string>;
 export function writeGltf(
   mesh: HalfedgeMesh,
-  options?: WriteGltfOptions & { format?: 'glb' },
+  options?: WriteGltfOptions & { format?: 'glb' | undefined },
 ): Promise<OwnBytes>;
 export function writeGltf(
   mesh: HalfedgeMesh,

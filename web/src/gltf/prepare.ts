@@ -4,9 +4,9 @@ import type { GltfDocument, GltfNode, GltfPrimitive } from './document.js';
 /** What can read compressed geometry. */
 export interface GltfDecoders {
   /** three.js's DRACOLoader, for KHR_draco_mesh_compression. */
-  readonly dracoLoader?: object;
+  readonly dracoLoader?: object | undefined;
   /** MeshoptDecoder, for EXT_meshopt_compression. */
-  readonly meshoptDecoder?: object;
+  readonly meshoptDecoder?: object | undefined;
 }
 
 const DRACO = 'KHR_draco_mesh_compression';

@@ -22,12 +22,12 @@ export interface ReadGltfOptions extends SoupOptions, GltfResources, GltfDecoder
    * As `HalfedgeMesh.fromSoup`; here exact welding is the default, because buffers double the vertices
    * along the seams of normals, colours and texture coordinates.
    */
-  weld?: boolean | number;
+  weld?: boolean | number | undefined;
   /**
    * Whether faces that make no manifold are mended, and reported; otherwise they are an error.
    * Default: true.
    */
-  repair?: boolean;
+  repair?: boolean | undefined;
 }
 
 const READ_GLTF_OPTIONS: OptionNames<ReadGltfOptions> = {

@@ -13,9 +13,9 @@ import { checkPositions, writableBuffers } from './writable.js';
 /** How to write a glTF file. */
 export interface WriteGltfOptions {
   /** `'glb'`, or `'gltf'` for JSON with the buffers in it. Default: 'glb'. */
-  format?: 'glb' | 'gltf';
+  format?: 'glb' | 'gltf' | undefined;
   /** Called with a sentence for each thing that isn't in the file, or not as it was. */
-  onNote?: (sentence: string) => void;
+  onNote?: ((sentence: string) => void) | undefined;
 }
 
 const WRITE_GLTF_OPTIONS: OptionNames<WriteGltfOptions> = { format: true, onNote: true };

@@ -18,9 +18,9 @@ export interface GeometryOptions {
    * `'smooth'`: those of the attribute `normal`, or else by vertex, the mean of its faces by area;
    * `'flat'`: those of the faces; `'none'`. Default: 'smooth'.
    */
-  normals?: NormalOption;
+  normals?: NormalOption | undefined;
   /** The names of the attributes of vertices and halfedges to show. Default: all. */
-  attributes?: readonly string[];
+  attributes?: readonly string[] | undefined;
 }
 
 export const GEOMETRY_OPTIONS: OptionNames<GeometryOptions> = { normals: true, attributes: true };

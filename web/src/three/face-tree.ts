@@ -31,9 +31,9 @@ export interface FaceTreeOptions {
    * Makes the worker that grows trees over many triangles, such as `newPickingWorker`: one that runs
    * `halfedge/three/picking-thread`, or null for none. Without, they are grown at once.
    */
-  worker?: () => WorkerLike | null;
+  worker?: (() => WorkerLike | null) | undefined;
   /** Fulfilled when that may begin to work, such as when a picture is drawn first. Default: at once. */
-  begin?: () => Promise<void>;
+  begin?: (() => Promise<void>) | undefined;
 }
 
 export const FACE_TREE_OPTIONS: OptionNames<FaceTreeOptions> = { worker: true, begin: true };

@@ -11,14 +11,14 @@ import { ARROW_FLOATS } from './mitre.js';
 /** What all helpers can be told. */
 export interface HelperOptions {
   /** Default: that of the helper. */
-  color?: ColorRepresentation;
-  /** In CSS pixels. Default: 1.5. */
-  linewidth?: number;
+  color?: ColorRepresentation | undefined;
+  /** In CSS pixels. Default: that of the helper, 1.5 to 3.5. */
+  linewidth?: number | undefined;
   /**
    * The length of a CSS pixel where the mesh is seen, in its own units: arrows and dashes are sized by it.
    * Default: such that a typical edge is 56 pixels long.
    */
-  pixel?: number;
+  pixel?: number | undefined;
 }
 
 export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
@@ -41,11 +41,12 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   protected readonly glyphs = new HalfedgeGlyphs(this);
   readonly #material: ReturnType<typeof lineMaterial>;
 
-  constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation) {
+  /** `color` and `width` are the defaults of the helper. */
+  constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation, width = 1.5) {
     super();
     checkObject(options);
     this.mesh = checkMesh(mesh);
-    const { linewidth = 1.5, pixel = typicalEdge(mesh) / 56 } = options;
+    const { linewidth = width, pixel = typicalEdge(mesh) / 56 } = options;
     this.pixel = checkLength('pixel', pixel);
     this.color = new Color(options.color ?? color);
     this.#material = lineMaterial(checkLength('linewidth', linewidth), 2);

@@ -21,9 +21,9 @@ const MOST_FACES = 8000;
 /** What {@link HalfedgesHelper} can be told. */
 export interface HalfedgesOptions extends HelperOptions {
   /** The colour of boundary halfedges. */
-  boundaryColor?: ColorRepresentation;
+  boundaryColor?: ColorRepresentation | undefined;
   /** Only the halfedges of these faces, and the boundary across their edges. Default: all, at most 8,000. */
-  faces?: Iterable<number>;
+  faces?: Iterable<number> | undefined;
 }
 
 const HALFEDGES_OPTIONS: OptionNames<HalfedgesOptions> = {
@@ -82,7 +82,7 @@ export class BoundaryLoopsHelper extends MeshHelper {
   override readonly type = 'BoundaryLoopsHelper' as 'Group';
 
   constructor(mesh: HalfedgeMesh, options: HelperOptions = {}) {
-    super(mesh, { linewidth: 2.25, ...checkOptions(options, HELPER_OPTIONS) }, BOUNDARY);
+    super(mesh, checkOptions(options, HELPER_OPTIONS), BOUNDARY, 2.25);
     this.update();
   }
 
@@ -97,11 +97,11 @@ export class BoundaryLoopsHelper extends MeshHelper {
 /** What {@link CirculatorHelper} can be told. */
 export interface CirculatorOptions extends HelperOptions {
   /** Default: 'ccw'. */
-  direction?: Direction;
+  direction?: Direction | undefined;
   /** How many steps of the circulator are shown. Default: one lap. */
-  steps?: number;
+  steps?: number | undefined;
   /** The colour of the step that it has come to. */
-  currentColor?: ColorRepresentation;
+  currentColor?: ColorRepresentation | undefined;
 }
 
 const CIRCULATOR_OPTIONS: OptionNames<CirculatorOptions> = {
@@ -127,7 +127,7 @@ export class CirculatorHelper extends MeshHelper {
     item: number,
     options: CirculatorOptions = {},
   ) {
-    super(mesh, { linewidth: 2.5, ...checkOptions(options, CIRCULATOR_OPTIONS) }, TRAIL);
+    super(mesh, checkOptions(options, CIRCULATOR_OPTIONS), TRAIL, 2.5);
     const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor = ARROW } = options;
     if (typeof steps !== 'number' || !(steps >= 0)) {
       throw new RangeError(`options.steps is ${describe(steps)}; expected a number from 0.`);
@@ -165,7 +165,7 @@ export class CirculatorHelper extends MeshHelper {
 /** What {@link ProblemsHelper} can be told. */
 export interface ProblemsOptions extends HelperOptions {
   /** Problems, refusals and errors, whose items are shown. Default: what `mesh.validate()` finds at each update. */
-  problems?: readonly Partial<Pick<Problem, 'kind' | 'index' | 'witness'>>[];
+  problems?: readonly Partial<Pick<Problem, 'kind' | 'index' | 'witness'>>[] | undefined;
 }
 
 const PROBLEMS_OPTIONS: OptionNames<ProblemsOptions> = { ...HELPER_OPTIONS, problems: true };
@@ -184,7 +184,7 @@ export class ProblemsHelper extends MeshHelper {
   problems: ProblemsOptions['problems'];
 
   constructor(mesh: HalfedgeMesh, options: ProblemsOptions = {}) {
-    super(mesh, { linewidth: 3.5, ...checkOptions(options, PROBLEMS_OPTIONS) }, PROBLEM);
+    super(mesh, checkOptions(options, PROBLEMS_OPTIONS), PROBLEM, 3.5);
     this.problems = options.problems;
     this.update();
   }

@@ -14,11 +14,11 @@ export type PickMode = 'auto' | ItemKind;
 /** How to pick. */
 export interface PickOptions {
   /** Default: 'auto'. */
-  mode?: PickMode;
+  mode?: PickMode | undefined;
   /** How far from a vertex, an edge or an arrow it is still meant: 1 for a mouse, 2 for a finger. Default: 1. */
-  reach?: number;
+  reach?: number | undefined;
   /** Boundary halfedges whose arrows are drawn, outside of the surface. Default: none. */
-  boundary?: Iterable<number>;
+  boundary?: Iterable<number> | undefined;
 }
 
 const PICK_OPTIONS: OptionNames<PickOptions> = { mode: true, reach: true, boundary: true };

@@ -3,7 +3,7 @@ import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import { indexOfChoice, refuse } from '../checks.js';
 import { type ItemKind, LETTERS, PLURALS } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
-import { type OptionNames, takeOptions } from '../options.js';
+import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
@@ -11,13 +11,13 @@ import { HalfedgeGlyphs } from './glyphs.js';
 /** What {@link IndexLabelsHelper} can be told. */
 export interface LabelsOptions {
   /** Of which items. Default: ['vertex']. */
-  kinds?: readonly ItemKind[];
+  kinds?: readonly ItemKind[] | undefined;
   /** So many labels at most. Default: 300. */
-  most?: number;
+  most?: number | undefined;
   /** The class of the labels, for a style sheet, beside `halfedge-vertex` and so on. Default: 'halfedge-label'. */
-  className?: string;
+  className?: string | undefined;
   /** As for the arrows that labels of halfedges stand beside: a pixel in units of the mesh. Default: 0.01. */
-  pixel?: number;
+  pixel?: number | undefined;
 }
 
 const LABELS_OPTIONS: OptionNames<LabelsOptions> = {
@@ -42,7 +42,7 @@ function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
   readonly mesh: HalfedgeMesh;
-  readonly #options: Required<LabelsOptions>;
+  readonly #options: Required<Given<LabelsOptions>>;
 
   constructor(mesh: HalfedgeMesh, options: LabelsOptions = {}) {
     super();

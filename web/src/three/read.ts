@@ -24,9 +24,9 @@ export interface FromGeometryOptions extends SoupOptions {
    * position, but for the rounding of sines and cosines (2^-21 of the largest coordinate); 0 exactly; a
    * number those closer than that; `false`: none, the index buffer as it is. Default: true.
    */
-  weld?: boolean | number;
+  weld?: boolean | number | undefined;
   /** Whether triangles that make no manifold are mended, and reported; else they are an error. Default: true. */
-  repair?: boolean;
+  repair?: boolean | undefined;
 }
 
 const FROM_GEOMETRY_OPTIONS: OptionNames<FromGeometryOptions> = { ...SOUP_OPTIONS, repair: true };

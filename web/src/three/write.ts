@@ -10,7 +10,7 @@ import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.j
 /** How to make a geometry of a mesh. */
 export interface ToGeometryOptions extends GeometryOptions {
   /** Whether the face attribute `group` becomes groups, which puts the triangles in its order. Default: true. */
-  groups?: boolean;
+  groups?: boolean | undefined;
 }
 
 /** A geometry, and what of the mesh it shows where. */
