@@ -1,4 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, init, NONE } from 'halfedge';
+import { growMemory } from './support/core.js';
 import {
   bowTie,
   build,
@@ -65,6 +66,57 @@ describe('The links', () => {
     expect(mesh.isManifoldVertex(3)).toBe(true);
     expect(mesh.findHalfedge(3, 0)).toBe(NONE);
     expect(mesh.findHalfedge(0, 3)).toBe(NONE);
+  });
+
+  test('tell live items from deleted ones, and from what was never there', () => {
+    using mesh = HalfedgeMesh.octahedron();
+    mesh.history.enabled = true;
+    const kinds = [
+      ['isLiveVertex', () => mesh.vertices()],
+      ['isLiveHalfedge', () => mesh.halfedges()],
+      ['isLiveEdge', () => mesh.edges()],
+      ['isLiveFace', () => mesh.faces()],
+    ] as const;
+    const none = [NONE, 30, 0.5, Number.NaN, -0.5, -2, 2 ** 32, Infinity];
+    const expectThese = () => {
+      for (const [isLive, items] of kinds) {
+        const found = [...Array(30).keys()].filter((i) => mesh[isLive](i));
+        expect([isLive, found]).toEqual([isLive, items().toArray()]);
+        expect([isLive, none.filter((i) => mesh[isLive](i))]).toEqual([isLive, []]);
+      }
+    };
+    expectThese();
+    mesh.deleteVertex(2);
+    expect(mesh.isLiveVertex(2)).toBe(false);
+    expectThese();
+    mesh.history.undo();
+    expectThese();
+    mesh.collapse(0);
+    growMemory();
+    expectThese();
+    mesh.compact();
+    expectThese();
+    mesh.clear();
+    expectThese();
+    expect(() => mesh.isLiveEdge('0' as never)).toThrow(
+      new TypeError('e is "0"; expected an edge, which is an integer.'),
+    );
+    mesh.dispose();
+    expect(() => mesh.isLiveFace(0)).toThrow(/disposed/);
+  });
+
+  test('let a loop that edits pass over what earlier steps have deleted', () => {
+    using mesh = HalfedgeMesh.icoSphere(2);
+    let collapsed = 0;
+    for (const e of mesh.edges().toArray()) {
+      if (!mesh.isLiveEdge(e)) continue;
+      const h = mesh.edgeHalfedge(e);
+      if (mesh.checkCollapse(h) !== null) continue;
+      mesh.collapse(h);
+      collapsed += 1;
+    }
+    expect(collapsed).toBeGreaterThan(100);
+    expect(mesh.validate()).toEqual([]);
   });
 
   test('tell a pinched vertex from the others', () => {

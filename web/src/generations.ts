@@ -2,7 +2,7 @@ import { checkFlag, refuse } from './checks.js';
 import { kindIndex } from './edit.js';
 import { HalfedgeError } from './errors.js';
 import type { ItemKind } from './items.js';
-import { checkIndex, checkItem, type Links, slotCount } from './links.js';
+import { checkIndex, checkItem, isLive, type Links, slotCount } from './links.js';
 import { unwrap } from './reports.js';
 
 /** An item as it was when the reference was made: its index, and the stamp that its slot had then. */
@@ -90,11 +90,4 @@ export class Generations {
       'This mesh stamps no items; expected `mesh.generations.enabled = true` before references are made.',
     );
   }
-}
-
-function isLive(links: Links, kind: ItemKind, index: number): boolean {
-  links.revive();
-  if (kind === 'vertex') return links.vertexHalfedge[index] >= -1;
-  if (kind === 'face') return links.faceHalfedge[index] >= 0;
-  return links.next[kind === 'edge' ? 2 * index : index] >= 0;
 }

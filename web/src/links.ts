@@ -410,3 +410,12 @@ export function checkItem(links: Links, kind: ItemKind, item: number): void {
   else if (kind === 'edge') links.checkEdge(item, 'item');
   else links.checkFace(item, 'item');
 }
+
+/** Whether there is such an item, and it was not deleted. Mends detached views on the way. */
+export function isLive(links: Links, kind: ItemKind, index: number): boolean {
+  links.revive();
+  if (!Number.isInteger(index)) return false;
+  if (kind === 'vertex') return links.vertexHalfedge[index] >= NONE;
+  if (kind === 'face') return links.faceHalfedge[index] >= NONE;
+  return links.next[kind === 'edge' ? 2 * index : index] >= NONE;
+}

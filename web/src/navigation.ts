@@ -7,11 +7,19 @@ import {
   type FaceLike,
   type Halfedge,
   type HalfedgeLike,
+  type ItemKind,
   NONE,
   type Vertex,
   type VertexLike,
 } from './items.js';
-import { type ConnectivityViews, corrupt, type Links } from './links.js';
+import {
+  type ConnectivityViews,
+  checkIndex,
+  corrupt,
+  isLive,
+  type Links,
+  slotCount,
+} from './links.js';
 
 /** The links of a mesh, for the modules of this package. */
 export let linksOf: (mesh: Navigation) => Links;
@@ -258,6 +266,29 @@ export abstract class Navigation {
     return h === NONE ? NONE : ((h >> 1) as Edge);
   }
 
+  /**
+   * Whether there is a vertex `v`, which edits may have deleted since it was found; false where no vertex has
+   * ever been, as of `NONE`. A new vertex may have taken the place of one that was deleted: see `generations`.
+   */
+  isLiveVertex(v: VertexLike): boolean {
+    return isThere(this, 'vertex', v, 'v');
+  }
+
+  /** Whether there is a halfedge `h`; as {@link isLiveVertex}. */
+  isLiveHalfedge(h: HalfedgeLike): boolean {
+    return isThere(this, 'halfedge', h, 'h');
+  }
+
+  /** Whether there is an edge `e`; as {@link isLiveVertex}. */
+  isLiveEdge(e: EdgeLike): boolean {
+    return isThere(this, 'edge', e, 'e');
+  }
+
+  /** Whether there is a face `f`; as {@link isLiveVertex}. */
+  isLiveFace(f: FaceLike): boolean {
+    return isThere(this, 'face', f, 'f');
+  }
+
   /** Whether a boundary halfedge leaves `v`; true of an isolated vertex. O(1). */
   isBoundaryVertex(v: VertexLike): boolean {
     const anchor = this.vertexHalfedge(v);
@@ -377,6 +408,14 @@ function readFaceHalfedge(mesh: Navigation, f: number): number {
 function checked(mesh: Navigation, h: number): number {
   linksOf(mesh).checkHalfedge(h);
   return h;
+}
+
+/** Whether an item is alive. Throws a sentence for what is no number. */
+function isThere(mesh: Navigation, kind: ItemKind, index: number, argument: string): boolean {
+  const links = linksOf(mesh);
+  links.checkAlive();
+  if (typeof index !== 'number') checkIndex(kind, slotCount(links, kind), index, argument);
+  return isLive(links, kind, index);
 }
 
 /** Whether `index` is a 32-bit integer. */
