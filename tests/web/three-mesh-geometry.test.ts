@@ -302,3 +302,30 @@ describe('MeshGeometry of a million faces', () => {
     mesh.dispose();
   });
 });
+
+describe('The JSON of a scene', () => {
+  test.each(LAYOUTS)('holds an ordinary geometry: %s', (_, options) => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('vertex', 'tone', { type: 'float64', components: 3, default: 0.5 });
+    mesh.attributes.add('halfedge', 'uv', { components: 2 }).fill(1, 0, 10);
+    const geometry = new MeshGeometry(mesh, options);
+    mesh.deleteFace(3);
+    mesh.poke(2, 0.5); // which the geometry doesn't know yet
+    geometry.name = 'box';
+    geometry.userData.id = 7;
+    const scene = new THREE.Scene();
+    scene.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial()));
+    const json = JSON.parse(JSON.stringify(scene.toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children as THREE.Mesh[];
+    expect(read.geometry.type).toBe('BufferGeometry');
+    expect(read.geometry.uuid).toBe(geometry.uuid);
+    expect(read.geometry.name).toBe('box');
+    expect(read.geometry.userData).toEqual({ id: 7 });
+    const expected = toBufferGeometry(mesh, { ...options, groups: false }).geometry;
+    expect(read.geometry.index?.array).toEqual(expected.index?.array);
+    expect(Object.keys(read.geometry.attributes)).toEqual(Object.keys(expected.attributes));
+    for (const name of Object.keys(expected.attributes)) {
+      expect(read.geometry.attributes[name].array).toEqual(expected.attributes[name].array);
+    }
+  });
+});

@@ -17,6 +17,7 @@ import type { RowBuffer } from './rows.js';
 import { TriangleIndex } from './triangle-index.js';
 import { liveFaces, triangulateFaces } from './triangulate.js';
 import { VertexRows } from './vertex-rows.js';
+import { toBufferGeometry } from './write.js';
 
 /** What an update has found. */
 export interface GeometryUpdate {
@@ -150,6 +151,13 @@ export class MeshGeometry extends BufferGeometry {
   /** A geometry of its own for the same mesh. */
   override clone(): this {
     return new MeshGeometry(this.mesh, this.#options) as this;
+  }
+
+  /** The mesh as it is now, as an ordinary geometry without gaps: the loaders of three.js know no other. */
+  override toJSON(): ReturnType<BufferGeometry['toJSON']> {
+    const { geometry } = toBufferGeometry(this.mesh, { ...this.#options, groups: false });
+    const { uuid, name, userData } = this;
+    return Object.assign(geometry, { uuid, name, userData }).toJSON();
   }
 
   /** Everything anew, without gaps. */
