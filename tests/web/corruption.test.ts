@@ -34,7 +34,8 @@ function askEverything(mesh: HalfedgeMesh): void {
       const items =
         isWhole || !takesItem.test(name) ? [] : name.startsWith('find') ? [i, i + 1] : [i];
       const result = member.call(mesh, ...items);
-      return typeof result === 'object' && Symbol.iterator in result ? [...result] : result;
+      if (typeof result !== 'object' || result === null) return result;
+      return Symbol.iterator in result ? [...result] : result;
     });
   }
   for (const kind of [

@@ -77,6 +77,33 @@ describe('Whatever the operation', () => {
     expect(stateOf(mesh)).toEqual(before);
   });
 
+  test('there is a check of it', () => {
+    using mesh = octahedron();
+    const names = [
+      ...Object.keys(operations),
+      'addVertex',
+      'addFace',
+      'deleteComponent',
+      'compact',
+    ];
+    names.push('cutPath', 'splitLoop', 'reverse', 'dual');
+    const checks = names.map((name) => `check${name[0].toUpperCase()}${name.slice(1)}`);
+    const missing = checks.filter((check) => !(check in mesh) && check !== 'checkSetPosition');
+    expect(missing).toEqual([]);
+    const { version } = mesh;
+    expect(mesh.checkAddVertex([0, 1, 2])).toBeNull();
+    expect(mesh.checkDeleteComponent('edge', 3)).toBeNull();
+    expect(mesh.checkCompact()).toBeNull();
+    expect(mesh.checkReverse()).toBeNull();
+    expect(mesh.checkReverseComponent(5)).toBeNull();
+    expect(mesh.version).toBe(version);
+    expect(() => mesh.checkDeleteComponent('loop' as never, 0)).toThrow('kind is "loop"');
+    expect(() => mesh.checkDeleteComponent('edge', 12)).toThrow('item is 12; expected an edge');
+    mesh.dispose();
+    expect(() => mesh.checkCompact()).toThrow(/disposed/);
+    expect(() => mesh.checkReverse()).toThrow(/disposed/);
+  });
+
   const positioned = ['addVertex', 'splitEdge', 'insertVertexOnEdge', 'splitFace', 'collapse'];
 
   test.each([...positioned, 'setPosition'])('%s refuses what is no position', (name) => {

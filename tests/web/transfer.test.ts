@@ -1,5 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { bytesInUse } from './support/core.js';
+import { expectRefused } from './support/editing.js';
 import { random } from './support/random.js';
 
 beforeAll(() => init());
@@ -146,6 +147,19 @@ describe('dual', () => {
       }),
     );
     expect(bytesInUse()).toBe(before);
+  });
+
+  test('is checked beforehand', () => {
+    using pillow = HalfedgeMesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2, 2, 1, 0]);
+    using cube = HalfedgeMesh.cube();
+    const before = bytesInUse();
+    expect(cube.checkDual()).toBeNull();
+    const refusal = pillow.checkDual();
+    expect(expectRefused(() => pillow.dual(), 'degree-below-three')).toMatchObject({ ...refusal });
+    expect(Object.keys(refusal ?? {})).toEqual(['code', 'message', 'witness']);
+    expect(bytesInUse()).toBe(before);
+    cube.dispose();
+    expect(() => cube.checkDual()).toThrow(/disposed/);
   });
 });
 

@@ -66,6 +66,13 @@ export abstract class Construction extends Circulation {
     ) as Vertex;
   }
 
+  /** Why {@link addVertex} would be refused: never, so null. */
+  checkAddVertex(position?: Position): Refusal | null {
+    linksOf(this).checkAlive();
+    checkPosition(position);
+    return null;
+  }
+
   /** A copy of the position of `v`: x, y, z. */
   position(v: VertexLike): [x: number, y: number, z: number] {
     const links = linksOf(this);
@@ -190,6 +197,15 @@ export abstract class Construction extends Circulation {
     return done(links, links.core._delete_component(links.address, modeOf(links), i, item));
   }
 
+  /** Why {@link deleteComponent} would be refused: never, so null. */
+  checkDeleteComponent(kind: ItemKind, item: number): Refusal | null {
+    const links = linksOf(this);
+    links.checkAlive();
+    kindIndex(kind);
+    checkItem(links, kind, item);
+    return null;
+  }
+
   /**
    * Deletes all components but the `count` largest, by their numbers of vertices, and all isolated vertices.
    *
@@ -216,6 +232,12 @@ export abstract class Construction extends Circulation {
     const raw = core.compact(address, modeOf(links));
     links.update();
     return takeMaps(core, unwrap(raw));
+  }
+
+  /** Why {@link compact} would be refused: never, so null. */
+  checkCompact(): Refusal | null {
+    linksOf(this).checkAlive();
+    return null;
   }
 
   /**

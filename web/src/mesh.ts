@@ -13,6 +13,7 @@ import {
   triangleLinks,
 } from './build.js';
 import { refuse } from './checks.js';
+import { type Refusal, refusalOf } from './edit.js';
 import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import { printed } from './inspect.js';
@@ -269,6 +270,18 @@ export class HalfedgeMesh extends Shapes {
    */
   dual(): HalfedgeMesh {
     return new HalfedgeMesh(dualLinks(linksOf(this)));
+  }
+
+  /** Why {@link dual} would be refused, or null. Takes as long as that. */
+  checkDual(): Refusal | null {
+    const links = linksOf(this);
+    links.checkAlive();
+    try {
+      dualLinks(links).dispose();
+      return null;
+    } catch (error) {
+      return refusalOf(error);
+    }
   }
 
   /** A copy of this mesh with the same indices, of its own memory. */

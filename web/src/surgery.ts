@@ -214,6 +214,12 @@ export abstract class Surgery extends EulerOperations {
     done(links, links.core._reverse(links.address, modeOf(links)));
   }
 
+  /** Why {@link reverse} would be refused: never, so null. */
+  checkReverse(): Refusal | null {
+    linksOf(this).checkAlive();
+    return null;
+  }
+
   /**
    * As {@link reverse}, for the connected component of `h`.
    *
@@ -223,5 +229,11 @@ export abstract class Surgery extends EulerOperations {
     const links = linksOf(this);
     links.checkHalfedge(h);
     return done(links, links.core._reverse_component(links.address, modeOf(links), h));
+  }
+
+  /** Why {@link reverseComponent} would be refused: never, so null. */
+  checkReverseComponent(h: HalfedgeLike): Refusal | null {
+    linksOf(this).checkHalfedge(h);
+    return null;
   }
 }

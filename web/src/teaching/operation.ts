@@ -62,9 +62,12 @@ function argumentsOf(operation: Operation, operands: Operands): readonly unknown
   return second ? [item.index, second.index] : [item.index];
 }
 
-/** Why the operation is refused, or null. Changes nothing. */
+/**
+ * Why the operation is refused, or null. Changes nothing. One that leaves the mesh as it is tells when it is run: its
+ * check would take as long.
+ */
 export function checkOperation(operation: Operation, operands: Operands): Refusal | null {
-  if (operation.second && !operands.second) return null;
+  if (operation.opens || (operation.second && !operands.second)) return null;
   const name = `check${operation.stem[0].toUpperCase()}${operation.stem.slice(1)}`;
   const check = method(operands.mesh, name);
   if (!check) return null;
