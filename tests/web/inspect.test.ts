@@ -36,10 +36,46 @@ describe('What Node prints', () => {
     expect(inspect(lap)).toMatch(/^\w+ \{ This mesh was disposed: .*\. \}$/);
   });
 
+  test.each([HalfedgeMesh, DirectedEdgesMesh])(
+    'is what JSON has of laps, items and circulators',
+    (Mesh) => {
+      using mesh = Mesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]);
+      const around = {
+        ring: mesh.vertexVertices(0),
+        faces: mesh.faces(),
+        ends: mesh.edgeVertices(0),
+      };
+      const ends = [...mesh.edgeVertices(0)];
+      expect(JSON.parse(JSON.stringify(around))).toEqual({ ring: [1, 2], faces: [0], ends });
+      const { current, halfedge } = mesh.circulate('vertexVertices', 0);
+      expect(JSON.parse(JSON.stringify(mesh.circulate('vertexVertices', 0)))).toEqual({
+        current,
+        halfedge,
+      });
+      mesh.dispose();
+      expect(() => JSON.stringify(around)).toThrow(/disposed/);
+    },
+  );
+
   test('of all items of a large mesh: the first hundred', () => {
     using mesh = HalfedgeMesh.icoSphere(5);
     expect(inspect(mesh.vertices())).toMatch(
       /^LiveItems \[\s+0,[\s\S]*99,\s+\.\.\. 10142 more items\s+\]$/,
     );
   });
+});
+
+test('JSON of an error has its sentence', () => {
+  using mesh = HalfedgeMesh.tetrahedron();
+  const refusal = mesh.checkCollapse(0);
+  const thrown: unknown[] = [];
+  try {
+    mesh.collapse(0);
+  } catch (error) {
+    thrown.push(error);
+  }
+  expect(JSON.parse(JSON.stringify(thrown))).toEqual([
+    { name: 'HalfedgeError', ...refusal, problems: [] },
+  ]);
+  expect(Object.keys(thrown[0] as object)).toEqual(['code', 'witness', 'problems']);
 });

@@ -2,7 +2,7 @@ import { describe } from './arguments.js';
 import * as around from './around.js';
 import { BulkRings } from './bulk.js';
 import * as circulator from './circulator.js';
-import { printed } from './inspect.js';
+import { displayed } from './inspect.js';
 import type {
   Direction,
   Edge,
@@ -174,9 +174,9 @@ export abstract class Circulation extends BulkRings {
   }
 }
 
-printed('Orbit', orbit.Orbit, (lap) => lap.toArray());
-printed('LiveItems', LiveItems, (items) => items.toArray());
-printed('Circulator', Circulator, ({ current, halfedge }) => ({ current, halfedge }));
+displayed('Orbit', orbit.Orbit, (lap) => lap.toArray());
+displayed('LiveItems', LiveItems, (items) => items.toArray());
+displayed('Circulator', Circulator, ({ current, halfedge }) => ({ current, halfedge }));
 
 const KINDS: Record<CirculatorKind, circulator.Kind> = {
   vertexVertices: kindOf('vertex', TO_VERTEX),

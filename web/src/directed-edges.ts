@@ -15,7 +15,7 @@ import {
   lapAround,
 } from './directed-edges-orbit.js';
 import type { Problem } from './errors.js';
-import { printed } from './inspect.js';
+import { displayed, printed } from './inspect.js';
 import type {
   Direction,
   Edge,
@@ -306,9 +306,9 @@ printed('DirectedEdgesMesh', DirectedEdgesMesh, (mesh) => {
   const { vertexCount, edgeCount, faceCount } = mesh;
   return { vertexCount, edgeCount, faceCount };
 });
-printed('DirectedOrbit', DirectedOrbit, (lap) => lap.toArray());
-printed('DirectedItems', DirectedItems, (items) => items.toArray());
-printed('DirectedCirculator', DirectedCirculator, ({ current, halfedge }) => ({
+displayed('DirectedOrbit', DirectedOrbit, (lap) => lap.toArray());
+displayed('DirectedItems', DirectedItems, (items) => items.toArray());
+displayed('DirectedCirculator', DirectedCirculator, ({ current, halfedge }) => ({
   current,
   halfedge,
 }));

@@ -54,6 +54,12 @@ export class HalfedgeError extends Error {
     this.problems = details.problems ?? [];
   }
 
+  /** What JSON has of it: the sentence as well, which errors leave out by themselves. */
+  toJSON(): Pick<HalfedgeError, 'name' | 'code' | 'message' | 'witness' | 'problems'> {
+    const { name, code, message, witness, problems } = this;
+    return { name, code, message, witness, problems };
+  }
+
   static {
     Object.defineProperty(HalfedgeError.prototype, 'name', {
       value: 'HalfedgeError',

@@ -1,5 +1,5 @@
-// What Node prints of the objects of this package by `console.log`. Otherwise a mesh would look empty, and a
-// lap would be all arrays of its mesh.
+// What Node prints of the objects of this package by `console.log`, and what JSON has of those that show
+// something. Otherwise a mesh would look empty, and a lap would be all arrays of its mesh.
 
 const INSPECT = Symbol.for('nodejs.util.inspect.custom');
 
@@ -22,4 +22,17 @@ export function printed<T extends object>(
     }
   }
   Object.defineProperty(prototype, INSPECT, { value: inspect });
+}
+
+/** As `printed`; and JSON has what is `shown`, too. */
+export function displayed<T extends object>(
+  name: string,
+  type: { prototype: T },
+  shown: (it: T) => object,
+): void {
+  printed(name, type, shown);
+  function toJSON(this: T) {
+    return shown(this);
+  }
+  Object.defineProperty(type.prototype, 'toJSON', { value: toJSON });
 }
