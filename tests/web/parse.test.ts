@@ -160,8 +160,13 @@ describe('parse', () => {
     ['unknown-format', '', /empty/],
     ['parse-error', 'ply\nformat ascii 1.0\nend_header\n', /^Line 3: .*element vertex/],
     ['truncated', 'solid\nfacet\nouter loop\nvertex 0 0', /^Line 4: .*z of vertex 0/],
-    ['unsupported-format', 'glTF', /GLB/],
-    ['unsupported-format', '<!DOCTYPE html>', /HTML/],
+    [
+      'unsupported-format',
+      'glTF',
+      /^This is a GLB file, expected an OBJ, OFF, PLY or STL file: glTF is read by readGltf of halfedge\/gltf\.$/,
+    ],
+    ['unsupported-format', '{ "asset": {} }', /JSON .*: glTF is read by readGltf of/],
+    ['unsupported-format', '<!DOCTYPE html>', /HTML or XML file, expected [^:]*\.$/],
     ['not-text', '\u0000\u0001\u0002', /Byte 0/],
   ];
   test.each(broken)('says %s', (code, data, says) => {

@@ -2,7 +2,9 @@
 
 import { bytesOf, describe } from './arguments.js';
 import { refuse } from './checks.js';
+import type { RawFailure } from './core.mjs';
 import { HalfedgeError } from './errors.js';
+import { unwrap } from './reports.js';
 
 /** The bytes of a file, which may be given as text. Throws a sentence for what is no content of one. */
 export function contentOf(
@@ -36,6 +38,17 @@ export function checkText(argument: string, text: string): void {
       `${argument} is ${describe(text)}, a binary file that was read as text, which loses bytes; expected an ArrayBuffer or a Uint8Array.`,
     );
   }
+}
+
+/** What the core has read of a file; throws what it failed of, and tells where glTF is read. */
+export function unwrapFile<T extends object>(raw: T | RawFailure): T {
+  if ('problems' in raw) {
+    const [problem] = raw.problems;
+    if (problem.code === 'unsupported-format' && /GLB|glTF/.test(problem.message)) {
+      problem.message += ': glTF is read by readGltf of halfedge/gltf';
+    }
+  }
+  return unwrap(raw);
 }
 
 /**

@@ -5,7 +5,7 @@ import { type AttributeType, type AttributeView, TYPE_NAMES, TYPES } from './att
 import type { Polygons } from './build.js';
 import { checkFlag } from './checks.js';
 import type { RawColumn, RawWords } from './core.mjs';
-import { contentOf } from './file-content.js';
+import { contentOf, unwrapFile } from './file-content.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
@@ -17,7 +17,7 @@ import {
   namesIn,
   type ParseOptions,
 } from './parse.js';
-import { sentence, unwrap } from './reports.js';
+import { sentence } from './reports.js';
 
 /** How to read a file without making a mesh of it. */
 export interface FileSoupOptions extends Pick<ParseOptions, 'format' | 'attributes'> {
@@ -80,7 +80,7 @@ export function parseSoup(data: unknown, options: unknown): FileSoup {
     const { address, count } = inputs.bytes('data', bytes);
     return wasm.parseSoup(address, count, claimed, weld, attributes);
   });
-  const file = unwrap(raw);
+  const file = unwrapFile(raw);
   const columns = file.attributes;
   try {
     const positions = copyOf(wasm, Float32Array, file.positions);

@@ -1,14 +1,14 @@
 import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice } from './checks.js';
 import type { RawRepair } from './core.mjs';
-import { contentOf } from './file-content.js';
+import { contentOf, unwrapFile } from './file-content.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
 import { follow, PROGRESS_OPTIONS, type ProgressOptions } from './progress.js';
 import { type RepairReport, repairReport, untouched } from './repair.js';
-import { fileReport, sentence, unwrap } from './reports.js';
+import { fileReport, sentence } from './reports.js';
 
 /** The file formats that can be read and written. */
 export type FileFormat = 'obj' | 'off' | 'ply' | 'stl';
@@ -71,7 +71,7 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
     return wasm.parse(address, count, claimed, repair, attributes, withPrev, follower.report);
   });
   follower.check(raw);
-  const done = unwrap(raw);
+  const done = unwrapFile(raw);
   return new Links(wasm, done.mesh).orDispose((links) => {
     const found = repair
       ? repairReport(wasm, done as RawRepair)
