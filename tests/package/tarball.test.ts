@@ -22,6 +22,9 @@ function meantToShip(): string[] {
     'dist/core.wasm',
     'dist/core-base64.js',
     'dist/figure/frame.html',
+    ...filesBelow(join(root, 'docs'))
+      .map((path) => relative(root, path))
+      .filter((path) => path.endsWith('.md')),
     // The command-line tool is no module to import: it needs no types.
     ...modules.flatMap((path) =>
       path.startsWith('dist/cli/') ? [`${path}.js`] : [`${path}.js`, `${path}.d.ts`],
@@ -32,6 +35,13 @@ function meantToShip(): string[] {
 describe('The tarball', () => {
   test('holds the package and nothing else', () => {
     expect(packed.files).toEqual(meantToShip());
+  });
+
+  test('holds the guides that its README links to', () => {
+    const readme = readFileSync(join(root, 'README.md'), 'utf8');
+    const guides = [...readme.matchAll(/\]\((docs\/[^)#]*\.md)/g)].map(([, path]) => path);
+    expect(guides.length).toBeGreaterThan(5);
+    expect(packed.files).toEqual(expect.arrayContaining(guides));
   });
 
   test('has no dependencies, but for some that single entries need', () => {
