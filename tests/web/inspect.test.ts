@@ -13,6 +13,18 @@ describe('What Node prints', () => {
     expect(() => inspect(Mesh.prototype)).not.toThrow();
   });
 
+  test.each([HalfedgeMesh, DirectedEdgesMesh])(
+    'is a name that Vue takes for no plain object (%#)',
+    (Mesh) => {
+      using mesh = Mesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]);
+      const nameOf = (it: unknown) => Object.prototype.toString.call(it).slice(8, -1);
+      expect(nameOf(mesh)).toBe(Mesh.name);
+      for (const it of [mesh.vertexVertices(0), mesh.edgeVertices(0), mesh.faces()])
+        expect(nameOf(it)).toMatch(/^\w*(Orbit|Items)$/);
+      expect(nameOf(mesh.circulate('vertexVertices', 0))).toMatch(/Circulator$/);
+    },
+  );
+
   test('of the properties of a mesh: none, since they would drag in all of the memory', () => {
     using mesh = HalfedgeMesh.icoSphere(1);
     expect(Object.keys(mesh)).toEqual([]);

@@ -3,7 +3,7 @@
 
 const INSPECT = Symbol.for('nodejs.util.inspect.custom');
 
-/** Has objects of a class printed as its name, and what `shown` says of them. */
+/** Has objects of a class go by its name, and printed as that and what `shown` says of them. */
 export function printed<T extends object>(
   name: string,
   { prototype }: { prototype: T },
@@ -22,6 +22,8 @@ export function printed<T extends object>(
     }
   }
   Object.defineProperty(prototype, INSPECT, { value: inspect });
+  // What has a name of its own is no plain object for Vue: it would wrap it in a proxy, which has no #private.
+  Object.defineProperty(prototype, Symbol.toStringTag, { value: name });
 }
 
 /** As `printed`; and JSON has what is `shown`, too. */

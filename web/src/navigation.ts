@@ -126,7 +126,7 @@ export abstract class Navigation {
    * Views that you keep go on showing the mesh through edits, until there are more or fewer slots, the
    * WebAssembly memory grows (making any mesh can do that; their length is 0 then), or the mesh is
    * disposed of. They are good exactly as long as `mesh.connectivity === kept`. Keeping one keeps the memory of
-   * a forgotten mesh alive.
+   * a forgotten mesh alive; a `subarray` of it doesn't.
    *
    * Writing to them is at your own risk. No question that is asked of a mesh crashes or hangs then, and
    * `validate()` tells whether it is still sound. Operations rely on that: on a mesh that isn't, they may
