@@ -1,6 +1,12 @@
 import { HalfedgeMesh, init } from 'halfedge';
+import {
+  type Circulator,
+  type CirculatorName,
+  CirculatorPlayer,
+  circulators,
+} from 'halfedge/teaching';
 import { columnsOf, roomOfIndex } from '../../web/explorer/app/record-columns.js';
-import { rowsOf } from '../../web/explorer/app/records.js';
+import { readingOf, rowsOf } from '../../web/explorer/app/records.js';
 
 beforeAll(() => init());
 
@@ -83,4 +89,33 @@ test('the rows of an item are its own, those of its halfedges, or that of its ed
   expect(rowsOf({ kind: 'halfedge', index: 9 }, 'edge')).toEqual([4]);
   expect(rowsOf({ kind: 'vertex', index: 9 }, 'edge')).toEqual([]);
   expect(rowsOf(null, 'vertex')).toEqual([]);
+});
+
+test('what a step passes over is read, too', () => {
+  const mesh = HalfedgeMesh.grid(3, 3);
+  /** The cells that are read up to the first visit. */
+  const readFirst = (name: CirculatorName, index: number, direction: 'ccw' | 'cw'): string[] => {
+    const circulator = circulators.find((each) => each.name === name) as Circulator;
+    const player = new CirculatorPlayer(mesh, { circulator, index, direction });
+    player.forward();
+    return [...readingOf(mesh, { player, position: 1, playing: false }).cells].sort();
+  };
+  const e = [...mesh.edges()].find((each) => mesh.isBoundaryHalfedge(2 * each)) as number;
+  const [outer, inner] = [2 * e, 2 * e + 1];
+  expect(readFirst('edgeFaces', e, 'ccw')).toEqual([
+    `halfedge ${outer} face`,
+    `halfedge ${outer} opposite`,
+    `halfedge ${inner} face`,
+  ]);
+  const v = mesh.fromVertex(outer); // its anchor is at the boundary, where a lap has no face to show
+  expect(mesh.vertexHalfedge(v)).toBe(outer);
+  expect(readFirst('vertexFaces', v, 'cw')).toEqual(
+    [
+      `vertex ${v} halfedge`,
+      `halfedge ${outer} face`,
+      `halfedge ${outer} opposite`,
+      `halfedge ${inner} next`,
+      `halfedge ${mesh.next(inner)} face`,
+    ].sort(),
+  );
 });

@@ -230,14 +230,67 @@ describe('the circulator player', () => {
     const mesh = grid();
     const [outside, inside, last] = [0, 5, 2].map((w) => mesh.findHalfedge(1, w));
     expect(told(mesh, query('vertexFaces', 1, 'cw'))).toEqual([
-      `anchor h${outside}: next(opposite(h${outside})) = h${inside} → face 0`,
+      `vertexHalfedge(1) = h${outside}, no face there: skipped; next(opposite(h${outside})) = h${inside} → face 0`,
       `next(opposite(h${inside})) = h${last} → face 1`,
     ]);
     const started = told(mesh, query('vertexFaces', 1, 'ccw', outside));
-    expect(started[0]).toBe(`chosen h${outside}: opposite(prev(h${outside})) = h${last} → face 1`);
+    expect(started[0]).toBe(
+      `starts at the chosen h${outside}, no face there: skipped; opposite(prev(h${outside})) = h${last} → face 1`,
+    );
     expect(told(mesh, query('vertexFaces', 1, 'ccw', inside))[1]).toBe(
       `opposite(prev(h${inside})) = h${outside}, no face there: skipped; opposite(prev(h${outside})) = h${last} → face 1`,
     );
+  });
+
+  test('tells of the side of an edge that it skips', () => {
+    const mesh = grid();
+    const e = [...mesh.edges()].find((each) => mesh.isBoundaryHalfedge(2 * each)) as number;
+    const end = `opposite(h${2 * e}) = h${2 * e + 1} → face ${mesh.face(2 * e + 1)}`;
+    expect(told(mesh, query('edgeFaces', e, 'ccw'))).toEqual([
+      `edgeHalfedge(${e}, 0) = h${2 * e}, no face there: skipped; ${end}`,
+    ]);
+  });
+
+  test('tells of the whole lap where the anchor comes last and is all that there is to show', () => {
+    const mesh = HalfedgeMesh.fromFaces([
+      [1, 2, 0],
+      [1, 0, 3],
+    ]);
+    const h = mesh.faceHalfedge(0); // 0→1, at the other face
+    const [b, c] = [mesh.prev(h), mesh.next(h)];
+    const skipped = 'no face there: skipped';
+    expect(told(mesh, query('faceFaces', 0, 'cw'))).toEqual([
+      `faceHalfedge h${h}: prev(h${h}) = h${b}, ${skipped}; prev(h${b}) = h${c}, ${skipped}; prev(h${c}) = h${h} → across it, face 1`,
+    ]);
+  });
+
+  test('says nothing of a step that is not so', () => {
+    const mesh = grid();
+    const steps = ['next', 'prev', 'opposite'] as const;
+    const anchors = ['vertexHalfedge', 'faceHalfedge', 'edgeHalfedge'] as const;
+    /** `next(opposite(h12))`, `edgeHalfedge(3, 0)`. */
+    const resultOf = (expression: string): number => {
+      const [, name, inner] = /^(\w+)\((.*)\)$/.exec(expression) ?? [];
+      const step = steps.find((each) => each === name);
+      if (step) return mesh[step](resultOf(inner));
+      const anchor = anchors.find((each) => each === name);
+      if (anchor) return mesh[anchor](Number.parseInt(inner, 10) as never);
+      return Number(/^h(\d+)$/.exec(expression)?.[1]);
+    };
+    let checked = 0;
+    for (const asked of allQueries(mesh)) {
+      for (const words of told(mesh, asked)) {
+        for (const [, expression, result] of words.matchAll(/(\w+\((?:[^=:;]*)\)) = h(\d+)/g)) {
+          expect([queryCode(asked), words, resultOf(expression)]).toEqual([
+            queryCode(asked),
+            words,
+            Number(result),
+          ]);
+          checked += 1;
+        }
+      }
+    }
+    expect(checked).toBeGreaterThan(1000);
   });
 
   test('has nothing to visit around an isolated vertex', () => {

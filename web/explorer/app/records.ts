@@ -1,5 +1,5 @@
 import type { HalfedgeMesh, ItemKind } from 'halfedge';
-import { type Item, stepOf } from 'halfedge/teaching';
+import { type Item, stepOf, stepsFirst } from 'halfedge/teaching';
 import type { Play } from './explorer.js';
 
 /** The rows that tell of an item: one, or the two halfedges of an edge, or the edge of a halfedge. */
@@ -28,17 +28,28 @@ export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
   const { query } = play.player;
   const { around, view } = query.circulator;
   const read = (row: number, column: string) => cells.add(cellKey('halfedge', row, column));
-  const before = play.player.visits.at(-2)?.halfedge ?? firstStop();
-  for (let h = before; h !== null && h !== current.halfedge; ) h = step(h);
-  show(current.halfedge);
-  return { cells, at: current.halfedge };
+  const end = current.halfedge;
+  const last = play.player.visits.at(-2)?.halfedge;
+  let h = last ?? firstStop();
+  // Of the anchor it is asked what it shows, unless the lap begins by a step; and of all that is passed over.
+  const looks = last === undefined && !stepsFirst(query);
+  if (looks) show(h);
+  if (!looks || h !== end) {
+    do {
+      h = step(h);
+      show(h);
+    } while (h !== end);
+  }
+  return { cells, at: end };
 
   /** Before the first visit the walk is at the anchor, which may come last. */
-  function firstStop(): number | null {
-    if (query.start !== undefined) return query.start;
-    if (around !== 'vertex' && around !== 'face') return null;
-    cells.add(cellKey(around, query.index, 'halfedge'));
-    return around === 'vertex' ? mesh.vertexHalfedge(query.index) : mesh.faceHalfedge(query.index);
+  function firstStop(): number {
+    const { index, start } = query;
+    if (start !== undefined) return start;
+    if (around === 'halfedge') return index;
+    if (around === 'edge') return mesh.edgeHalfedge(index);
+    cells.add(cellKey(around, index, 'halfedge'));
+    return around === 'vertex' ? mesh.vertexHalfedge(index) : mesh.faceHalfedge(index);
   }
 
   function step(h: number): number {

@@ -57,5 +57,14 @@ export {
 export { operations, operationsFor } from './operations.js';
 export { repairs } from './operations-that-repair.js';
 export { CirculatorPlayer, type Visit } from './player.js';
-export { canRun, type Hop, type Program, programOf, run, stepOf, visit } from './program.js';
+export {
+  canRun,
+  type Hop,
+  type Program,
+  programOf,
+  run,
+  stepOf,
+  stepsFirst,
+  visit,
+} from './program.js';
 export { hopWords, startWords } from './words.js';

@@ -57,8 +57,8 @@ export function stepOf({ circulator: { walk }, direction }: Query): Step {
   return direction === 'ccw' ? 'next' : 'prev';
 }
 
-/** The lap against the order of the anchor ends there, so that it is the other one reversed. */
-function stepsFirst({ circulator: { around, walk }, direction, start }: Query): boolean {
+/** Whether a lap begins by a step: one against the order of the anchor ends there, so that it is the other one reversed. */
+export function stepsFirst({ circulator: { around, walk }, direction, start }: Query): boolean {
   if (start !== undefined || around === 'halfedge' || walk === 'across') return false;
   return (around === 'vertex') === (direction === 'ccw');
 }

@@ -1,7 +1,7 @@
 import { type HalfedgeMesh, NONE } from '../api.js';
 import type { Circulator, Query } from './circulators.js';
 import type { Dialect } from './dialects.js';
-import { stepOf } from './program.js';
+import { stepOf, stepsFirst } from './program.js';
 
 /** One step of the walk, as the expression that makes it. */
 function step(
@@ -72,32 +72,56 @@ function walkWords(
   return words + shown(mesh, query.circulator, to);
 }
 
-/** What the first visit of a lap does: where the walk begins, and why there. */
+/** What the first visit of a lap does: where the walk begins, and how it gets from there to what it shows. */
 export function startWords(
   mesh: HalfedgeMesh,
   query: Query,
   first: number,
   dialect: Dialect,
 ): string {
-  const { circulator, index, start } = query;
-  const end = shown(mesh, circulator, first);
-  const name = (h: number) => `h${cursor(mesh, query, dialect, h)}`;
-  if (start === first) return `starts at the chosen ${name(first)}${end}`;
-  if (circulator.around === 'halfedge') return `starts at ${name(first)} itself${end}`;
-  const isOurs = dialect.id === 'halfedge';
-  if (circulator.around === 'edge') {
-    return isOurs ? `edgeHalfedge(${index}, 0) = h${first}${end}` : `starts at h${first}${end}`;
+  const begin = anchorOf(mesh, query);
+  const name = `h${cursor(mesh, query, dialect, begin)}`;
+  const walk = () => walkWords(mesh, query, begin, first, dialect);
+  if (stepsFirst(query)) return `${anchorName(query, dialect, name)}: ${walk()}`;
+  const words = beginWords(query, dialect, name);
+  if (begin === first) return words + shown(mesh, query.circulator, first);
+  return `${words}, no face there: skipped; ${walk()}`;
+}
+
+/** The halfedge where the cursor is before the first step. */
+function anchorOf(mesh: HalfedgeMesh, { circulator: { around }, index, start }: Query): number {
+  if (start !== undefined) return start;
+  switch (around) {
+    case 'vertex':
+      return mesh.vertexHalfedge(index);
+    case 'face':
+      return mesh.faceHalfedge(index);
+    case 'edge':
+      return mesh.edgeHalfedge(index);
+    case 'halfedge':
+      return index;
   }
-  const accessor = circulator.around === 'vertex' ? 'vertexHalfedge' : 'faceHalfedge';
-  const stored = start ?? mesh[accessor](index as never);
-  const letter = circulator.around === 'vertex' ? 'v' : 'f';
-  const anchor = isOurs
-    ? `${accessor}(${index})`
-    : dialect.anchor(circulator.around, letter + index).replace('.', dialect.mesh ? '.' : '->');
-  if (stored === first) return `${anchor} = ${name(first)}${end}`;
-  const named =
-    start !== undefined ? 'chosen' : circulator.around === 'vertex' ? 'anchor' : accessor;
-  return `${isOurs || start !== undefined ? named : anchor} ${name(stored)}: ${walkWords(mesh, query, stored, first, dialect)}`;
+}
+
+/** The halfedge where a walk begins by a step: `anchor h12`, `v3->halfedge() = h12`. */
+function anchorName(query: Query, dialect: Dialect, name: string): string {
+  if (dialect.id !== 'halfedge') return beginWords(query, dialect, name);
+  return `${query.circulator.around === 'vertex' ? 'anchor' : 'faceHalfedge'} ${name}`;
+}
+
+/** Where a walk begins: `vertexHalfedge(3) = h12`. */
+function beginWords(query: Query, dialect: Dialect, name: string): string {
+  const { circulator, index, start } = query;
+  const { around } = circulator;
+  if (start !== undefined) return `starts at the chosen ${name}`;
+  if (around === 'halfedge') return `starts at ${name} itself`;
+  if (dialect.id === 'halfedge') {
+    if (around === 'edge') return `edgeHalfedge(${index}, 0) = ${name}`;
+    return `${around}Halfedge(${index}) = ${name}`;
+  }
+  if (around === 'edge') return `starts at ${name}`;
+  const anchor = dialect.anchor(around, around[0] + index);
+  return `${anchor.replace('.', dialect.mesh ? '.' : '->')} = ${name}`;
 }
 
 /** What a step did: `opposite(prev(h12)) = h31 → vertex 7`. */
