@@ -160,6 +160,39 @@ test('An edit in a link that is refused tells why', async () => {
   await closeAll(explorer);
 });
 
+test('An edit in a link is not done to another item than the one it names', async () => {
+  const link = 'sample=icosahedron&edits=flipEdge e3,flipEdge e9999';
+  const explorer = await ExplorerPage.open({ link, mesh: 'Icosahedron' });
+  const told = await explorer.page.textContent('.notice [data-message]');
+  expect(told).toBe(
+    'The edit “flipEdge e9999” in it could not be done. There is no e9999: this mesh has edge 0 to 29.',
+  );
+  expect(await explorer.state('undo')).toBe('1');
+  await closeAll(explorer);
+});
+
+test('A link to a mesh that cannot be opened says so, and leaves the one on show as it is', async () => {
+  const link = 'sample=cut-short&edits=flipEdge e3&select=v3&names=cgal';
+  const explorer = await ExplorerPage.open({ link });
+  const title = () => explorer.page.textContent('.notice h2');
+  expect(await title()).toBe('“Cut short” was not opened');
+  expect(await explorer.page.textContent('.notice .calm')).toContain('Bunny is still open.');
+  await explorer.page.evaluate(() => {
+    location.hash = 'sample=icosahedron&select=e5';
+  });
+  await explorer.until('selected', 'e5');
+  expect(await explorer.page.isVisible('.notice')).toBe(false);
+  await explorer.page.evaluate((hash) => {
+    location.hash = hash;
+  }, link);
+  await explorer.page.waitForSelector('.notice:has-text("Cut short")');
+  await explorer.rest();
+  expect(await title()).toBe('“Cut short” was not opened');
+  expect([await explorer.state('selected'), await explorer.state('undo')]).toEqual(['e5', '0']);
+  expect(await explorer.page.inputValue('[name=dialect]')).toBe('halfedge');
+  await closeAll(explorer);
+});
+
 test('A mesh that is too large for a link is told of', async () => {
   const explorer = await ExplorerPage.open();
   const lines: string[] = [];

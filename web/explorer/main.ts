@@ -101,7 +101,7 @@ async function start(): Promise<void> {
   publishState(explorer, view, stage);
   await init();
   if (location.hash.length > 1) await followLink(view);
-  if (!explorer.document.value) await explorer.openFirstSample();
+  await explorer.openSomething();
   forgetLinkWithMesh();
   window.addEventListener('beforeunload', (event) => {
     if (explorer.editor.isUnsaved) event.preventDefault();
@@ -127,7 +127,7 @@ async function followLink(view: View): Promise<void> {
     await follow(location.hash.slice(1), explorer, view);
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);
-    if (!explorer.document.value) await explorer.openFirstSample();
+    await explorer.openSomething();
     explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
   } finally {
     following -= 1;

@@ -95,8 +95,8 @@ export class Explorer {
     this.editor = new Editor(this);
   }
 
-  /** Opens a sample or a file. A failure leaves the mesh on show as it is. */
-  async open(source: Source, companions: readonly File[] = []): Promise<void> {
+  /** Opens a sample or a file. A failure leaves the mesh on show as it is. Whether it is on show then. */
+  async open(source: Source, companions: readonly File[] = []): Promise<boolean> {
     this.#abort.abort();
     const abort = new AbortController();
     this.#abort = abort;
@@ -113,8 +113,10 @@ export class Explorer {
       const opened = await openSource(source, { companions, signal, onProgress });
       if (signal.aborted) opened.mesh.dispose();
       else this.#show(opened);
+      return !signal.aborted;
     } catch (error) {
       if (!signal.aborted) this.failure.value = failureOf(error, source);
+      return false;
     } finally {
       if (abort === this.#abort) this.#rest();
     }
@@ -140,9 +142,9 @@ export class Explorer {
     };
   }
 
-  /** Shows a mesh that doesn't come from a file. */
-  openMesh(name: string, mesh: HalfedgeMesh): void {
-    this.#showMade(name, mesh, false);
+  /** Shows a mesh that doesn't come from a file. Whether there is memory for it. */
+  openMesh(name: string, mesh: HalfedgeMesh): boolean {
+    return this.#showMade(name, mesh, false);
   }
 
   /** Shows a mesh that was made from the one on show, which stays for undo. Whether there is memory for it. */
@@ -176,8 +178,11 @@ export class Explorer {
     this.busy.value = null;
   }
 
-  openFirstSample(): Promise<void> {
-    return this.open(samples[0]);
+  /** Opens the first sample where nothing is on show; what was said of something else stays. */
+  async openSomething(): Promise<void> {
+    if (this.document.value) return;
+    const { value: failure } = this.failure;
+    if (await this.open(samples[0])) this.failure.value = failure;
   }
 
   /** Selects an item, or nothing. An index that the mesh does not have is remarked on instead. */

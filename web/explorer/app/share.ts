@@ -76,8 +76,9 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
 }
 
 /**
- * Shows the state that a link tells of; what it does not name is as it is on a new page. Throws a
- * sentence for a link that can't be followed.
+ * Shows the state that a link tells of; what it does not name is as it is on a new page. Where its mesh
+ * can't be opened, which the page tells of, the one on show stays as it is. Throws a sentence for a link
+ * that can't be followed.
  */
 export async function follow(text: string, explorer: Explorer, sight: Sight): Promise<void> {
   if (text.length > MOST_LETTERS_READ) {
@@ -86,7 +87,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
     );
   }
   const link = new URLSearchParams(text);
-  await openMeshOf(link, explorer);
+  if (!(await openMeshOf(link, explorer))) return;
   repeatEdits(link.get('edits'), explorer);
   const camera = link.get('camera');
   const selected = link.get('select');
@@ -98,17 +99,17 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   if (camera !== null) sight.lookFrom(viewpointOf(camera));
 }
 
-async function openMeshOf(link: URLSearchParams, explorer: Explorer): Promise<void> {
+/** Whether the mesh is on show: it may be one that can't be read, or another one is opened meanwhile. */
+async function openMeshOf(link: URLSearchParams, explorer: Explorer): Promise<boolean> {
   const id = link.get('sample');
   const mesh = link.get('mesh');
   if (mesh !== null) {
-    explorer.openMesh(link.get('name') ?? 'Shared mesh', meshOf(mesh));
-    return;
+    return explorer.openMesh(link.get('name') ?? 'Shared mesh', meshOf(mesh));
   }
   if (id === null) throw new Error('It names no mesh: it has neither “sample” nor “mesh”.');
   const sample = [...samples, ...brokenSamples].find((candidate) => candidate.id === id);
   if (!sample) throw new Error(`It names the sample “${id}”, which this page does not have.`);
-  await explorer.open(sample);
+  return explorer.open(sample);
 }
 
 function meshOf(text: string): HalfedgeMesh {
@@ -128,10 +129,14 @@ function repeatEdits(text: string | null, explorer: Explorer): void {
     const { operation, first, second } = deedOf(deed);
     const before = editor.past.value.undoCount;
     if (first) explorer.select(first);
-    editor.run(operation);
-    if (second) editor.complete(second);
+    // Without its item it would be done to the one that is selected.
+    const { value: absence } = explorer.remark;
+    if (absence === '') {
+      editor.run(operation);
+      if (second) editor.complete(second);
+    }
     if (editor.past.value.undoCount === before) {
-      const why = editor.refused.value?.refusal.message ?? '';
+      const why = absence || (editor.refused.value?.refusal.message ?? '');
       throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
     }
   }
