@@ -54,6 +54,16 @@ describe('A text that is pasted', () => {
     await explorer.press('Escape');
   });
 
+  test('opens where a control has the focus that takes no text', async () => {
+    await explorer.page.click('.pick-bar label:has-text("Face")');
+    await explorer.page.evaluate(() =>
+      navigator.clipboard.writeText('OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'),
+    );
+    await explorer.press('Control+v');
+    await explorer.ready('Pasted mesh.off');
+    await explorer.page.click('.pick-bar label:has-text("Auto")');
+  });
+
   test('goes into a field where that has the focus', async () => {
     await explorer.page.focus('.goto input');
     await explorer.page.evaluate(() => navigator.clipboard.writeText('v3'));

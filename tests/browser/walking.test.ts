@@ -49,6 +49,9 @@ describe('The keyboard', () => {
     await explorer.press('n');
     expect(await explorer.state('selected')).toBe('v3');
     expect(await explorer.page.textContent('.remark')).toContain('v3 has no such link');
+    await explorer.goTo('h3');
+    await explorer.press('h');
+    expect(await explorer.page.textContent('.remark')).toBe('h3 is a halfedge already.');
   });
 
   test('zooms to the selection and back to the whole mesh', async () => {
@@ -101,6 +104,16 @@ describe('The inspector', () => {
     expect(await explorer.state('selected')).toBe(`h${mesh.prev(77)}`);
     await explorer.page.click('[data-link=face]');
     expect(await explorer.state('selected')).toBe(`f${mesh.face(77)}`);
+  });
+
+  test('points at nothing any more when the link under the mouse is gone', async () => {
+    await explorer.goTo('h77');
+    await explorer.page.hover('[data-link=edge]');
+    await explorer.until('hovered', `e${mesh.edge(77)}`);
+    await explorer.page.click('[data-link=edge]'); // an edge has fewer links
+    await explorer.until('selected', `e${mesh.edge(77)}`);
+    await explorer.until('hovered', null);
+    await explorer.page.mouse.move(500, 20);
   });
 
   test('shows the empty link of a boundary halfedge as ∅, which leads nowhere', async () => {

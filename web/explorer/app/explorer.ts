@@ -246,7 +246,9 @@ export class Explorer {
       return;
     }
     const link = linksOf(mesh, selected).find((candidate) => candidate.key === key);
-    if (!link) {
+    if (!link && key === 'h') {
+      this.remark.value = `${itemName(selected)} is a halfedge already.`;
+    } else if (!link) {
       this.remark.value = `${itemName(selected)} has no such link: press H for its halfedge first.`;
     } else if (!link.target) {
       this.remark.value = `${link.name} of ${itemName(selected)} is empty (∅).`;

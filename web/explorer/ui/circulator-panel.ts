@@ -159,6 +159,8 @@ function player(explorer: Explorer, direction: HTMLElement) {
     place.textContent = `${position} of ${player.count}`;
     hop.classList.toggle('idle', position === 0);
     hop.textContent = position === 0 ? idleWords(play) : unbroken(player.words);
+    // A button that goes tells of no mouse that leaves it.
+    if (visited.matches(':hover')) explorer.hovered.value = null;
     keepFocus(visited, () => fill(visited, ...visits(explorer, play)));
     scrollTo(visited, visited.querySelector<HTMLElement>('[aria-current]'));
   });

@@ -40,6 +40,8 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     }
     title.textContent = itemTitle(selected);
     fill(facts, ...factsOf(mesh, selected).flatMap((text) => [fact(text), ' ']));
+    // A button that goes tells of no mouse that leaves it.
+    if (links.matches(':hover')) explorer.hovered.value = null;
     // Keep the keyboard where it is when a walk rebuilds the list.
     const focused = [...links.querySelectorAll('button')].indexOf(
       document.activeElement as HTMLButtonElement,

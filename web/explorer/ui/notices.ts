@@ -129,7 +129,7 @@ export function openFiles(explorer: Explorer, files: FileList | null | undefined
 /** Opens the mesh that is pasted, as a file or as text, anywhere but into a field. */
 export function listenToPaste(explorer: Explorer): void {
   window.addEventListener('paste', (event) => {
-    if (event.target instanceof HTMLInputElement) return;
+    if (event.target instanceof Element && event.target.matches('input[type=text]')) return;
     const { files } = event.clipboardData ?? {};
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (files?.length) openFiles(explorer, files);
