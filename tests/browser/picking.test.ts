@@ -156,6 +156,23 @@ describe('The pointer', () => {
   });
 });
 
+test('A mouse that moves while an edit takes the boundary away looks at no halfedge of the last frame', async () => {
+  await show('grid', 'Open grid', openGrid(6));
+  await explorer.goTo('f0');
+  await explorer.rest();
+  const undone = await explorer.page.evaluate(async () => {
+    const canvas = document.querySelector('main.stage canvas') as HTMLElement;
+    // The frame that the move asks for comes before the one that the edit asks for.
+    const [clientX, clientY] = [450, 350];
+    canvas.dispatchEvent(new PointerEvent('pointermove', { clientX, clientY, bubbles: true }));
+    canvas.dispatchEvent(new KeyboardEvent('keydown', { key: 'X', shiftKey: true, bubbles: true }));
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    return document.querySelector<HTMLElement>('main.stage')?.dataset.undo;
+  });
+  expect(undone).toBe('1');
+  await explorer.rest(); // no error is told of: see afterEach
+});
+
 test('A vertex without edges is drawn, hovered and clicked', async () => {
   const explorer = await ExplorerPage.open();
   await explorer.drop('lonely.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.2 1.1 0\nf 1 2 3\n');

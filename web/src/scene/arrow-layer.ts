@@ -67,6 +67,9 @@ export class ArrowLayer {
     const { mesh, boundary } = this.#surface as Surface;
     this.#arrows.forget(faces);
     this.#boundaryArrows.forget(null);
+    // Those of the last frame may be gone, or of another mesh.
+    this.boundary.length = 0;
+    this.large.length = 0;
     if (mesh.faceSlots > this.#seen.length) {
       this.#seen = new Uint32Array(roomFor(mesh.faceSlots));
       this.#queue = new Int32Array(this.#seen.length);
