@@ -293,6 +293,26 @@ describe('the circulator player', () => {
     expect(checked).toBeGreaterThan(1000);
   });
 
+  test('says what CGAL’s halfedges show, which arrive where ours leave', () => {
+    const mesh = grid();
+    const cgal = dialects.find(({ id }) => id === 'cgal') as Dialect;
+    const h = mesh.vertexHalfedge(5);
+    const g = mesh.opposite(h);
+    const first = (name: string, start?: number): string => {
+      const player = new CirculatorPlayer(mesh, query(name, 5, 'cw', start), cgal);
+      player.forward();
+      return player.words;
+    };
+    expect(first('vertexIncomingHalfedges')).toBe(`v5->halfedge() = h${g}`);
+    expect(first('vertexOutgoingHalfedges')).toBe(`v5->halfedge() = h${g} → its opposite h${h}`);
+    expect(first('vertexVertices')).toBe(
+      `v5->halfedge() = h${g} → its start, vertex ${mesh.toVertex(h)}`,
+    );
+    expect(first('vertexFaces')).toBe(`v5->halfedge() = h${g} → across it, face ${mesh.face(h)}`);
+    expect(first('vertexEdges')).toBe(`v5->halfedge() = h${g} → edge ${mesh.edge(h)}`);
+    expect(first('vertexIncomingHalfedges', h)).toBe(`chosen h${h}->opposite() = h${g}`);
+  });
+
   test('has nothing to visit around an isolated vertex', () => {
     const alone = HalfedgeMesh.fromPolygons([0, 0, 0], []);
     const player = new CirculatorPlayer(alone, query('vertexVertices', 0, 'ccw'));

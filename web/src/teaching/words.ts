@@ -24,23 +24,29 @@ function step(
 }
 
 /** The halfedge that the dialect is at, where ours is `h`: one that arrives, or one that leaves. */
-function cursor(mesh: HalfedgeMesh, { circulator }: Query, dialect: Dialect, h: number): number {
-  return dialect.arrives && circulator.walk === 'rotate' ? mesh.opposite(h) : h;
+function cursor(mesh: HalfedgeMesh, query: Query, dialect: Dialect, h: number): number {
+  return arrives(query, dialect) ? mesh.opposite(h) : h;
+}
+
+/** Whether the cursor of the dialect arrives at the vertex of the walk, where ours leaves it. */
+function arrives({ circulator: { walk } }: Query, dialect: Dialect): boolean {
+  return dialect.arrives === true && walk === 'rotate';
 }
 
 /** What the circulator shows of halfedge `h`: ` → vertex 7`, or nothing for the halfedge itself. */
-function shown(mesh: HalfedgeMesh, { view }: Circulator, h: number): string {
-  switch (view) {
+function shown(mesh: HalfedgeMesh, query: Query, dialect: Dialect, h: number): string {
+  const isAcross = arrives(query, dialect);
+  switch (query.circulator.view) {
     case 'itself':
-      return '';
+      return isAcross ? ` → its opposite h${h}` : '';
     case 'opposite':
-      return ` → its opposite h${mesh.opposite(h)}`;
+      return isAcross ? '' : ` → its opposite h${mesh.opposite(h)}`;
     case 'toVertex':
-      return ` → vertex ${mesh.toVertex(h)}`;
+      return ` → ${isAcross ? 'its start, ' : ''}vertex ${mesh.toVertex(h)}`;
     case 'edge':
       return ` → edge ${mesh.edge(h)}`;
     case 'face':
-      return ` → face ${mesh.face(h)}`;
+      return ` → ${isAcross ? 'across it, ' : ''}face ${mesh.face(h)}`;
     case 'faceAcross':
       return ` → across it, face ${mesh.face(mesh.opposite(h))}`;
   }
@@ -69,7 +75,7 @@ function walkWords(
     if (at === to || !showsNothing(mesh, query.circulator, at)) break;
     words += ', no face there: skipped; ';
   }
-  return words + shown(mesh, query.circulator, to);
+  return words + shown(mesh, query, dialect, to);
 }
 
 /** What the first visit of a lap does: where the walk begins, and how it gets from there to what it shows. */
@@ -84,7 +90,7 @@ export function startWords(
   const walk = () => walkWords(mesh, query, begin, first, dialect);
   if (stepsFirst(query)) return `${anchorName(query, dialect, name)}: ${walk()}`;
   const words = beginWords(query, dialect, name);
-  if (begin === first) return words + shown(mesh, query.circulator, first);
+  if (begin === first) return words + shown(mesh, query, dialect, first);
   return `${words}, no face there: skipped; ${walk()}`;
 }
 
@@ -113,7 +119,10 @@ function anchorName(query: Query, dialect: Dialect, name: string): string {
 function beginWords(query: Query, dialect: Dialect, name: string): string {
   const { circulator, index, start } = query;
   const { around } = circulator;
-  if (start !== undefined) return `starts at the chosen ${name}`;
+  if (start !== undefined) {
+    if (arrives(query, dialect)) return `chosen h${start}->opposite() = ${name}`;
+    return `starts at the chosen ${name}`;
+  }
   if (around === 'halfedge') return `starts at ${name} itself`;
   if (dialect.id === 'halfedge') {
     if (around === 'edge') return `edgeHalfedge(${index}, 0) = ${name}`;
