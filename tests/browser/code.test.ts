@@ -91,7 +91,7 @@ describe('The code beside the picture', () => {
     const hop = (await explorer.page.textContent('.hop'))?.replaceAll('\u00a0', ' ');
     const arrives = (h: number) => `h${mesh.opposite(h)}`;
     expect(hop).toBe(
-      `${arrives(first)}->opposite()->prev() = ${arrives(second)} → vertex ${mesh.toVertex(second)}`,
+      `${arrives(first)}->opposite()->prev() = ${arrives(second)} → its start, vertex ${mesh.toVertex(second)}`,
     );
     await explorer.screenshot('code-cgal-1280-light');
     await explorer.page.selectOption('[name=dialect]', 'halfedge');

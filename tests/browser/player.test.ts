@@ -174,13 +174,13 @@ test('The circulator player visits a boundary vertex as an open path, in the dar
 });
 
 describe('The camera of the player', () => {
-  /** Plays a lap step by step; the numbers in the picture then, and whether the camera has moved. */
-  async function lapOf(link: string, name: string) {
+  /** Plays a lap step by step, or in one leap; the numbers in the picture then, and whether the camera has moved. */
+  async function lapOf(link: string, name: string, leaps = false) {
     const page = await ExplorerPage.open({ link, mesh: name });
     await page.rest();
     const before = await page.state('camera');
-    for (let i = Number(await page.state('count')); i > 0; i--) {
-      await page.press('.');
+    for (let i = leaps ? 1 : Number(await page.state('count')); i > 0; i--) {
+      await page.press(leaps ? 'End' : '.');
       await page.rest();
     }
     const tags = await page.page.$$eval(
@@ -202,6 +202,20 @@ describe('The camera of the player', () => {
     const { numbers, count, moved } = await lapOf(link, name);
     expect(numbers).toEqual(Array.from({ length: count }, (_, i) => i + 1));
     expect(moved).toBe(true);
+  });
+
+  test('comes as near for a leap to the end, but not for other names of what is shown', async () => {
+    const { numbers, count, moved } = await lapOf('sample=bunny', 'Bunny', true);
+    expect(numbers).toEqual(Array.from({ length: count }, (_, i) => i + 1));
+    expect(moved).toBe(true);
+    const page = await ExplorerPage.open({ link: 'sample=bunny&at=3&query=vertexVertices' });
+    await page.press('0');
+    await page.rest();
+    const far = await page.state('camera');
+    await page.page.selectOption('[name=dialect]', 'cgal');
+    await page.rest();
+    expect([await page.state('position'), await page.state('camera')]).toEqual(['3', far]);
+    await page.close();
   });
 
   test.each([

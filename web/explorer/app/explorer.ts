@@ -28,7 +28,7 @@ import {
 } from './documents.js';
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts } from './facts.js';
-import { Signal } from './signal.js';
+import { Signal, together } from './signal.js';
 
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
@@ -273,9 +273,12 @@ export class Explorer {
   /** Shows and runs the same query in other names, as far as it has come. */
   setDialect(dialect: DialectId): void {
     const position = this.play.value?.position ?? 0;
-    this.dialect.value = dialect;
-    this.#load();
-    if (position > 0) this.seek(position);
+    // Nobody hears of a walk that begins again.
+    together(() => {
+      this.dialect.value = dialect;
+      this.#load();
+      if (position > 0) this.seek(position);
+    });
   }
 
   /** Plays to the end of the lap; from the beginning if it is there already. */

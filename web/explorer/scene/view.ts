@@ -73,10 +73,12 @@ export class View {
     });
     let before = 0;
     explorer.play.subscribe((play) => {
-      const begins = before === 0 && play?.position === 1;
-      before = play?.position ?? 0;
+      const { position = 0 } = play ?? {};
+      // Also by a leap, to the end or to where a link is.
+      const begins = before === 0 && position > 0;
+      before = position;
       const { value: selected } = explorer.selected;
-      if (play && selected && before > 0) this.travel.follow(play.player, selected, begins);
+      if (play && selected && position > 0) this.travel.follow(play.player, selected, begins);
     });
     const { refused, pending } = explorer.editor;
     const marking = [explorer.selected, explorer.hovered, explorer.play, refused, pending];

@@ -11,7 +11,8 @@ export function codeListing(explorer: Explorer): HTMLElement {
   let shown = '';
   explorer.play.subscribe((play) => {
     if (!play) return;
-    call.textContent = queryCode(play.player.query);
+    const [name, parameters] = queryCode(play.player.query).split(/(?<=\()/);
+    fill(call, name, h('wbr'), parameters);
     const { lines } = play.player.program;
     if (shown !== lines.join('\n')) {
       shown = lines.join('\n');
