@@ -444,8 +444,8 @@ describe('The list of boundary loops', () => {
     const loops = explorer.page.locator('.loops button');
     await loops.first().waitFor(); // facts come after the picture
     expect(await loops.allTextContents()).toEqual([
-      expect.stringMatching(/^loop h\d+14 edges$/),
-      expect.stringMatching(/^loop h\d+14 edges$/),
+      expect.stringMatching(/^loop h\d+ 14 edges$/),
+      expect.stringMatching(/^loop h\d+ 14 edges$/),
     ]);
     await loops.nth(1).click();
     expect(await explorer.state('selected')).toMatch(/^h\d+$/);

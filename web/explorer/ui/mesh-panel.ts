@@ -137,7 +137,7 @@ function loopLine(index: number, length: number, goTo: GoTo): HTMLElement {
     h(
       'button',
       { type: 'button', title: 'Go to this boundary loop', onclick: act },
-      `loop h${index}`,
+      `loop h${index} `,
       h('small', {}, edges),
     ),
   );
