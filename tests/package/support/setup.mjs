@@ -2,9 +2,9 @@
 // Chromium, once for all test files. Whatever is made lies in one temporary folder outside of the
 // repository, so that nothing can be found there but what was installed.
 
-import { mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { capture } from '../../../scripts/lib/run.mjs';
 import { startChromium, stopChromium } from '../../support/chromium.mjs';
 
@@ -13,6 +13,7 @@ let folder;
 export default async function setup({ maxWorkers }) {
   try {
     folder = mkdtempSync(join(tmpdir(), 'halfedge-package-'));
+    refuseOuterPackages();
     const { filename, files } = await pack();
     const tarball = join(folder, filename);
     await install(tarball);
@@ -31,6 +32,18 @@ export default async function setup({ maxWorkers }) {
 export async function cleanUp() {
   await stopChromium();
   if (folder) rmSync(folder, { recursive: true, force: true });
+}
+
+/** Node would find packages of any folder above, and what is missing would not be missed. */
+function refuseOuterPackages() {
+  for (let above = folder; above !== dirname(above); above = dirname(above)) {
+    const packages = join(dirname(above), 'node_modules');
+    if (existsSync(packages)) {
+      throw new Error(
+        `'${packages}' would be seen by the packages' tests: they need a temporary folder (TMPDIR) without.`,
+      );
+    }
+  }
 }
 
 async function pack() {
