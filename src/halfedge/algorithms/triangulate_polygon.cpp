@@ -136,7 +136,7 @@ bool PolygonTriangulator::choose_diagonals() {
       for (std::size_t k = i + 1; k < j; ++k) {
         const int turns = turn(rest_[i], rest_[k], rest_[j]);
         Cost cost = choice(i, k).cost + choice(k, j).cost;
-        cost.flips += turns < 0 ? 1 : 0;
+        cost.flips += turns < 0 ? 1U : 0U;
         cost.flat += turns == 0 ? 1 : 0;
         if (best.corner == kNone || cost < best.cost) best = {cost, Index(k)};
       }

@@ -208,7 +208,7 @@ class Neighbours {
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
       std::size_t closed = 0;
       for (; end < all.size() && all[end].vertex == all[begin].vertex; ++end) {
-        closed += all[end].closed ? 1 : 0;
+        closed += all[end].closed ? 1U : 0U;
       }
       if (closed == 0 || end - begin == 1 || suspect_[all[begin].vertex]) continue;
       problems_.add([&] { return pinched(all.subspan(begin, end - begin), closed); });

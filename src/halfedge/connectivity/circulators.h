@@ -103,7 +103,7 @@ class Circulators {
   /// Whether the faces at `v` form at most one fan: not pinched. O(valence).
   [[nodiscard]] bool is_manifold(Vertex v) const {
     Index gaps = 0;
-    for (const Halfedge h : outgoing_cw(v)) gaps += self().is_boundary(h) ? 1 : 0;
+    for (const Halfedge h : outgoing_cw(v)) gaps += self().is_boundary(h) ? 1U : 0U;
     return gaps <= 1;
   }
 

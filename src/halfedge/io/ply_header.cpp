@@ -267,8 +267,8 @@ const PlyProperty* PlyElement::find(std::string_view property) const {
 }
 
 const PlyProperty* PlyElement::vertex_list() const {
-  for (const std::string_view name : {"vertex_indices", "vertex_index"}) {
-    const PlyProperty* const property = find(name);
+  for (const std::string_view usual : {"vertex_indices", "vertex_index"}) {
+    const PlyProperty* const property = find(usual);
     if (property != nullptr && property->length_type) return property;
   }
   const PlyProperty* only = nullptr;
@@ -283,15 +283,15 @@ const PlyProperty* PlyElement::vertex_list() const {
 HALFEDGE_COLD std::string PlyElement::name_of(const std::vector<bool>& which) const {
   constexpr std::size_t kNamed = 8;
   std::string names;
-  std::size_t count = 0;
+  std::size_t found = 0;
   for (std::size_t k = 0; k < properties.size(); ++k) {
-    if (which[k] && count++ < kNamed) {
-      names += (count == 1 ? "" : ", ") + quoted(properties[k].name);
+    if (which[k] && found++ < kNamed) {
+      names += (found == 1 ? "" : ", ") + quoted(properties[k].name);
     }
   }
-  if (count == 0) return {};
-  if (count > kNamed) names += sentence::of(" and {} more", count - kNamed);
-  return sentence::of("{}{} of {}", count == 1 ? "the property " : "the properties ", names,
+  if (found == 0) return {};
+  if (found > kNamed) names += sentence::of(" and {} more", found - kNamed);
+  return sentence::of("{}{} of {}", found == 1 ? "the property " : "the properties ", names,
                       quoted(name));
 }
 

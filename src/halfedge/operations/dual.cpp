@@ -80,7 +80,7 @@ class DualPlanner {
     for (Index f = 0; f < links_.slots(Face{}); ++f) {
       Index fans = 0;
       for_side(f, [&](Halfedge h) {
-        fans += !is_interior(from_vertex(h)) && is_interior(links_.to_vertex(h)) ? 1 : 0;
+        fans += !is_interior(from_vertex(h)) && is_interior(links_.to_vertex(h)) ? 1U : 0U;
       });
       if (fans > 1) return is_pinched(f, fans);
       Error refusal;

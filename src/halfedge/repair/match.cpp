@@ -157,7 +157,7 @@ class Matcher {
     for_each_edge([&](Index low, std::span<const Side> sides) {
       if (sides.size() < 2) return;
       Index loose = 0;
-      for (const Side& side : sides) loose += is_loose(side.side) ? 1 : 0;
+      for (const Side& side : sides) loose += is_loose(side.side) ? 1U : 0U;
       if (sides.size() > 2 || loose > 0) surface_.split[low] = surface_.split[sides[0].high] = true;
       if (loose > 0) {
         fits = fits && join_firm(low, sides);

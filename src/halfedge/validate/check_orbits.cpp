@@ -28,7 +28,7 @@ template <class Mesh>
 void OrbitChecker<Mesh>::check_face_loops() {
   Index reached = 0;
   for (const Face f : mesh_.faces()) reached += mesh_.degree(f);
-  for (const Halfedge h : mesh_.halfedges()) reached += mesh_.is_boundary(h) ? 1 : 0;
+  for (const Halfedge h : mesh_.halfedges()) reached += mesh_.is_boundary(h) ? 1U : 0U;
   if (reached == mesh_.halfedge_count()) return;
 
   Array<bool> seen;

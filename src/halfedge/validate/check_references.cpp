@@ -79,7 +79,7 @@ void ReferenceChecker<Mesh>::check_free_list(ItemKind kind, const FreeList& list
   const std::size_t slots = links.size() / stride;
   Index deleted = 0;
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    deleted += is_deleted_link(links[slot * stride]) ? 1 : 0;
+    deleted += is_deleted_link(links[slot * stride]) ? 1U : 0U;
   }
   const auto complain = [&](Index slot, const std::string& what) {
     problems_.add(Rule::kFreeList, kind, slot, [&] {
