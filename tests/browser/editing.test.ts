@@ -4,10 +4,14 @@ import { annulus, openGrid } from '../../web/explorer/samples/generators.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
 let explorer: ExplorerPage;
-beforeAll(async () => {
-  await init();
+/** A page that nothing was done on yet. */
+const open = async () => {
   explorer = await ExplorerPage.open();
   await explorer.press('2');
+};
+beforeAll(async () => {
+  await init();
+  await open();
 });
 afterEach(() => expect(explorer.complaints).toEqual([]));
 afterAll(async () => {
@@ -15,13 +19,19 @@ afterAll(async () => {
   await disconnect();
 });
 
+/** How many steps led back to meshes before, when the one on show was opened. */
+let stepsBefore = 0;
+
 /** A generated sample: the page's, and the same mesh here to do the same to. */
 async function show(id: string, name: string, mesh: HalfedgeMesh) {
   await explorer.sample(id, name);
   mesh.history.enabled = true;
   await shows(mesh);
+  stepsBefore = await steps();
   return mesh;
 }
+
+const steps = async () => Number(await explorer.state('undo'));
 
 const sphere = () => show('icosphere', 'Icosphere', HalfedgeMesh.icoSphere(2));
 
@@ -224,17 +234,17 @@ describe('An operation on the whole mesh', () => {
     await explorer.press('Shift+N');
     expect(await outcome()).toBe('Nothing to do: delete isolated.');
     expect(await explorer.page.textContent('.report')).toBe('Nothing to do: delete isolated.');
-    expect(await explorer.state('undo')).toBe('2');
+    expect(await steps()).toBe(stepsBefore + 2);
   });
 
   test('dual opens another mesh, from where undo leads back', async () => {
-    await explorer.sample('cube', 'Cube');
+    await show('cube', 'Cube', HalfedgeMesh.cube());
     await explorer.press('Shift+M');
     await explorer.ready('Dual of Cube');
     await explorer.page.waitForSelector('main.stage[data-digest]'); // it is measured
     expect((await numbers()).slice(0, 4)).toEqual(['V 6', 'E 12', 'F 8', 'χ 2']);
     expect(await outcome()).toBe('Done: dual.');
-    expect(await explorer.state('undo')).toBe('1');
+    expect(await steps()).toBe(stepsBefore + 1);
     await explorer.press('Control+z');
     await explorer.ready('Cube');
     await shows(HalfedgeMesh.cube());
@@ -265,6 +275,11 @@ describe('The numbers', () => {
 });
 
 describe('History', () => {
+  beforeEach(async () => {
+    await explorer.close();
+    await open();
+  });
+
   test('goes back and forth by buttons and by keys, to exactly the same mesh', async () => {
     const mesh = await sphere();
     const states = [digestOf(mesh)];
@@ -302,15 +317,33 @@ describe('History', () => {
     expect([await explorer.state('undo'), await explorer.state('redo')]).toEqual(['3', '0']);
   });
 
-  test('forgets what was undone when something else is done, and all with another mesh', async () => {
+  test('forgets what was undone when something else is done', async () => {
     await sphere();
     for (const keys of ['Shift+F', 'Control+z', 'Shift+F']) {
       await explorer.goTo('e30');
       await explorer.press(keys);
     }
     expect([await explorer.state('undo'), await explorer.state('redo')]).toEqual(['1', '0']);
+  });
+
+  test('leads back to edits that no file has, when another mesh is opened', async () => {
+    const mesh = await sphere();
+    await explorer.goTo('e30');
+    await explorer.press('Shift+F');
+    mesh.flipEdge(30);
+    await shows(mesh);
     await explorer.sample('cube', 'Cube');
-    expect(await explorer.state('undo')).toBe('0');
+    await explorer.sample('icosahedron', 'Icosahedron');
+    expect(await outcome()).toBe('');
+    const undo = explorer.page.locator('[data-history=undo]');
+    expect(await undo.textContent()).toBe('Undo open Icosahedron');
+    await undo.click();
+    await explorer.ready('Icosphere');
+    await shows(mesh);
+    expect(await explorer.state('selected')).toBe('e30');
+    expect(await undo.textContent()).toBe('Undo flip e30');
+    await explorer.press('Control+y');
+    await explorer.ready('Icosahedron');
   });
 });
 
@@ -414,7 +447,7 @@ describe('A refusal', () => {
     expect(await explorer.state('selected')).toBe(`h${h}`);
     expect(await explorer.state('refusal')).toBe('boundary-edge');
     await shows(mesh);
-    expect(await explorer.state('undo')).toBe('0');
+    expect(await steps()).toBe(stepsBefore);
     await explorer.page.focus('main.stage canvas');
     await explorer.press('Escape');
     expect(await explorer.state('refusal')).toBeNull();

@@ -139,9 +139,42 @@ describe('A mesh that was made of another one', () => {
     expect(state()).toEqual(['Dual of cube', 10, 'v9', 'poke f0', 3, null, 0]);
     editor.redo();
     expect(editor.outcome.value).toBe('There is nothing to redo.');
-    explorer.openMesh('other', HalfedgeMesh.tetrahedron());
-    expect(state()).toEqual(['other', 4, 'v0', null, 0, null, 0]);
     end();
+  });
+
+  test('leads back to edits that no file has, past meshes without, when another one is opened', () => {
+    const before = bytesInUse();
+    const { explorer, editor, run, end } = opened();
+    const shown = () => explorer.document.value?.mesh as HalfedgeMesh;
+    const open = (name: string) => explorer.openMesh(name, HalfedgeMesh.tetrahedron());
+    const cube = shown();
+    run('splitFace', face(3));
+    expect([editor.isUnsaved, editor.anyUnsaved]).toEqual([true, true]);
+    open('second');
+    const second = shown();
+    expect(editor.outcome.value).toBe('cube has edits that no file has: undo leads back to them.');
+    expect([editor.isUnsaved, editor.anyUnsaved]).toEqual([false, true]);
+    expect(editor.deeds).toEqual([]);
+    open('third');
+    const third = shown();
+    expect([cube.disposed, second.disposed]).toEqual([false, true]);
+    expect(editor.outcome.value).toBe('');
+    expect(editor.past.value.undo).toBe('open third');
+
+    editor.undo();
+    expect(editor.outcome.value).toBe('Undone: open third.');
+    expect([shown(), cube.vertexCount, editor.past.value.undo]).toEqual([cube, 9, 'poke f3']);
+    expect(editor.past.value.redo).toBe('open third');
+    editor.redo();
+    expect(shown()).toBe(third);
+
+    editor.undo();
+    editor.markSaved();
+    open('fourth');
+    expect([cube.disposed, third.disposed, editor.past.value.undo]).toEqual([true, true, null]);
+    expect(editor.anyUnsaved).toBe(false);
+    end();
+    expect(bytesInUse()).toBe(before);
   });
 
   test('gives its memory back once nothing leads there any more', () => {
@@ -160,6 +193,12 @@ describe('A mesh that was made of another one', () => {
     expect([cube.disposed, dual.disposed, twice.disposed]).toEqual([false, true, true]);
     expect(editor.past.value.redo).toBeNull();
     run('dual', face(0));
+    const again = shown();
+    editor.markSaved();
+    explorer.openMesh('other', HalfedgeMesh.tetrahedron());
+    expect([cube.disposed, again.disposed]).toEqual([false, true]);
+    editor.undo();
+    editor.markSaved();
     explorer.openMesh('other', HalfedgeMesh.tetrahedron());
     expect(cube.disposed).toBe(true);
     end();

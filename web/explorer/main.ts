@@ -104,7 +104,7 @@ async function start(): Promise<void> {
   await explorer.openSomething();
   forgetLinkWithMesh();
   window.addEventListener('beforeunload', (event) => {
-    if (explorer.editor.isUnsaved) event.preventDefault();
+    if (explorer.editor.anyUnsaved) event.preventDefault();
   });
   window.addEventListener('hashchange', () => void followLink(view));
 }

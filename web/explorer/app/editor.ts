@@ -58,8 +58,8 @@ interface Step {
 
 /** What was done to one mesh. */
 interface Log {
-  /** What made the mesh of the one before it; null for one that was opened. */
-  madeBy: string | null;
+  /** What led here from the mesh before it, if there is one: `dual`, `open Suzanne`. */
+  ledBy: string;
   readonly done: Step[];
   undone: Step[];
   /** The last step that a file has which was saved; undefined: the file that was opened; null: no file. */
@@ -87,6 +87,9 @@ const NO_PAST: Past = { undo: null, redo: null, undoCount: 0, redoCount: 0 };
 
 /** What the steps that can be undone may take: the oldest are forgotten first. */
 const HISTORY_BYTES = 2 ** 28;
+
+/** What the meshes before this one may have: about as many bytes. The last of them stays in any case. */
+const KEPT_HALFEDGES = 12_000_000;
 
 /** Operations on the selection, their refusals, and the way back. */
 export class Editor {
@@ -121,19 +124,19 @@ export class Editor {
     mesh.history.enabled = true;
   }
 
-  /** Begins anew, with a mesh that was prepared and is shown next. */
-  begin(): void {
-    disposeAll(this.#earlier);
-    disposeAll(this.#later);
-    this.#turnPage(newLog());
-  }
-
-  /** Begins with a mesh that was prepared and made from the one on show, which is kept. */
-  beginNext(): void {
+  /** Goes on with a mesh that was prepared and is shown next: undo leads back to the one on show, which is kept. */
+  goOn(ledBy: string): void {
     disposeAll(this.#later);
     this.#log.undone = [];
     this.#keepAmong(this.#earlier);
-    this.#turnPage(newLog());
+    this.#forgetOldest();
+    this.#turnPage(newLog(ledBy));
+  }
+
+  /** Goes on with such a mesh instead of the one on show, which isn't kept: undo leads to the one before it. */
+  replace(ledBy: string): void {
+    disposeAll(this.#later);
+    this.#turnPage(newLog(ledBy));
   }
 
   #turnPage(log: Log): void {
@@ -150,6 +153,14 @@ export class Editor {
     const { document, selected } = this.#explorer;
     if (!document.value) return;
     others.push({ document: document.value, selected: selected.value, log: this.#log });
+  }
+
+  /** Nothing leads any more to the oldest of the meshes that were kept, if they take too much. */
+  #forgetOldest(): void {
+    const kept = this.#earlier;
+    const halfedges = () =>
+      kept.reduce((sum, { document }) => sum + document.mesh.halfedgeSlots, 0);
+    while (kept.length > 1 && halfedges() > KEPT_HALFEDGES) disposeAll(kept, 1);
   }
 
   #bringBack({ document, selected, log }: Kept): void {
@@ -209,10 +220,10 @@ export class Editor {
       this.#travel('undo', this.#log.done, this.#log.undone);
       return;
     }
-    const { madeBy } = this.#log;
+    const { ledBy } = this.#log;
     this.#keepAmong(this.#later);
     this.#bringBack(kept);
-    this.outcome.value = `Undone: ${madeBy}.`;
+    this.outcome.value = `Undone: ${ledBy}.`;
   }
 
   redo(): void {
@@ -223,7 +234,7 @@ export class Editor {
     }
     this.#keepAmong(this.#earlier);
     this.#bringBack(kept);
-    this.outcome.value = `Redone: ${kept.log.madeBy}.`;
+    this.outcome.value = `Redone: ${kept.log.ledBy}.`;
   }
 
   #travel(way: 'undo' | 'redo', from: Step[], to: Step[]): void {
@@ -247,9 +258,14 @@ export class Editor {
     return this.#log.forgot ? null : this.#log.done.map(({ deed }) => deed);
   }
 
-  /** Whether there are edits that no file has. */
+  /** Whether the mesh on show has edits that no file has. */
   get isUnsaved(): boolean {
-    return this.#log.done.at(-1) !== this.#log.saved;
+    return hasUnsaved(this.#log);
+  }
+
+  /** Whether it has, or one that undo leads back to. */
+  get anyUnsaved(): boolean {
+    return this.isUnsaved || this.#earlier.some(({ log }) => hasUnsaved(log));
   }
 
   /** The mesh as it is was saved to a file. */
@@ -313,11 +329,10 @@ export class Editor {
   /** Shows the mesh that was made; undo leads back to the one that it was made of. */
   #open(operation: Operation, made: HalfedgeMesh): void {
     const { value: before } = this.#explorer.document;
-    if (!this.#explorer.openNext(`${operation.label} of ${before?.name}`, made)) return;
-    this.#log.madeBy = operation.label.toLowerCase();
+    const ledBy = operation.label.toLowerCase();
+    if (!this.#explorer.openNext(`${operation.label} of ${before?.name}`, made, ledBy)) return;
     this.#log.saved = null;
-    this.outcome.value = `Done: ${this.#log.madeBy}.`;
-    this.#publish();
+    this.outcome.value = `Done: ${ledBy}.`;
   }
 
   /** A step that was done; those that the package has forgotten are forgotten here, too. */
@@ -383,10 +398,10 @@ export class Editor {
   }
 
   #publish(): void {
-    const earlier = this.#earlier.length > 0 ? this.#log.madeBy : null;
+    const earlier = this.#earlier.length > 0 ? this.#log.ledBy : null;
     this.past.value = {
       undo: this.#log.done.at(-1)?.title ?? earlier,
-      redo: this.#log.undone.at(-1)?.title ?? this.#later.at(-1)?.log.madeBy ?? null,
+      redo: this.#log.undone.at(-1)?.title ?? this.#later.at(-1)?.log.ledBy ?? null,
       undoCount: this.#log.done.length + stepsOf(this.#earlier, 'done'),
       redoCount: this.#log.undone.length + stepsOf(this.#later, 'undone'),
     };
@@ -394,19 +409,24 @@ export class Editor {
 
   /** The package has no such step any more: its memory is limited. */
   #forget(): void {
-    this.#log = { ...newLog(), madeBy: this.#log.madeBy, forgot: true };
+    this.#log = { ...newLog(this.#log.ledBy), forgot: true };
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
   }
 }
 
-function newLog(): Log {
-  return { madeBy: null, done: [], undone: [], saved: undefined, forgot: false };
+function newLog(ledBy = ''): Log {
+  return { ledBy, done: [], undone: [], saved: undefined, forgot: false };
 }
 
-/** Gives the memory of meshes back that nothing leads to any more. */
-function disposeAll(others: Kept[]): void {
-  for (const { document } of others.splice(0)) document.mesh.dispose();
+/** Whether the last step is not in a file. */
+function hasUnsaved({ done, saved }: Log): boolean {
+  return done.at(-1) !== saved;
+}
+
+/** Gives the memory of the first of these meshes back, or of all: nothing leads to them any more. */
+function disposeAll(others: Kept[], count = others.length): void {
+  for (const { document } of others.splice(0, count)) document.mesh.dispose();
 }
 
 /** How many steps these meshes have, with those that lead from one to the next. */

@@ -144,12 +144,15 @@ export class Explorer {
 
   /** Shows a mesh that doesn't come from a file. Whether there is memory for it. */
   openMesh(name: string, mesh: HalfedgeMesh): boolean {
-    return this.#showMade(name, mesh, false);
+    return this.#showMade(name, mesh, null);
   }
 
-  /** Shows a mesh that was made from the one on show, which stays for undo. Whether there is memory for it. */
-  openNext(name: string, mesh: HalfedgeMesh): boolean {
-    return this.#showMade(name, mesh, true);
+  /**
+   * Shows a mesh that was made from the one on show, by what is named, which undo takes back. Whether there
+   * is memory for it.
+   */
+  openNext(name: string, mesh: HalfedgeMesh, madeBy: string): boolean {
+    return this.#showMade(name, mesh, madeBy);
   }
 
   /** Shows a mesh that has stayed. */
@@ -160,12 +163,12 @@ export class Explorer {
     this.select(selected);
   }
 
-  #showMade(name: string, mesh: HalfedgeMesh, keepsBefore: boolean): boolean {
+  #showMade(name: string, mesh: HalfedgeMesh, madeBy: string | null): boolean {
     this.cancel();
     this.pause();
     const names = this.document.value?.names ?? {};
     try {
-      this.#show({ ...newDocument(name, mesh), stem: name, names }, keepsBefore);
+      this.#show({ ...newDocument(name, mesh), stem: name, names }, madeBy);
       return true;
     } catch (error) {
       this.failure.value = failureOf(error, { name });
@@ -315,7 +318,7 @@ export class Explorer {
   }
 
   /** Throws, with all as it was, if there is no memory for the history of the mesh. */
-  #show(opened: MeshDocument, keepsBefore = false): void {
+  #show(opened: MeshDocument, madeBy: string | null = null): void {
     const before = this.document.value;
     try {
       this.editor.prepare(opened.mesh);
@@ -323,10 +326,17 @@ export class Explorer {
       opened.mesh.dispose();
       throw error;
     }
-    if (keepsBefore) this.editor.beginNext();
-    else this.editor.begin();
+    const { editor } = this;
+    const isEdited = madeBy === null && editor.isUnsaved;
+    if (madeBy !== null) editor.goOn(madeBy);
+    else if (isEdited) editor.goOn(`open ${opened.name}`);
+    else editor.replace(`open ${opened.name}`);
     this.#put(opened);
-    if (!keepsBefore) before?.mesh.dispose();
+    if (isEdited) {
+      editor.outcome.value = `${before?.name} has edits that no file has: undo leads back to them.`;
+    } else if (madeBy === null) {
+      before?.mesh.dispose();
+    }
     if (!this.selected.value && opened.mesh.vertexCount > 0) {
       this.select({ kind: 'vertex', index: opened.start ?? 0 });
     }
