@@ -1,5 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { writeGltf } from 'halfedge/gltf';
+import { dracoGltf } from './support/draco.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
 let explorer: ExplorerPage;
@@ -120,6 +121,14 @@ describe('glTF', () => {
     await choose({ name: 'solid.bin', buffer: data }, main);
     await explorer.ready('solid.gltf');
     expect(await faces()).toBe('20');
+  });
+
+  test('opens where Draco has compressed it', async () => {
+    const text = await dracoGltf(HalfedgeMesh.icoSphere(3));
+    await choose({ name: 'packed.gltf', buffer: Buffer.from(text) });
+    await explorer.ready('packed.gltf');
+    expect(await faces()).toBe('1,280');
+    expect(await explorer.validity()).toContain('closed');
   });
 
   test('is refused in a sentence where it is cut off', async () => {

@@ -83,11 +83,6 @@ describe('A glTF file that is none', () => {
       'the geometry is compressed (KHR_draco_mesh_compression)',
     ],
     [
-      set('extensionsRequired', ['EXT_meshopt_compression']),
-      'unsupported-format',
-      'options.meshoptDecoder',
-    ],
-    [
       set('extensionsRequired', ['ACME_points']),
       'unsupported-format',
       'requires the extension "ACME_points"',

@@ -85,11 +85,16 @@ async function openFile(file: File, options: OpenOptions): Promise<MeshDocument>
 /** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
 async function openGltf(file: File, { companions = [] }: OpenOptions): Promise<MeshDocument> {
   // Only pages that open such a file load three.js's reader of them.
-  const { readGltf } = await import('halfedge/gltf');
+  const [{ readGltf }, { DRACOLoader }] = await Promise.all([
+    import('halfedge/gltf'),
+    import('three/addons/loaders/DRACOLoader.js'),
+  ]);
+  const dracoLoader = new DRACOLoader(); // it loads its decoder where it is needed
   const content = await file.arrayBuffer();
-  const { mesh, report } = await readGltf(content, {
-    resource: (uri) => companionOf(uri, companions),
-  });
+  const resource = (uri: string) => companionOf(uri, companions);
+  const { mesh, report } = await readGltf(content, { resource, dracoLoader }).finally(() =>
+    dracoLoader.dispose(),
+  );
   const isRepaired = report.problems.some(({ severity }) => severity !== 'info');
   return { ...newDocument(file.name, mesh), lesson: isRepaired ? report.summary : null };
 }

@@ -273,7 +273,7 @@ const MAX_DEPTH = 1000;
 
 // ---- what a value is -------------------------------------------------------------------------------
 
-function wrong(what: string, value: unknown, expected: string): Error {
+export function wrong(what: string, value: unknown, expected: string): Error {
   const text = typeof value === 'string' && value.includes(' ') ? value : describe(value);
   return fileError('parse-error', `glTF: ${what} is ${text}, expected ${expected}.`);
 }
@@ -304,14 +304,14 @@ function extensionsOf(what: string, { extensions = {} }: Dictionary): Record<str
 }
 
 /** An integer that sums of such can't round. */
-function count(what: string, value: unknown): number {
+export function count(what: string, value: unknown): number {
   if (Number.isInteger(value) && (value as number) >= 0 && (value as number) < 2 ** 40) {
     return value as number;
   }
   throw wrong(what, value, 'an integer from 0');
 }
 
-function reference(what: string, value: unknown, length: number): number {
+export function reference(what: string, value: unknown, length: number): number {
   if (Number.isInteger(value) && (value as number) >= 0 && (value as number) < length) {
     return value as number;
   }

@@ -1,16 +1,16 @@
 import { fileError } from './container.js';
 import type { GltfDocument, GltfNode, GltfPrimitive } from './document.js';
+import { checkCompressed, knownName, MESHOPT } from './meshopt.js';
 
 /** What can read compressed geometry. */
 export interface GltfDecoders {
   /** three.js's DRACOLoader, for KHR_draco_mesh_compression. */
   readonly dracoLoader?: object | undefined;
-  /** MeshoptDecoder, for EXT_meshopt_compression. */
+  /** A MeshoptDecoder, for EXT_meshopt_compression and KHR_meshopt_compression; three.js's if left out. */
   readonly meshoptDecoder?: object | undefined;
 }
 
 const DRACO = 'KHR_draco_mesh_compression';
-const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'];
 const INSTANCING = 'EXT_mesh_gpu_instancing';
 /** Extensions that have to do with geometry; others that are about looks don't matter here. */
 const GEOMETRY = [DRACO, ...MESHOPT, INSTANCING, 'KHR_mesh_quantization'];
@@ -67,13 +67,14 @@ export function prepare(
   });
   const isUsed = (name: string) =>
     GEOMETRY.includes(name) && (name !== DRACO || decoders.dracoLoader !== undefined);
-  const { asset, accessors, bufferViews, buffers } = document;
+  const { asset, accessors, buffers } = document;
+  const bufferViews = document.bufferViews.map((view, i) => checkCompressed(view, i, document));
   return {
     document: {
       ...{ asset, bufferViews, buffers, meshes, ...shownScene(document, nodes) },
       accessors: accessors.map((accessor) => ({ ...accessor, ...NO_BOUNDS })),
-      extensionsUsed: document.extensionsUsed?.filter(isUsed) ?? [],
-      extensionsRequired: document.extensionsRequired?.filter(isUsed) ?? [],
+      extensionsUsed: document.extensionsUsed?.filter(isUsed).map(knownName) ?? [],
+      extensionsRequired: document.extensionsRequired?.filter(isUsed).map(knownName) ?? [],
     },
     notes: notes.sentences(),
   };
@@ -131,10 +132,6 @@ class Notes {
 function checkExtensions(document: GltfDocument, decoders: GltfDecoders): void {
   const required = document.extensionsRequired ?? [];
   if (required.includes(DRACO) && decoders.dracoLoader === undefined) throw needsDraco();
-  const meshopt = MESHOPT.find((name) => required.includes(name));
-  if (meshopt !== undefined && decoders.meshoptDecoder === undefined) {
-    throw needs(meshopt, 'meshoptDecoder', 'a MeshoptDecoder');
-  }
   const unknown = required.find((name) => !GEOMETRY.includes(name) && !LOOKS.test(name));
   if (unknown === undefined) return;
   throw fileError(
@@ -143,14 +140,11 @@ function checkExtensions(document: GltfDocument, decoders: GltfDecoders): void {
   );
 }
 
-function needs(name: string, option: string, what: string): Error {
-  return fileError(
+const needsDraco = () =>
+  fileError(
     'unsupported-format',
-    `glTF: the geometry is compressed (${name}): it needs ${what} as options.${option}.`,
+    `glTF: the geometry is compressed (${DRACO}): it needs three.js's DRACOLoader as options.dracoLoader.`,
   );
-}
-
-const needsDraco = () => needs(DRACO, 'dracoLoader', "three.js's DRACOLoader");
 
 /** Where a file doesn't require the decoder, it should have the geometry uncompressed too; some don't. */
 function checkFallback({ accessors }: GltfDocument, primitive: GltfPrimitive): void {

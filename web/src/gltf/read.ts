@@ -10,11 +10,12 @@ import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
-import { checkDocument } from './document.js';
+import { checkDocument, type GltfDocument } from './document.js';
 import { cornersLeft, join, type Triangles, trianglesOf } from './geometry.js';
+import { isCompressed } from './meshopt.js';
 import { type GltfDecoders, prepare } from './prepare.js';
 import { packSparse } from './sparse.js';
-import { loadLoader, loadThree } from './three.js';
+import { loadLoader, loadMeshoptDecoder, loadThree } from './three.js';
 
 /** How to read a glTF file. */
 export interface ReadGltfOptions extends SoupOptions, GltfResources, GltfDecoders {
@@ -94,7 +95,8 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   const base = isUrl ? { baseUrl: data as URL } : {};
   const joined = await joinBuffers(document, file, { ...base, ...options });
   const packed = packSparse(joined.document, joined.binary);
-  const { scene, parser } = await loadScene(makeGlb(packed.document, packed.binary), options);
+  const glb = makeGlb(packed.document, packed.binary);
+  const { scene, parser } = await loadScene(glb, await decodersFor(document, options));
   const { Matrix4 } = await loadThree();
   const parts: Loaded['parts'] = [];
   scene.updateMatrixWorld(true);
@@ -145,8 +147,19 @@ function takeReadOptions(given: ReadGltfOptions): ReadGltfOptions {
   return options;
 }
 
+/** Those that were given, and three.js's where a file needs one that comes as a module. */
+async function decodersFor(
+  { bufferViews }: GltfDocument,
+  { dracoLoader, meshoptDecoder }: GltfDecoders,
+): Promise<GltfDecoders> {
+  if (meshoptDecoder !== undefined || !bufferViews.some(isCompressed)) {
+    return { dracoLoader, meshoptDecoder };
+  }
+  return { dracoLoader, meshoptDecoder: await loadMeshoptDecoder() };
+}
+
 /** The scene, as three.js's own loader makes it. */
-async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: ReadGltfOptions) {
+async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: GltfDecoders) {
   const { GLTFLoader } = await loadLoader();
   const loader = new GLTFLoader();
   if (dracoLoader !== undefined) loader.setDRACOLoader(dracoLoader as never);

@@ -11,6 +11,12 @@ export async function loadLoader() {
   return orSentence(() => import('three/addons/loaders/GLTFLoader.js'));
 }
 
+/** The decoder of meshopt that comes with it. */
+export async function loadMeshoptDecoder(): Promise<object> {
+  const load = () => import('three/addons/libs/meshopt_decoder.module.js');
+  return (await orSentence(load)).MeshoptDecoder;
+}
+
 /** Its writer of glTF files. */
 export async function loadExporter() {
   return orSentence(() => import('three/addons/exporters/GLTFExporter.js'));
