@@ -187,12 +187,12 @@ bool OffReader::vertices_cross_lines() {
 
 /// What the vertex has behind its position: all of the line, or so many numbers as it should have.
 void OffReader::read_values_of_vertex() {
-  constexpr std::size_t kMost = 10;  // one more than there can be
-  std::array<float, kMost> numbers{};
-  std::array<std::string_view, kMost> tokens;
+  constexpr std::size_t kMostValues = 10;  // one more than there can be
+  std::array<float, kMostValues> numbers{};
+  std::array<std::string_view, kMostValues> tokens;
   const auto promised = static_cast<std::size_t>(header_.columns - header_.coordinates);
   const bool is_free = vertices_ == Layout::kFree;
-  const std::size_t most = is_free ? promised : kMost;
+  const std::size_t most = is_free ? promised : kMostValues;
   std::size_t count = 0;
   for (; count < most; ++count) {
     text_.skip_blanks();
