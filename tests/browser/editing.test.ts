@@ -333,8 +333,15 @@ describe('History', () => {
     mesh.flipEdge(30);
     await shows(mesh);
     await explorer.sample('cube', 'Cube');
+    const left = explorer.page.locator('[data-left]');
+    expect(await left.textContent()).toContain('Icosphere has edits that were not saved.');
+    await left.locator('button').click();
+    await explorer.ready('Icosphere');
+    expect(await left.isVisible()).toBe(false);
+    await shows(mesh);
+    await explorer.sample('cube', 'Cube');
     await explorer.sample('icosahedron', 'Icosahedron');
-    expect(await outcome()).toBe('');
+    expect(await left.isVisible()).toBe(false);
     const undo = explorer.page.locator('[data-history=undo]');
     expect(await undo.textContent()).toBe('Undo open Icosahedron');
     await undo.click();

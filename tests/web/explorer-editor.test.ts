@@ -78,8 +78,8 @@ test('A mesh that history has no room for leaves the one on show, and no memory 
 });
 
 describe('A mesh that was made of another one', () => {
-  const opened = () => {
-    const explorer = new Explorer();
+  const opened = (keptHalfedges?: number) => {
+    const explorer = new Explorer(keptHalfedges);
     explorer.openMesh('cube', HalfedgeMesh.cube());
     const { editor } = explorer;
     const run = (stem: string, item: Item) => {
@@ -152,13 +152,13 @@ describe('A mesh that was made of another one', () => {
     expect([editor.isUnsaved, editor.anyUnsaved]).toEqual([true, true]);
     open('second');
     const second = shown();
-    expect(editor.outcome.value).toBe('cube has edits that no file has: undo leads back to them.');
+    expect(editor.left.value).toBe('cube');
     expect([editor.isUnsaved, editor.anyUnsaved]).toEqual([false, true]);
     expect(editor.deeds).toEqual([]);
     open('third');
     const third = shown();
     expect([cube.disposed, second.disposed]).toEqual([false, true]);
-    expect(editor.outcome.value).toBe('');
+    expect(editor.left.value).toBeNull();
     expect(editor.past.value.undo).toBe('open third');
 
     editor.undo();
@@ -175,6 +175,34 @@ describe('A mesh that was made of another one', () => {
     expect(editor.anyUnsaved).toBe(false);
     end();
     expect(bytesInUse()).toBe(before);
+  });
+
+  test('is forgotten where there are too many before the one on show, but not the last', () => {
+    const { explorer, editor, run, end } = opened(80);
+    const meshes = [explorer.document.value?.mesh as HalfedgeMesh];
+    run('splitFace', face(0));
+    for (const name of ['second', 'third', 'fourth']) {
+      meshes.push(HalfedgeMesh.cube());
+      explorer.openMesh(name, meshes[meshes.length - 1]);
+      run('splitFace', face(0));
+    }
+    // A cube has 24 halfedges, and 32 with a vertex in one face.
+    expect(meshes.map(({ disposed }) => disposed)).toEqual([true, false, false, false]);
+    for (let step = 0; step < 5; step++) editor.undo();
+    expect(explorer.document.value?.name).toBe('second');
+    editor.undo();
+    expect(editor.outcome.value).toBe('There is nothing to undo.');
+    end();
+    const [, , third, fourth] = meshes;
+    third.dispose();
+    fourth.dispose();
+
+    const last = opened(1);
+    last.run('splitFace', face(0));
+    last.explorer.openMesh('second', HalfedgeMesh.cube());
+    last.editor.undo();
+    expect(last.explorer.document.value?.mesh.vertexCount).toBe(9);
+    last.end();
   });
 
   test('gives its memory back once nothing leads there any more', () => {

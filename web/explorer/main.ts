@@ -26,6 +26,7 @@ import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { emptyState } from './ui/empty-state.js';
 import { listenToKeys } from './ui/keyboard.js';
+import { leftNotice } from './ui/left-notice.js';
 import {
   busyNotice,
   dropTarget,
@@ -84,6 +85,7 @@ async function start(): Promise<void> {
     ...cards,
     busyNotice(explorer),
     share.outcome,
+    leftNotice(explorer),
     dropTarget(explorer),
     help,
   );

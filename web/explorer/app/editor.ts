@@ -88,9 +88,6 @@ const NO_PAST: Past = { undo: null, redo: null, undoCount: 0, redoCount: 0 };
 /** What the steps that can be undone may take: the oldest are forgotten first. */
 const HISTORY_BYTES = 2 ** 28;
 
-/** What the meshes before this one may have: about as many bytes. The last of them stays in any case. */
-const KEPT_HALFEDGES = 12_000_000;
-
 /** Operations on the selection, their refusals, and the way back. */
 export class Editor {
   readonly offers = new Signal<readonly Offer[]>([]);
@@ -104,7 +101,11 @@ export class Editor {
   /** What the last repair did and had to leave, or that there was nothing to do; empty after anything else. */
   readonly report = new Signal('');
 
+  /** The name of the mesh with unsaved edits that another one was opened over; null after anything else. */
+  readonly left = new Signal<string | null>(null);
+
   readonly #explorer: Explorer;
+  readonly #keptHalfedges: number;
   #log = newLog();
   /** The meshes that led to this one, which undo brings back, the last at the end. */
   #earlier: Kept[] = [];
@@ -113,8 +114,10 @@ export class Editor {
   #keepsRefusal = false;
   #pickModeBefore: PickMode = 'auto';
 
-  constructor(explorer: Explorer) {
+  /** Of the meshes that led to the one on show, the oldest are forgotten if all have more than `keptHalfedges`. */
+  constructor(explorer: Explorer, keptHalfedges: number) {
     this.#explorer = explorer;
+    this.#keptHalfedges = keptHalfedges;
     explorer.selected.subscribe(() => this.#select());
   }
 
@@ -146,6 +149,7 @@ export class Editor {
     this.refused.value = null;
     this.outcome.value = '';
     this.report.value = '';
+    this.left.value = null;
     this.#publish();
   }
 
@@ -155,12 +159,12 @@ export class Editor {
     others.push({ document: document.value, selected: selected.value, log: this.#log });
   }
 
-  /** Nothing leads any more to the oldest of the meshes that were kept, if they take too much. */
+  /** The last of the meshes that were kept stays in any case. */
   #forgetOldest(): void {
     const kept = this.#earlier;
     const halfedges = () =>
       kept.reduce((sum, { document }) => sum + document.mesh.halfedgeSlots, 0);
-    while (kept.length > 1 && halfedges() > KEPT_HALFEDGES) disposeAll(kept, 1);
+    while (kept.length > 1 && halfedges() > this.#keptHalfedges) disposeAll(kept, 1);
   }
 
   #bringBack({ document, selected, log }: Kept): void {
@@ -352,6 +356,7 @@ export class Editor {
     together(() => {
       this.edit.value = edit;
       this.refused.value = null;
+      this.left.value = null;
       this.#wait(null);
       this.outcome.value = outcome;
       this.report.value = report;

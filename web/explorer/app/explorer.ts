@@ -33,6 +33,9 @@ import { Signal, together } from './signal.js';
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
 
+/** What the meshes that undo leads back to may have: about 256 MiB. */
+const KEPT_HALFEDGES = 12_000_000;
+
 /** Checking a mesh with more faces than this stops the picture for a noticeable moment. */
 const LARGE = 200_000;
 
@@ -91,8 +94,8 @@ export class Explorer {
   #measuring: ReturnType<typeof setTimeout> | undefined;
   #abort = new AbortController();
 
-  constructor() {
-    this.editor = new Editor(this);
+  constructor(keptHalfedges = KEPT_HALFEDGES) {
+    this.editor = new Editor(this, keptHalfedges);
   }
 
   /** Opens a sample or a file. A failure leaves the mesh on show as it is. Whether it is on show then. */
@@ -332,11 +335,8 @@ export class Explorer {
     else if (isEdited) editor.goOn(`open ${opened.name}`);
     else editor.replace(`open ${opened.name}`);
     this.#put(opened);
-    if (isEdited) {
-      editor.outcome.value = `${before?.name} has edits that no file has: undo leads back to them.`;
-    } else if (madeBy === null) {
-      before?.mesh.dispose();
-    }
+    if (isEdited) editor.left.value = before?.name ?? null;
+    else if (madeBy === null) before?.mesh.dispose();
     if (!this.selected.value && opened.mesh.vertexCount > 0) {
       this.select({ kind: 'vertex', index: opened.start ?? 0 });
     }
