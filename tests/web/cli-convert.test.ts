@@ -50,6 +50,15 @@ describe('halfedge convert', () => {
     });
   });
 
+  test('says where glTF goes that Draco has compressed', async () => {
+    const extensionsRequired = ['KHR_draco_mesh_compression'];
+    const json = JSON.stringify({ asset: { version: '2.0' }, extensionsRequired });
+    expect(await run(['convert', '-', 'packed.ply'], json)).toMatchObject({
+      status: 2,
+      err: expect.stringMatching(/Draco has compressed the geometry, .*: the explorer does, and /),
+    });
+  });
+
   test('cuts polygons into triangles if asked to', async () => {
     await run(['convert', 'quad.obj', 'cut.off', '--triangulate']);
     expect(written('cut.off').mesh.faceCount).toBe(2);

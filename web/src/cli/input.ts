@@ -48,7 +48,8 @@ async function meshOf(
   onProgress: (fraction: number, stage: ParseStage) => void,
 ) {
   // Buffers in other files lie beside it.
-  const asGltf = () => readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) });
+  const asGltf = () =>
+    readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) }).catch(refuseDraco);
   if (looksLikeGltf(bytes)) return asGltf();
   if (!isGltf(format)) {
     return HalfedgeMesh.parse(bytes, { ...(format === undefined ? {} : { format }), onProgress });
@@ -60,6 +61,17 @@ async function meshOf(
     if (error instanceof HalfedgeError && error.code === 'unknown-format') return asGltf();
     throw error;
   }
+}
+
+/** The package asks for an option that there is none of here: Draco's decoder needs workers as browsers have them. */
+function refuseDraco(error: unknown): never {
+  if (!(error instanceof HalfedgeError && error.message.includes('options.dracoLoader')))
+    throw error;
+  throw new HalfedgeError(
+    error.code,
+    'glTF: Draco has compressed the geometry, which this program does not decode: the explorer does, and saves it in other formats.',
+    { cause: error },
+  );
 }
 
 /** The bytes of a file, read into memory once. */
