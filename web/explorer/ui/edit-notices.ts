@@ -1,4 +1,4 @@
-import { itemName } from 'halfedge/teaching';
+import { itemName, sameItem } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
 import { appearance, focusPicture } from './appear.js';
 import { fill, h, icon } from './dom.js';
@@ -79,7 +79,7 @@ export function pendingNotice(explorer: Explorer): HTMLElement {
     title.textContent = `${operation.label}: from ${itemName(first)} to …`;
     message.textContent = `Pick ${operation.second?.ask}, or walk to it and press Enter.`;
     const { value: selected } = explorer.selected;
-    const usable = selected?.kind === operation.second?.kind && selected !== first;
+    const usable = selected?.kind === operation.second?.kind && !sameItem(selected, first);
     confirm.disabled = !usable;
     confirm.textContent = usable ? `Take ${itemName(selected)}` : `Take the selected one`;
   };
