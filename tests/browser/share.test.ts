@@ -193,6 +193,24 @@ test('A link to a mesh that cannot be opened says so, and leaves the one on show
   await closeAll(explorer);
 });
 
+test('A link that could not be copied is shown; Escape in it leaves the selection alone', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=e3', mesh: 'Cube' });
+  const { page } = explorer;
+  await page.evaluate(() => {
+    navigator.clipboard.writeText = () => Promise.reject(new Error('refused'));
+  });
+  await page.focus('[data-share]');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-toast] input:not([hidden])');
+  expect(await page.inputValue('[data-toast] input')).toContain('#sample=cube&select=e3');
+  await page.focus('[data-toast] input');
+  await page.keyboard.press('Escape');
+  expect(await page.isVisible('[data-toast]')).toBe(false);
+  expect(await explorer.state('selected')).toBe('e3');
+  expect(await page.evaluate(() => document.activeElement?.hasAttribute('data-share'))).toBe(true);
+  await closeAll(explorer);
+});
+
 test('A mesh that is too large for a link is told of', async () => {
   const explorer = await ExplorerPage.open();
   const lines: string[] = [];

@@ -12,6 +12,15 @@ export function appearance(notice: HTMLElement): (shows: boolean) => void {
   };
 }
 
+/** Has Escape, where the focus is in a notice, do no more than to hide that. */
+export function hideByEscape(notice: HTMLElement, hide: () => void): void {
+  notice.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    hide();
+  });
+}
+
 /** Lets the keys walk and orbit: no button takes Enter and Space for itself. */
 export function focusPicture(): void {
   document.querySelector<HTMLElement>('main.stage canvas')?.focus();

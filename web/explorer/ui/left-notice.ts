@@ -1,5 +1,5 @@
 import type { Explorer } from '../app/explorer.js';
-import { appearance } from './appear.js';
+import { appearance, hideByEscape } from './appear.js';
 import { h, icon } from './dom.js';
 
 /** How long it is shown. */
@@ -21,13 +21,15 @@ export function leftNotice(explorer: Explorer): HTMLElement {
     ),
   );
   const appear = appearance(notice);
+  const hide = () => appear(false);
+  hideByEscape(notice, hide);
   let hiding: ReturnType<typeof setTimeout> | undefined;
   editor.left.subscribe((name) => {
     clearTimeout(hiding);
     appear(name !== null);
     if (name === null) return;
     said.textContent = `${name} has edits that were not saved. It stays.`;
-    hiding = setTimeout(() => appear(false), SHOWN_MS);
+    hiding = setTimeout(hide, SHOWN_MS);
   });
   return notice;
 }

@@ -1,5 +1,6 @@
 import type { Explorer } from '../app/explorer.js';
 import { linkOf, type Sight } from '../app/share.js';
+import { appearance, hideByEscape } from './appear.js';
 import { h, icon } from './dom.js';
 
 /** How long the outcome is shown. */
@@ -21,18 +22,16 @@ export function shareButton(explorer: Explorer, sight: Sight) {
     said,
     field,
   );
+  const appear = appearance(outcome);
+  const hide = () => appear(false);
   let hiding: ReturnType<typeof setTimeout> | undefined;
   const tell = (text: string, link: string | null) => {
     clearTimeout(hiding);
     said.textContent = text;
     field.hidden = link === null;
     field.value = link ?? '';
-    outcome.hidden = false;
-    if (link === null) {
-      hiding = setTimeout(() => {
-        outcome.hidden = true;
-      }, SHOWN_MS);
-    }
+    appear(true);
+    if (link === null) hiding = setTimeout(hide, SHOWN_MS);
   };
   const share = async () => {
     let address: string;
@@ -65,11 +64,7 @@ export function shareButton(explorer: Explorer, sight: Sight) {
     icon('link'),
   );
   // The link leads to the mesh that was on show.
-  explorer.document.subscribe(() => {
-    outcome.hidden = true;
-  });
-  outcome.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') outcome.hidden = true;
-  });
+  explorer.document.subscribe(hide);
+  hideByEscape(outcome, hide);
   return { button, outcome };
 }
