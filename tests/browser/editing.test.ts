@@ -218,6 +218,19 @@ describe('An operation with two items', () => {
     expect(await explorer.page.textContent('.refusal [data-message]')).toBe(refusal?.message);
     await shows(mesh);
   });
+
+  test('is not offered its first item as the second, also after a walk back to that', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const [first, second] = [mesh.faceHalfedge(14), mesh.faceHalfedge(0)];
+    await explorer.goTo(`h${first}`);
+    await explorer.press('Shift+E');
+    const take = explorer.page.locator('.pending .witness button');
+    await explorer.goTo(`h${second}`);
+    expect(await take.textContent()).toBe(`Take h${second}`);
+    await explorer.goTo(`h${first}`);
+    expect(await take.isDisabled()).toBe(true);
+    await explorer.press('Escape');
+  });
 });
 
 describe('An operation on the whole mesh', () => {
