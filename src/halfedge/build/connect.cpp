@@ -20,7 +20,7 @@ namespace {
 // From so many vertices on, what belongs to one doesn't stay in the cache: it is fetched when the
 // corners so many places before are at work.
 constexpr std::size_t kTooManyForCache = 300'000;
-constexpr std::size_t kAhead = 48;
+constexpr Index kAhead = 96;
 
 // Finds the halfedge of each side by matching sides in groups (groups.h), and links faces then. The
 // halfedge of a side that runs up is its place. One that runs down takes the opposite of the one
@@ -258,7 +258,12 @@ void write_prev(Links& links) {
   const Index* const next = links.next.data();
   Index* const prev = links.prev.data();
   const Index count = Index(links.next.size());
-  for (Index h = 0; h < count; ++h) prev[next[h]] = h;
+  const Index last_ahead = kCanPrefetch && count > kAhead ? count - kAhead : 0;
+  for (Index h = 0; h < last_ahead; ++h) {
+    prefetch(prev + next[h + kAhead]);
+    prev[next[h]] = h;
+  }
+  for (Index h = last_ahead; h < count; ++h) prev[next[h]] = h;
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ class Groups {
   };
 
   // What lies so many places ahead is fetched into the cache.
-  static constexpr Index kAhead = 64;
+  static constexpr Index kAhead = 128;
 
   template <class Places>
   [[nodiscard]] Index match_group(const Group& group, Index* edge_to, const Places& places) const;
