@@ -1,5 +1,5 @@
 import { inspect } from 'node:util';
-import { DirectedEdgesMesh, HalfedgeMesh, init } from 'halfedge';
+import { DirectedEdgesMesh, HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 
 beforeAll(() => init());
 
@@ -24,6 +24,23 @@ describe('What Node prints', () => {
       expect(nameOf(mesh.circulate('vertexVertices', 0))).toMatch(/Circulator$/);
     },
   );
+
+  test('of an error with a thousand problems: its sentence, code and witness', () => {
+    let error: unknown;
+    try {
+      HalfedgeMesh.fromTriangles([0, 0, 0], new Uint32Array(30_000));
+    } catch (thrown) {
+      error = thrown;
+    }
+    if (!(error instanceof HalfedgeError)) throw error;
+    expect(error.problems).toHaveLength(1000);
+    const printed = inspect(error);
+    expect(printed).toContain(error.message);
+    expect(printed).toContain("code: 'repeated-vertex'");
+    expect(printed).toContain('witness: { vertices: [ 0 ]');
+    expect(printed.split('\n').length).toBeLessThan(40);
+    expect(JSON.parse(JSON.stringify(error)).problems).toHaveLength(1000);
+  });
 
   test('of the properties of a mesh: none, since they would drag in all of the memory', () => {
     using mesh = HalfedgeMesh.icoSphere(1);
@@ -89,5 +106,5 @@ test('JSON of an error has its sentence', () => {
   expect(JSON.parse(JSON.stringify(thrown))).toEqual([
     { name: 'HalfedgeError', ...refusal, problems: [] },
   ]);
-  expect(Object.keys(thrown[0] as object)).toEqual(['code', 'witness', 'problems']);
+  expect(Object.keys(thrown[0] as object)).toEqual(['code', 'witness']);
 });

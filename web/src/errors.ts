@@ -41,7 +41,8 @@ export const NO_WITNESS: Witness = Object.freeze({
 export class HalfedgeError extends Error {
   readonly code: string;
   readonly witness: Witness;
-  readonly problems: readonly Problem[];
+  /** Not enumerable: an error that nobody caught would be printed with hundreds of them. */
+  declare readonly problems: readonly Problem[];
 
   constructor(
     code: string,
@@ -51,7 +52,7 @@ export class HalfedgeError extends Error {
     super(message, 'cause' in details ? { cause: details.cause } : undefined);
     this.code = code;
     this.witness = details.witness ?? NO_WITNESS;
-    this.problems = details.problems ?? [];
+    Object.defineProperty(this, 'problems', { value: details.problems ?? [] });
   }
 
   /** What JSON has of it: the sentence as well, which errors leave out by themselves. */
