@@ -87,6 +87,11 @@ describe('A wrong argument of a build', () => {
       'indices[1] is "1"; expected an index',
     ],
     [
+      'indices before positions',
+      () => HalfedgeMesh.fromTriangles(Uint16Array.from(indices), Float32Array.from(positions)),
+      'positions is a Uint16Array and indices a Float32Array; expected positions first, then indices.',
+    ],
+    [
       'null for a face',
       () => HalfedgeMesh.fromPolygons(positions, [[0, 1, 2], null] as never),
       'faces[1] is null; expected an array',

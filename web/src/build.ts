@@ -10,6 +10,7 @@ import {
   newArray,
   numbers,
   refuseIndex,
+  typedArrayName,
 } from './arguments.js';
 import { checkFlag } from './checks.js';
 import type { RawFailure } from './core.mjs';
@@ -74,6 +75,7 @@ function triangleArrays(
   positions: unknown,
   triangles: unknown,
 ): { points: NumberArray; corners: NumberArray } {
+  refuseExchanged(positions, triangles);
   const points = positionArray(positions);
   const corners = indices('indices', triangles);
   const count = lengthOf(corners);
@@ -83,6 +85,17 @@ function triangleArrays(
     );
   }
   return { points, corners };
+}
+
+/** Floats for indices of integers: what would be said of single elements misleads. */
+function refuseExchanged(positions: unknown, triangles: unknown): void {
+  const first = typedArrayName(positions);
+  const second = typedArrayName(triangles);
+  if (second?.startsWith('Float') && first?.startsWith('Uint')) {
+    throw new TypeError(
+      `positions is a ${first} and indices a ${second}; expected positions first, then indices.`,
+    );
+  }
 }
 
 /** The mesh of polygons in either form. */
