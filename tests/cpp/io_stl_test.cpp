@@ -189,6 +189,10 @@ TEST(Stl, PassesOverWhatFillsUpATextBehindItsEnd) {
     }
   }
   EXPECT_EQ(stl_error("solid"s + std::string(30, '\0')).substr(0, 10), "truncated:");
+
+  const auto empty = parse(bytes_of("solid a\nendsolid a\n" + std::string(600, '\0')));
+  ASSERT_TRUE(empty) << empty.error().message;
+  EXPECT_FALSE(empty.value().binary);
 }
 
 TEST(Stl, ReadsATextWhoseNameHasNuls) {
