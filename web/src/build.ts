@@ -58,24 +58,27 @@ export function storesPrev({ storePrev = true }: StorageOptions): boolean {
 /** The mesh of an index buffer. */
 export function triangleLinks(positions: unknown, triangles: unknown, options: unknown): Links {
   const withPrev = storesPrev(checkOptions(options, STORAGE_OPTIONS));
-  const { points, corners } = triangleArrays(positions, triangles);
-  return buildLinks(points, undefined, corners, 'indices', withPrev);
+  return unlessExchanged(positions, triangles, () => {
+    const { points, corners } = triangleArrays(positions, triangles);
+    return buildLinks(points, undefined, corners, 'indices', withPrev);
+  });
 }
 
 /** Directed Edges of an index buffer: their address. */
 export function buildDirectedEdges(positions: unknown, triangles: unknown): number {
-  const { points, corners } = triangleArrays(positions, triangles);
-  const wasm = core();
-  return build(points, undefined, corners, 'indices', (at, _, vertices) =>
-    wasm.buildDirectedEdges(at.address, at.count, vertices.address, vertices.count),
-  );
+  return unlessExchanged(positions, triangles, () => {
+    const { points, corners } = triangleArrays(positions, triangles);
+    const wasm = core();
+    return build(points, undefined, corners, 'indices', (at, _, vertices) =>
+      wasm.buildDirectedEdges(at.address, at.count, vertices.address, vertices.count),
+    );
+  });
 }
 
 function triangleArrays(
   positions: unknown,
   triangles: unknown,
 ): { points: NumberArray; corners: NumberArray } {
-  refuseExchanged(positions, triangles);
   const points = positionArray(positions);
   const corners = indices('indices', triangles);
   const count = lengthOf(corners);
@@ -87,13 +90,20 @@ function triangleArrays(
   return { points, corners };
 }
 
-/** Floats for indices of integers: what would be said of single elements misleads. */
-function refuseExchanged(positions: unknown, triangles: unknown): void {
-  const first = typedArrayName(positions);
-  const second = typedArrayName(triangles);
-  if (second?.startsWith('Float') && first?.startsWith('Uint')) {
+/**
+ * What `make` returns. Where it fails, and integers came for positions and floats for indices, the
+ * error is that they were exchanged: what is wrong with single elements would mislead.
+ */
+function unlessExchanged<T>(positions: unknown, triangles: unknown, make: () => T): T {
+  try {
+    return make();
+  } catch (error) {
+    const first = typedArrayName(positions);
+    const second = typedArrayName(triangles);
+    if (!(second?.startsWith('Float') && first?.startsWith('Uint'))) throw error;
     throw new TypeError(
       `positions is a ${first} and indices a ${second}; expected positions first, then indices.`,
+      { cause: error },
     );
   }
 }
