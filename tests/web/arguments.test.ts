@@ -1,4 +1,4 @@
-import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { DirectedEdgesMesh, HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 
 beforeAll(() => init());
 
@@ -8,6 +8,15 @@ const indices = [0, 1, 2, 2, 1, 3];
 function raise(message: string): never {
   throw new Error(message);
 }
+
+test.each([
+  ['too large', Uint8Array.of(0, 0, 0, 9, 0, 0), Float32Array.of(0, 1, 1, 0, 1, 1)],
+  ['floats', Float32Array.of(0, 0, 0, 1, 0, 0), Float32Array.of(0, 1, 1, 0, 1, 1)],
+  ['before integers', Uint8Array.of(0, 0, 0, 1, 0, 0), Uint8Array.of(0, 1, 1, 0, 1, 1)],
+])('Positions that were not exchanged are not told to be: %s', (_, points, corners) => {
+  const build = () => HalfedgeMesh.fromTriangles(points, corners);
+  expect(build).toThrow(expect.objectContaining({ code: 'repeated-vertex' }));
+});
 
 describe('A wrong argument of a build', () => {
   const typeErrors: [string, () => unknown, string][] = [
@@ -90,6 +99,12 @@ describe('A wrong argument of a build', () => {
       'indices before positions',
       () => HalfedgeMesh.fromTriangles(Uint16Array.from(indices), Float32Array.from(positions)),
       'positions is a Uint16Array and indices a Float32Array; expected positions first, then indices.',
+    ],
+    [
+      'indices before positions, of Directed Edges',
+      () =>
+        DirectedEdgesMesh.fromTriangles(Uint32Array.from(indices), Float64Array.from(positions)),
+      'positions is a Uint32Array and indices a Float64Array; expected positions first, then indices.',
     ],
     [
       'null for a face',

@@ -34,6 +34,10 @@ async function rejection(promise: Promise<unknown>): Promise<HalfedgeError> {
 describe('Before init', () => {
   const uses: [string, (api: Halfedges) => unknown][] = [
     ['a build', ({ HalfedgeMesh }) => HalfedgeMesh.fromTriangles([], [])],
+    [
+      'a build of integers and floats',
+      (api) => api.HalfedgeMesh.fromTriangles(Uint8Array.of(0, 0, 0), Float32Array.of(0, 0, 0)),
+    ],
     ['a build from polygons', ({ HalfedgeMesh }) => HalfedgeMesh.fromPolygons([], [])],
     ['an empty mesh', ({ HalfedgeMesh }) => new HalfedgeMesh()],
     ['a file', ({ HalfedgeMesh }) => HalfedgeMesh.parse('OFF 0 0 0')],

@@ -15,6 +15,7 @@ import {
 import { checkFlag } from './checks.js';
 import type { RawFailure } from './core.mjs';
 import { counted } from './counted.js';
+import { HalfedgeError } from './errors.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { type Block, withInputs } from './memory.js';
@@ -91,21 +92,28 @@ function triangleArrays(
 }
 
 /**
- * What `make` returns. Where it fails, and integers came for positions and floats for indices, the
- * error is that they were exchanged: what is wrong with single elements would mislead.
+ * What `make` returns. Where it fails for items of the mesh, and the positions could be indices of
+ * the indices, the error is that they were exchanged: what is wrong with single elements misleads.
  */
 function unlessExchanged<T>(positions: unknown, triangles: unknown, make: () => T): T {
   try {
     return make();
   } catch (error) {
-    const first = typedArrayName(positions);
-    const second = typedArrayName(triangles);
-    if (!(second?.startsWith('Float') && first?.startsWith('Uint'))) throw error;
+    const isOfItems = !(error instanceof HalfedgeError) || error.witness.vertices.length > 0;
+    if (!isOfItems || !couldBeExchanged(positions, triangles)) throw error;
     throw new TypeError(
-      `positions is a ${first} and indices a ${second}; expected positions first, then indices.`,
+      `positions is a ${typedArrayName(positions)} and indices a ${typedArrayName(triangles)}; expected positions first, then indices.`,
       { cause: error },
     );
   }
+}
+
+/** Unsigned integers where positions should be, all of them indices of as many floats as there are where indices should be. */
+function couldBeExchanged(positions: unknown, triangles: unknown): boolean {
+  if (!typedArrayName(positions)?.startsWith('Uint')) return false;
+  if (!typedArrayName(triangles)?.startsWith('Float')) return false;
+  const vertexCount = lengthOf(triangles as NumberArray) / 3;
+  return (positions as NumberArray).every((index) => index < vertexCount);
 }
 
 /** The mesh of polygons in either form. */

@@ -17,10 +17,10 @@ namespace halfedge {
 
 namespace {
 
-// From so many vertices on, what belongs to one doesn't stay in the cache: it is fetched when the
-// corners so many places before are at work.
-constexpr std::size_t kTooManyForCache = 300'000;
+// What belongs to a corner or a halfedge is fetched when those so many places before are at work;
+// what belongs to a vertex only from so many vertices on, as it stays in the cache else.
 constexpr Index kAhead = 96;
+constexpr std::size_t kTooManyForCache = 300'000;
 
 // Finds the halfedge of each side by matching sides in groups (groups.h), and links faces then. The
 // halfedge of a side that runs up is its place. One that runs down takes the opposite of the one
@@ -258,12 +258,12 @@ void write_prev(Links& links) {
   const Index* const next = links.next.data();
   Index* const prev = links.prev.data();
   const Index count = Index(links.next.size());
-  const Index last_ahead = kCanPrefetch && count > kAhead ? count - kAhead : 0;
-  for (Index h = 0; h < last_ahead; ++h) {
+  const Index fetching = kCanPrefetch && count > kAhead ? count - kAhead : 0;
+  for (Index h = 0; h < fetching; ++h) {
     prefetch(prev + next[h + kAhead]);
     prev[next[h]] = h;
   }
-  for (Index h = last_ahead; h < count; ++h) prev[next[h]] = h;
+  for (Index h = fetching; h < count; ++h) prev[next[h]] = h;
 }
 
 }  // namespace
