@@ -1,10 +1,13 @@
 /**
- * Returns how to show or hide a notice. The focus that is in it goes back to where it was before, or else to the
- * picture.
+ * Returns how to show or hide a notice, or to show it for a while. The focus that is in it goes back to where it was
+ * before, or else to the picture.
  */
-export function appearance(notice: HTMLElement): (shows: boolean) => void {
+export function appearance(notice: HTMLElement): (shows: boolean, forMs?: number) => void {
   let before: Element | null = null;
-  return (shows) => {
+  let hiding: ReturnType<typeof setTimeout> | undefined;
+  return function appear(shows: boolean, forMs?: number): void {
+    clearTimeout(hiding);
+    if (forMs !== undefined) hiding = setTimeout(() => appear(false), forMs);
     const { activeElement } = document;
     if (shows && notice.hidden) before = activeElement;
     if (!shows && notice.contains(activeElement)) giveFocusTo(before);

@@ -21,15 +21,11 @@ export function leftNotice(explorer: Explorer): HTMLElement {
     ),
   );
   const appear = appearance(notice);
-  const hide = () => appear(false);
-  hideByEscape(notice, hide);
-  let hiding: ReturnType<typeof setTimeout> | undefined;
+  hideByEscape(notice, () => appear(false));
   editor.left.subscribe((name) => {
-    clearTimeout(hiding);
-    appear(name !== null);
-    if (name === null) return;
+    if (name === null) return appear(false);
     said.textContent = `${name} has edits that were not saved. It stays.`;
-    hiding = setTimeout(hide, SHOWN_MS);
+    appear(true, SHOWN_MS);
   });
   return notice;
 }

@@ -24,14 +24,11 @@ export function shareButton(explorer: Explorer, sight: Sight) {
   );
   const appear = appearance(outcome);
   const hide = () => appear(false);
-  let hiding: ReturnType<typeof setTimeout> | undefined;
   const tell = (text: string, link: string | null) => {
-    clearTimeout(hiding);
     said.textContent = text;
     field.hidden = link === null;
     field.value = link ?? '';
-    appear(true);
-    if (link === null) hiding = setTimeout(hide, SHOWN_MS);
+    appear(true, link === null ? SHOWN_MS : undefined);
   };
   const share = async () => {
     let address: string;
