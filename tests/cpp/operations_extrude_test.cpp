@@ -455,6 +455,32 @@ TEST(BevelEdge, BlendsTheCornersThatMove) {
             value(before, ItemKind::kFace, "copy", before.face(h).index()));
 }
 
+TEST(BevelEdge, LeavesCornersBeyondASeam) {
+  // A chart for each face. Of the three other faces at an apex those at the sides contain an edge
+  // along which it moves; the middle one doesn't.
+  Mesh mesh = reference_build(bipyramid(5));
+  Attribute& uv = *mesh.add_attribute(ItemKind::kHalfedge, "uv",
+                                      {.type = Scalar::kFloat64, .on_split = OnSplit::kInterpolate})
+                       .value();
+  for (const Halfedge h : mesh.halfedges()) {
+    uv.set(h.index(), 0, 100 * mesh.face(h).index() + mesh.to_vertex(h).index(), nullptr);
+  }
+  const Mesh before = copy_of(mesh);
+  const Halfedge h = Mesh::opposite(mesh.vertex_halfedge(Vertex(0)));
+  const Vertex v = before.to_vertex(h);
+  ASSERT_TRUE(bevel_edge(mesh, mesh.edge(h), 0.5).ok());
+  const Halfedge beside = Mesh::opposite(before.next(h));
+  const Face middle = before.face(before.next_on_vertex(beside));
+  const double chart = 100 * before.face(beside).index();
+  const double left = before.to_vertex(before.next(h)).index();
+  EXPECT_EQ(uv.get(beside.index(), 0), chart + 0.5 * v.index() + 0.5 * left);
+  int kept = 0;
+  for (const Halfedge side : mesh.face_halfedges_ccw(middle)) {
+    kept += int(uv.get(side.index(), 0) == 100 * middle.index() + v.index());
+  }
+  EXPECT_EQ(kept, 2);
+}
+
 TEST(BevelEdge, Refusals) {
   Mesh mesh = reference_build(mixed_polygons());
   add_attributes_of_all_kinds(mesh);

@@ -185,29 +185,30 @@ void Attributes::swap_corners(Index a, Index b, Journal* journal) {
   }
 }
 
-Attributes::Contraction::Contraction(Attribute& column, const EdgeCorners (&sides)[2], double t,
-                                     Journal* journal)
+Attributes::CornerMove::CornerMove(Attribute& column, const EdgeCorners (&sides)[2], double t,
+                                   Journal* journal)
     : column_(column), sides_(sides), journal_(journal) {
   for (const std::size_t i : {0U, 1U}) {
-    if (sides[i].has_face) before_[i] = {column.value(sides[i].gone), column.value(sides[i].kept)};
+    if (sides[i].has_face) before_[i] = {column.value(sides[i].from), column.value(sides[i].to)};
   }
   for (const EdgeCorners& side : sides) {
     if (!side.has_face) continue;
     if (t == 1) {  // exactly: a mean would be rounded, or brought to length 1
-      column.copy(side.result, side.kept, journal);
+      column.copy(side.result, side.to, journal);
       continue;
     }
     Attribute::Sum sum;
-    column.add(sum, side.gone, 1 - t);
-    column.add(sum, side.kept, t);
+    column.add(sum, side.from, 1 - t);
+    column.add(sum, side.to, t);
     column.store(sum, side.result, journal);
   }
 }
 
-void Attributes::Contraction::move(Index corner) const {
+void Attributes::CornerMove::operator()(Index corner, EdgeEnd end) const {
   const Attribute::Value value = column_.value(corner);
   for (const std::size_t i : {0U, 1U}) {
-    if (!sides_[i].has_face || (value != before_[i].gone && value != before_[i].kept)) continue;
+    const Attribute::Value& before = end == EdgeEnd::kFrom ? before_[i].from : before_[i].to;
+    if (!sides_[i].has_face || value != before) continue;
     return column_.copy(corner, sides_[i].result, journal_);
   }
 }

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -84,24 +85,26 @@ class Attributes {
   }
   void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
   void swap_corners(Index a, Index b, Journal* journal);
-  /// The corners of one side of an edge, by the halfedges that end there, at the end of the edge
-  /// that disappears and at the one that stays. `result` is one of the two.
+  /// The ends of an edge whose corners move to a point on it.
+  enum class EdgeEnd : std::uint8_t { kFrom, kTo };
+  /// The corners of one side of an edge, by the halfedges that end there. `result` is one of them.
   struct EdgeCorners {
-    Index gone = kNone;
-    Index kept = kNone;
+    Index from = kNone;
+    Index to = kNone;
     Index result = kNone;
     bool has_face = false;
   };
-  /// An edge is contracted to the point (1 - t) gone + t kept: corners move along with the side
-  /// whose value they share. `result` of each side gets the blend of its two corners; so do those
-  /// that `corners` lists which have the value of one of these; others, beyond a seam, keep theirs.
+  /// Ends of an edge move to the point (1 - t) from + t to, and corners along with the side whose
+  /// value they share. `result` of each side gets the blend of its two corners. `corners` is called
+  /// with a function to be called with others and their ends: those that have the value which a
+  /// side had there get what became of it; others, beyond a seam, keep theirs.
   template <class Corners>
-  void contract_corners(const EdgeCorners (&sides)[2], double t, const Corners& corners,
-                        Journal* journal) {
+  void move_corners(const EdgeCorners (&sides)[2], double t, const Corners& corners,
+                    Journal* journal) {
     for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
       if (!column->interpolates()) continue;
-      const Contraction contraction(*column, sides, t, journal);
-      corners([&](Index corner) { contraction.move(corner); });
+      const CornerMove move(*column, sides, t, journal);
+      corners([&](Index corner, EdgeEnd end) { move(corner, end); });
     }
   }
   /// `to` gets the mean of all that `items` lists, each with the same weight: `items` is called
@@ -117,16 +120,16 @@ class Attributes {
   }
 
  private:
-  /// Of one column: the values of the four corners beside an edge before it was contracted.
-  class Contraction {
+  /// Of one column: the values of the four corners beside an edge before they moved.
+  class CornerMove {
    public:
-    Contraction(Attribute& column, const EdgeCorners (&sides)[2], double t, Journal* journal);
-    void move(Index corner) const;
+    CornerMove(Attribute& column, const EdgeCorners (&sides)[2], double t, Journal* journal);
+    void operator()(Index corner, EdgeEnd end) const;
 
    private:
     struct Side {
-      Attribute::Value gone = {};
-      Attribute::Value kept = {};
+      Attribute::Value from = {};
+      Attribute::Value to = {};
     };
     Attribute& column_;
     const EdgeCorners (&sides_)[2];

@@ -376,10 +376,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void swap_corners(Halfedge a, Halfedge b) {
     attributes_.swap_corners(a.index(), b.index(), journal_.get());
   }
-  /// The corners at the ends of the edge of `h`, contracted to (1 - t) from(h) + t to(h): see
-  /// Attributes. `before_h`, `before_o` are prev of h and its opposite, `corners` is called with a
-  /// function to be called with the index of each halfedge that ends at one of them, but for h and
-  /// its opposite, which hold the new values of both sides afterwards.
+  /// The corners at both ends of the edge of `h`, which is contracted to (1 - t) from(h) + t to(h):
+  /// see Attributes::move_corners. `before_h`, `before_o` are prev of h and its opposite, `corners`
+  /// lists all that end there but h and its opposite, which hold the new values of both sides.
   template <class Corners>
   void contract_corners(Halfedge h, Halfedge before_h, Halfedge before_o, double t,
                         const Corners& corners) {
@@ -387,7 +386,19 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     const Attributes::EdgeCorners sides[2] = {
         {before_h.index(), h.index(), h.index(), !is_boundary(h)},
         {o, before_o.index(), o, !is_boundary(opposite(h))}};
-    attributes_.contract_corners(sides, t, corners, journal_.get());
+    attributes_.move_corners(sides, t, corners, journal_.get());
+  }
+  /// The corners at from(h), which moves to (1 - t) from(h) + t to(h), likewise:
+  /// `before_h` and the opposite of h hold the new values of both sides, `corners` lists the
+  /// others.
+  template <class Corners>
+  void move_corners(Halfedge h, Halfedge before_h, Halfedge before_o, double t,
+                    const Corners& corners) {
+    const Index o = opposite(h).index();
+    const Attributes::EdgeCorners sides[2] = {
+        {before_h.index(), h.index(), before_h.index(), !is_boundary(h)},
+        {o, before_o.index(), o, !is_boundary(opposite(h))}};
+    attributes_.move_corners(sides, t, corners, journal_.get());
   }
   /// `items` is called with a function to be called with the index of each item.
   template <class Item, class Items>

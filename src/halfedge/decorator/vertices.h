@@ -199,6 +199,7 @@ template <Editable Mesh>
 /// where k did. (CGAL: join_vertex; the drawing is at split_edge)
 ///
 /// pre: to_vertex(k) has valence two, and k isn't a loop edge
+/// attributes: the edge of next(k) keeps its own; so do the corners at both of its ends now
 /// returns: what was next(k). cost: O(1), and finding prev where it isn't stored
 /// inverse: split_edge(returned)
 /// errors: those of check_join_edge
@@ -214,6 +215,7 @@ requires DeletesVertices<Mesh>
   const Vertex w = mesh.to_vertex(k);
   const Halfedge before_k = mesh.prev(k);
   const Halfedge after_k_opposite = mesh.next(k_opposite);
+  mesh.copy_corner(o, k_opposite);
   if (before_k == k_opposite) {  // u has no other edge
     mesh.link(o, h);
   } else {

@@ -80,12 +80,15 @@ template <EditableSurface Mesh>
     spoke.side = mesh.new_edge(spoke.corner, following.corner);
     mesh.blend_corners(spoke.side, spoke.in, mesh.opposite(following.in), amount);
     mesh.blend_corners(spoke.in, spoke.in, mesh.prev(spoke.in), amount);
-    mesh.copy_corner(mesh.opposite(spoke.side), spoke.in);
     mesh.set_face(spoke.side, mesh.face(spoke.in));
   }
   for (std::size_t i = 0; i < n; ++i) {
     const Spoke& spoke = spokes[i];
+    const Spoke& before = spokes[i == 0 ? n - 1 : i - 1];
     const Spoke& following = spokes[i + 1 == n ? 0 : i + 1];
+    // Beside a gap only the face on the other side of the spoke has this corner.
+    mesh.copy_corner(mesh.opposite(spoke.side),
+                     is_boundary(mesh, spoke.in) ? before.side : spoke.in);
     mesh.link(spoke.in, spoke.side);
     mesh.link(spoke.side, mesh.opposite(following.in));
     mesh.link(mesh.opposite(following.side), mesh.opposite(spoke.side));
@@ -120,6 +123,22 @@ template <EditableSurface Mesh>
 
 namespace internal {
 
+/// from_vertex(h) moves to (1 - t) from_vertex(h) + t to_vertex(h), with its attributes and
+/// corners.
+template <class Mesh>
+void slide(Mesh& mesh, Halfedge h, double t) {
+  if (!mesh.attributes().of(ItemKind::kHalfedge).empty()) {
+    const Halfedge o = mesh.opposite(h);
+    const Halfedge before_h = mesh.prev(h);
+    mesh.move_corners(h, before_h, mesh.prev(o), t, [&](const auto& move) {
+      for (Halfedge in = mesh.next_on_vertex(o); in != before_h; in = mesh.next_on_vertex(in)) {
+        if (!mesh.is_boundary(in)) move(in.index(), Attributes::EdgeEnd::kFrom);
+      }
+    });
+  }
+  move_towards(mesh, mesh.from_vertex(h), mesh.to_vertex(h), t);
+}
+
 /// Where to divide the edges around a vertex that follow each other clockwise from `in` on, up to
 /// `end`, which isn't one of them: the last halfedge of the first part. At the first gap between
 /// faces if there is one, else in the middle. pre: two of them or more
@@ -153,9 +172,9 @@ template <class Mesh>
 ///
 /// e stays in the face of edge_halfedge(e), with both of its ends.
 ///
-/// attributes: vertices and corners that move are blended as their positions are; the other long
-///             side has those of e, the new face those of the face of edge_halfedge(e); short sides
-///             have the defaults
+/// attributes: vertices and corners that move are blended as their positions are, but for corners
+///             beyond a seam, which keep what they have; the other long side has those of e, the
+///             new face those of the face of edge_halfedge(e); short sides have the defaults
 /// returns: the new face. cost: O(valence of both ends), and finding prev where it isn't stored
 /// inverse: collapse of the short sides; undo also of the positions and attributes
 /// errors: those of check_bevel_edge, out-of-memory
@@ -174,19 +193,9 @@ template <EditableSurface Mesh>
   const bool splits_b = mesh.next_on_vertex(mesh.next_on_vertex(h)) != h;
   const Face of_o = mesh.face(o);
 
-  // The corners, as long as all is in its place; k will be on the side of o.
+  // A face of two corners between o and g; k is on the side of o.
   const Halfedge k = new_edge_like(mesh, b, a, o);
   const Halfedge g = mesh.opposite(k);
-  if (splits_b) {
-    mesh.blend_corners(h, h, after[0], amount);
-    mesh.blend_corners(before[1], before[1], mesh.prev(before[1]), amount);
-  }
-  if (splits_a) {
-    mesh.blend_corners(k, o, after[1], amount);
-    mesh.blend_corners(before[0], before[0], mesh.prev(before[0]), amount);
-  }
-
-  // A face of two corners between o and g.
   mesh.link(before[1], k);
   mesh.link(k, after[1]);
   mesh.set_face(k, of_o);
@@ -202,15 +211,15 @@ template <EditableSurface Mesh>
     const Halfedge last = internal::end_of_first_part(mesh, mesh.next_on_vertex(h), g);
     const Halfedge d = decorator::split_vertex(mesh, last, g).value();
     mesh.copy_corner(d, h);
-    internal::move_towards(mesh, mesh.from_vertex(d), mesh.from_vertex(before[1]), amount);
-    internal::move_towards(mesh, b, mesh.to_vertex(after[0]), amount);
+    internal::slide(mesh, mesh.opposite(before[1]), amount);
+    internal::slide(mesh, after[0], amount);
   }
   if (splits_a) {
     const Halfedge last = internal::end_of_first_part(mesh, mesh.next_on_vertex(k), o);
     const Halfedge d = decorator::split_vertex(mesh, o, last).value();
     mesh.copy_corner(mesh.opposite(d), k);
-    internal::move_towards(mesh, mesh.from_vertex(d), mesh.to_vertex(after[1]), amount);
-    internal::move_towards(mesh, a, mesh.from_vertex(before[0]), amount);
+    internal::slide(mesh, after[1], amount);
+    internal::slide(mesh, mesh.opposite(before[0]), amount);
   }
   return mesh.face(o);
 }

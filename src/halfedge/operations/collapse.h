@@ -17,12 +17,13 @@ void blend_ends(Mesh& mesh, const CollapseSite& site, Halfedge before_h, Halfedg
   if (t != 1) mesh.blend_attributes(site.b, site.a, site.b, t);
   if (mesh.attributes().of(ItemKind::kHalfedge).empty()) return;
   mesh.contract_corners(site.h, before_h, before_o, t, [&](const auto& move) {
-    for (const Halfedge end : {site.o, site.h}) {
-      if (end == site.h && t == 1) break;  // the corners at b stay
-      for (Halfedge in = mesh.next_on_vertex(end); in != end; in = mesh.next_on_vertex(in)) {
-        if (!mesh.is_boundary(in)) move(in.index());
+    const auto move_all = [&](Halfedge first, Attributes::EdgeEnd end) {
+      for (Halfedge in = mesh.next_on_vertex(first); in != first; in = mesh.next_on_vertex(in)) {
+        if (!mesh.is_boundary(in)) move(in.index(), end);
       }
-    }
+    };
+    move_all(site.o, Attributes::EdgeEnd::kFrom);
+    if (t != 1) move_all(site.h, Attributes::EdgeEnd::kTo);  // else the corners at b stay
   });
 }
 

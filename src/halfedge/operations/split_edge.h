@@ -77,7 +77,6 @@ template <EditableSurface Mesh>
   const Halfedge g = mesh.rotate_cw(h);
   const Halfedge kept = mesh.edge(h) < mesh.edge(g) ? h : g;
   const Halfedge gone = mesh.opposite(kept == h ? g : h);
-  mesh.copy_corner(mesh.opposite(kept), mesh.opposite(gone));
   (void)decorator::join_edge(mesh, gone);  // its requirements are fewer
   return mesh.edge(kept);
 }
