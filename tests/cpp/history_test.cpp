@@ -285,6 +285,23 @@ TEST(History, ForgetsWhatLiesBeyondNewLimits) {
   EXPECT_EQ(mesh.position(Vertex(0)).x, 17);
 }
 
+TEST(History, ForgetsNoStepForOneUnderwayThatIsTakenBack) {
+  for (const HistoryLimits limits : {HistoryLimits{.steps = 2}, HistoryLimits{.bytes = 80}}) {
+    Mesh mesh = with_history(triangle(), limits);
+    for (const float x : {1.0F, 2.0F}) {
+      mesh.set_position(Vertex(0), {x, 0, 0});
+      mesh.end_step();
+    }
+    ASSERT_EQ(mesh.history()->undo_count(), 2U);
+    for (const float x : {3.0F, 4.0F, 5.0F}) mesh.set_position(Vertex(0), {x, 0, 0});
+    ASSERT_TRUE(mesh.undo());
+    EXPECT_EQ(mesh.history()->undo_count(), 2U);
+    ASSERT_TRUE(mesh.undo());
+    ASSERT_TRUE(mesh.undo());
+    EXPECT_EQ(mesh.position(Vertex(0)).x, 0);
+  }
+}
+
 TEST(History, BeginsAnewOnceItIsForgotten) {
   Mesh mesh = with_history(triangle());
   mesh.set_position(Vertex(0), {1, 1, 1});

@@ -111,7 +111,10 @@ describe('History', () => {
     history.limit({});
     for (let i = 0; i < 10; i++) mesh.setPosition(i % 9, [i, 0, i]);
     expect(history.undoCount).toBe(11);
-    expect(() => history.limit({ steps: -1 })).toThrow('steps is -1; expected a number from 0.');
+    expect(() => history.limit({ steps: -1 })).toThrow(
+      'steps is -1; expected a whole number from 0, or Infinity.',
+    );
+    expect(() => history.limit({ steps: 1.5 })).toThrow(RangeError);
     expect(() => history.limit({ bytes: Number.NaN })).toThrow(RangeError);
     expect(() => history.limit({ steps: '3' as never })).toThrow(TypeError);
     expect(() => history.limit({ steps: Symbol('x') as never })).toThrow('steps is a symbol;');
@@ -206,13 +209,58 @@ describe('A group', () => {
     using mesh = triangles();
     mesh.history.enabled = true;
     const before = stateOf(mesh);
-    const edit = async () => void mesh.splitFace(0);
-    expect(() => mesh.history.group(edit)).toThrow(TypeError);
-    expect(() => mesh.history.group(edit)).toThrow(
-      /^edit returned a Promise; expected a function that is done when it returns/,
-    );
+    const laterInAPromise = async () => void mesh.splitFace(0);
+    const laterInAThenable = () => {
+      mesh.splitFace(0);
+      return new (class {
+        // biome-ignore lint/suspicious/noThenProperty: that it is like a promise is the point
+        then() {}
+      })();
+    };
+    for (const edit of [laterInAPromise, laterInAThenable]) {
+      expect(() => mesh.history.group(edit as never)).toThrow(TypeError);
+      expect(() => mesh.history.group(edit as never)).toThrow(
+        /^edit returned a Promise; expected a function that is done when it returns/,
+      );
+    }
     expect(stateOf(mesh)).toEqual(before);
     expect(mesh.history.canUndo).toBe(false);
+  });
+
+  test('leaves nothing behind of a promise that it refused', async () => {
+    using mesh = triangles();
+    let rejections = 0;
+    const count = () => {
+      rejections += 1;
+    };
+    process.on('unhandledRejection', count);
+    const edit = async () => {
+      throw new Error('of the user');
+    };
+    expect(() => mesh.history.group(edit as never)).toThrow(TypeError);
+    await new Promise((resolve) => setTimeout(resolve, 10));
+    process.off('unhandledRejection', count);
+    expect(rejections).toBe(0);
+  });
+
+  test('whose function throws costs no earlier step, whatever the limits are', () => {
+    using mesh = triangles();
+    const { history } = mesh;
+    history.enabled = true;
+    for (const limits of [{ steps: 3 }, { bytes: 100 }]) {
+      history.limit(limits);
+      for (let x = 1; x <= 3; x++) mesh.setPosition(0, [x, 0, 0]);
+      const { undoCount, bytes } = history;
+      const failing = () => {
+        for (let x = 10; x < 30; x++) mesh.setPosition(0, [x, 0, 0]);
+        throw new Error('of the user');
+      };
+      expect(() => history.group(failing)).toThrow('of the user');
+      expect(history).toMatchObject({ undoCount, bytes });
+      expect(mesh.position(0)).toEqual([3, 0, 0]);
+      history.undo();
+      expect(mesh.position(0)).toEqual([2, 0, 0]);
+    }
   });
 
   test('keeps what was changed where history is off', () => {

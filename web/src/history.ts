@@ -87,7 +87,8 @@ export class History {
    * Calls `edit`; all that it changes is one step. Groups within it join it. If it throws, what it has
    * changed is taken back, and the error goes on; with history off, what was changed stays. A group within
    * another takes nothing back by itself: if its error is caught in there, what it has changed stays; if
-   * it isn't, the outermost group takes back everything.
+   * it isn't, the outermost group takes back everything. Steps that were undone before are forgotten with
+   * the first change, even if that is taken back; steps that can be undone stay, whatever the limits are.
    *
    * No history covers `attributes.add` and `remove`, `generations.enabled`, and `clear()` of the mesh, which
    * is refused in a group.
@@ -95,14 +96,14 @@ export class History {
    * @returns what `edit` returned
    * @throws TypeError if that is a promise: what comes after an `await` is no part of the group
    */
-  group<T>(edit: () => T): T {
+  group<T>(edit: () => T extends PromiseLike<unknown> ? never : T): T {
     if (typeof edit !== 'function') refuse('edit', edit, 'a function');
     const links = this.#links;
     links.checkAlive();
     links.groups += 1;
     let succeeded = false;
     try {
-      const result = edit();
+      const result = edit() as T;
       checkDone(result);
       succeeded = true;
       return result;
@@ -169,12 +170,15 @@ export function checkNoGroup(links: Links, what: string, done: string): void {
 
 /** Throws if a function that was to be a group goes on later. */
 function checkDone(result: unknown): void {
-  if (Object.prototype.toString.call(result) !== '[object Promise]') return;
+  if (typeof (result as PromiseLike<unknown> | null | undefined)?.then !== 'function') return;
+  // Whoever gets the error below has no promise whose rejection could be handled.
+  if (result instanceof Promise) result.catch(() => undefined);
   throw new TypeError(
     'edit returned a Promise; expected a function that is done when it returns, because edits after an `await` are no part of the group.',
   );
 }
 
 function checkLimit(name: string, limit: number): void {
-  if (typeof limit !== 'number' || !(limit >= 0)) refuse(name, limit, 'a number from 0', 'number');
+  if (Number.isInteger(limit) && limit >= 0) return;
+  if (limit !== Infinity) refuse(name, limit, 'a whole number from 0, or Infinity', 'number');
 }

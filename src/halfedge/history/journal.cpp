@@ -90,18 +90,23 @@ const void* Journal::take_dropped(std::size_t count) {
 }
 
 void Journal::end_step() {
+  if (close_step()) forget_beyond_limits();
+}
+
+// Whether there was one.
+bool Journal::close_step() {
   end_new();
   if (lost_) {  // what is left of this step can't be taken back
     forget();
-    return;
+    return false;
   }
-  if (!has_open_step()) return;
+  if (!has_open_step()) return false;
   if (!ends_.push_back(writes_.end_index())) {
     forget();
-    return;
+    return false;
   }
   done_ = ends_.end_index();
-  forget_beyond_limits();
+  return true;
 }
 
 void Journal::limit(HistoryLimits limits) {

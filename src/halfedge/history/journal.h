@@ -122,7 +122,8 @@ class Journal {
   /// Sets how far back history reaches from now on, and forgets what lies beyond.
   void limit(HistoryLimits limits);
 
-  /// Closes a step. Nothing happens if nothing was written since the last one.
+  /// Closes a step, and forgets what lies beyond the limits then. Nothing happens if nothing was
+  /// written since the last one.
   void end_step();
 
   /// Whether something was written since the end of the last step.
@@ -138,10 +139,11 @@ class Journal {
 
   /// Takes back the last step, or repeats the one taken back last: calls `exchange` with each of
   /// its writes (of several in a row with the first), whose words it exchanges with those of the
-  /// mesh. False if there is none.
+  /// mesh. False if there is none. A step underway that is taken back costs no other steps, whatever
+  /// the limits are.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
-    end_step();
+    close_step();
     if (undo_count() == 0) return false;
     --done_;
     for (std::size_t i = ends_[done_]; i > begin_of(done_);) {
@@ -179,6 +181,7 @@ class Journal {
   }
   [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
   [[nodiscard]] bool make_room_in_row(std::size_t writes);
+  bool close_step();
   void forget_undone();
   void forget_beyond_limits();
   void lose();
