@@ -83,6 +83,11 @@ HALFEDGE_EXPORT Address attribute_values(Address attribute) {
   return reinterpret_cast<Address>(attribute_at(attribute).bytes().data());
 }
 
+/// Where the default of an item lies.
+HALFEDGE_EXPORT Address attribute_default(Address attribute) {
+  return reinterpret_cast<Address>(attribute_at(attribute).default_value().data());
+}
+
 HALFEDGE_EXPORT int set_attribute(Address mesh, Index mode, Address attribute, Index item,
                                   Index component, double value) {
   return apply(mesh, mode, [=](auto& m) {

@@ -40,7 +40,7 @@ describe('An attribute', () => {
     expect(mesh.attributes.add(kind, 'a').length).toBe(slots);
     expect(mesh.attributes.has(kind, 'a')).toBe(true);
     expect(mesh.attributes.list()).toEqual([
-      { kind, name: 'a', type: 'float32', components: 1, onSplit: 'interpolate' },
+      { kind, name: 'a', type: 'float32', components: 1, default: [0], onSplit: 'interpolate' },
     ]);
     for (const other of ['vertex', 'halfedge', 'edge', 'face'] as const) {
       if (other !== kind) expect(mesh.attributes.has(other, 'a')).toBe(false);
@@ -150,6 +150,22 @@ describe('An attribute', () => {
     expect(attributes.list()).toEqual([]);
     expect(history.undo()).toBe(true);
     expect(attributes.add('edge', 'a', { default: 3 })[0]).toBe(3);
+  });
+
+  test('is added to another mesh as it is listed, with its default', () => {
+    using mesh = grid();
+    mesh.attributes.add('face', 'label', { type: 'uint8', default: 7, onSplit: 'copy' });
+    mesh.attributes.add('halfedge', 'uv', { components: 2, default: [0.1, 300] });
+    using other = grid();
+    for (const info of mesh.attributes.list()) other.attributes.add(info.kind, info.name, info);
+    expect(other.attributes.list()).toEqual(mesh.attributes.list());
+    expect(mesh.attributes.list()).toMatchObject([
+      { name: 'uv', default: [Math.fround(0.1), 300] },
+      { name: 'label', default: [7] },
+    ]);
+    expect(other.attributes.get('face', 'label')).toEqual(mesh.attributes.get('face', 'label'));
+    using copy = mesh.clone(); // whose list comes from the core
+    expect(copy.attributes.list()).toEqual(mesh.attributes.list());
   });
 
   test('goes along with a clone', () => {

@@ -101,9 +101,30 @@ describe('readGltf', () => {
     const { mesh } = await read(json);
     expect(mesh.vertexCount).toBe(4);
     expect(mesh.attributes.list()).toEqual([
-      { kind: 'vertex', name: 'normal', type: 'float32', components: 3, onSplit: 'normalize' },
-      { kind: 'vertex', name: 'color', type: 'uint8', components: 4, onSplit: 'interpolate' },
-      { kind: 'halfedge', name: 'uv', type: 'float32', components: 2, onSplit: 'interpolate' },
+      {
+        kind: 'vertex',
+        name: 'normal',
+        type: 'float32',
+        components: 3,
+        default: [0, 0, 0],
+        onSplit: 'normalize',
+      },
+      {
+        kind: 'vertex',
+        name: 'color',
+        type: 'uint8',
+        components: 4,
+        default: [0, 0, 0, 0],
+        onSplit: 'interpolate',
+      },
+      {
+        kind: 'halfedge',
+        name: 'uv',
+        type: 'float32',
+        components: 2,
+        default: [0, 0],
+        onSplit: 'interpolate',
+      },
     ]);
     const normal = mesh.attributes.get('vertex', 'normal');
     for (let v = 0; v < 4; v++) {

@@ -3,6 +3,7 @@ import { indexOfChoice, refuse } from './checks.js';
 import { done, KINDS, kindIndex, modeOf } from './edit.js';
 import type { ItemKind } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
+import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
@@ -44,6 +45,10 @@ export interface AttributeOptions<Type extends AttributeType = AttributeType> {
   default?: number | ArrayLike<number> | undefined;
   /** Default: 'interpolate'. */
   onSplit?: OnSplit | undefined;
+  /** Not looked at: so an entry of {@link Attributes.list} can be given, of this mesh or another one. */
+  kind?: ItemKind | undefined;
+  /** Not looked at. */
+  name?: string | undefined;
 }
 
 const ATTRIBUTE_OPTIONS: OptionNames<AttributeOptions> = {
@@ -51,6 +56,8 @@ const ATTRIBUTE_OPTIONS: OptionNames<AttributeOptions> = {
   components: true,
   default: true,
   onSplit: true,
+  kind: true,
+  name: true,
 };
 
 /** An attribute as it was added. */
@@ -59,6 +66,8 @@ export interface AttributeInfo {
   readonly name: string;
   readonly type: AttributeType;
   readonly components: number;
+  /** The value of new items, as the type holds it. */
+  readonly default: readonly number[];
   readonly onSplit: OnSplit;
 }
 
@@ -95,6 +104,10 @@ export class Attributes {
   /**
    * Adds an attribute, with its default for each item. Steps of history that were undone are forgotten.
    *
+   * ```ts
+   * for (const info of other.attributes.list()) mesh.attributes.add(info.kind, info.name, info);
+   * ```
+   *
    * @returns its live view, as {@link get}
    * @throws HalfedgeError `attribute-exists`, `bad-attribute` (no name, or components that don't fit),
    * `out-of-memory`
@@ -125,8 +138,7 @@ export class Attributes {
         ),
       );
     });
-    const info = Object.freeze({ kind, name, type, components, onSplit });
-    columns.set(column, newColumn(info, attribute));
+    columns.set(column, newColumn(core, { kind, name, type, components, onSplit }, attribute));
     return this.get(kind, name) as AttributeView<Type>;
   }
 
@@ -204,14 +216,14 @@ export class Attributes {
     if (this.#columns === undefined) {
       this.#columns = new Map();
       for (const raw of core.listAttributes(address)) {
-        const info = Object.freeze({
+        const info = {
           kind: KINDS[raw.kind],
           name: raw.name,
           type: TYPE_NAMES[raw.type],
           components: raw.components,
           onSplit: POLICIES[raw.onSplit],
-        });
-        this.#columns.set(keyOf(info.kind, info.name), newColumn(info, raw.attribute));
+        };
+        this.#columns.set(keyOf(info.kind, info.name), newColumn(core, info, raw.attribute));
       }
     }
     return this.#columns;
@@ -246,8 +258,17 @@ export class Attributes {
   }
 }
 
-function newColumn(info: AttributeInfo, address: number): Column {
-  return { info, address, view: new TYPES[info.type](0), changes: -1 };
+function newColumn(core: Core, info: Omit<AttributeInfo, 'default'>, address: number): Column {
+  const View = TYPES[info.type];
+  const at = core._attribute_default(address) >>> 0;
+  const value = Object.freeze(Array.from(new View(core.memory.buffer, at, info.components)));
+  const { kind, name, type, components, onSplit } = info;
+  return {
+    info: Object.freeze({ kind, name, type, components, default: value, onSplit }),
+    address,
+    view: new View(0),
+    changes: -1,
+  };
 }
 
 const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;

@@ -359,6 +359,7 @@ export interface RawCore {
   removeAttribute(mesh: number, kind: number, name: number, nameCount: number): void;
   listAttributes(mesh: number): RawAttribute[];
   _attribute_values(attribute: number): number;
+  _attribute_default(attribute: number): number;
   _set_attribute(
     mesh: number,
     mode: number,
