@@ -101,6 +101,23 @@ describe('writeGltf', () => {
     expect(globalThis.FileReader).toBeUndefined();
   });
 
+  test('cuts faces whose diagonals are those of others as well', async () => {
+    // Both diagonals of the quad are edges of triangles, which it touches in single vertices.
+    const corners = [0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 1, 1, 1, 1, 1, 2, 1, 1, -1, 1, 1, -2];
+    const fins = [
+      [0, 2, 4],
+      [2, 0, 5],
+      [1, 3, 6],
+      [3, 1, 7],
+    ];
+    const mesh = HalfedgeMesh.fromPolygons(corners, [...fins, [0, 1, 2, 3]]);
+    expect(mesh.checkTriangulate()?.code).toBe('no-triangulation');
+    const { report, mesh: read } = await readGltf(await writeGltf(mesh));
+    expect(report.faceMap.length).toBe(6);
+    mesh.dispose();
+    read.dispose();
+  });
+
   test('says what is not in the file', async () => {
     const mesh = HalfedgeMesh.cube();
     for (const { kind, name } of mesh.attributes.list()) mesh.attributes.remove(kind, name);

@@ -264,6 +264,12 @@ describe('fromBufferGeometry', () => {
       (g) => g.setAttribute('position', new THREE.BufferAttribute(new Float32Array(6), 2)),
     ],
     [
+      'a position and a part of one',
+      'truncated',
+      /attributes\.position has 8 numbers; expected a multiple of 3, for whole rows/,
+      (g) => g.setAttribute('position', new THREE.BufferAttribute(new Float32Array(8), 3)),
+    ],
+    [
       'too few rows',
       'truncated',
       /attributes\.uv has 2 rows; expected 4/,
@@ -347,7 +353,8 @@ describe('fromBufferGeometry', () => {
     const before = bytesInUse();
     const error = thrownBy(() => fromBufferGeometry(fin, { repair: false }));
     expect(error).toBeInstanceOf(HalfedgeError);
-    expect(error.problems.length).toBeGreaterThan(0);
+    expect(error.message).toMatch(/^This can't be built without repair, which says: /);
+    expect(error.problems).toMatchObject([{ code: error.code, severity: 'error' }]);
     expect(bytesInUse()).toBe(before);
   });
 });

@@ -13,7 +13,7 @@ import { type Polygons, STORAGE_OPTIONS, type StorageOptions, storesPrev } from 
 import { checkFlag, refuse } from './checks.js';
 import type { RawRepair } from './core.mjs';
 import { counted } from './counted.js';
-import type { Problem } from './errors.js';
+import { HalfedgeError, type Problem } from './errors.js';
 import { Links } from './links.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -167,6 +167,17 @@ export function repairReport(wasm: Core, raw: RawRepair): RepairReport {
     faceMap: new Int32Array(faceMap.buffer),
     summary: raw.summary,
   };
+}
+
+/** Throws if anything of what was to be taken as it is was mended. */
+export function refuseMended({ problems }: RepairReport): void {
+  const mended = problems.filter(({ severity }) => severity !== 'info');
+  if (mended.length === 0) return;
+  const [{ code, message, witness }] = mended;
+  throw new HalfedgeError(code, `This can't be built without repair, which says: ${message}`, {
+    problems: mended.map((problem): Problem => ({ ...problem, severity: 'error' })),
+    ...(witness && { witness }),
+  });
 }
 
 /** What the core lists of each code at most. */

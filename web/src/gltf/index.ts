@@ -35,7 +35,7 @@ export type { WriteGltfOptions } from './write.js';
  * @throws HalfedgeError with what was expected where: `unknown-format`, `not-text`, `parse-error`, `truncated`,
  * `unsupported-format` (compressed geometry without a decoder in the options, ...), `missing-resource`,
  * `too-large`, `missing-dependency` (three.js is not installed), `out-of-memory`, `not-initialised`; with
- * `repair: false` what a strict build throws. TypeError or RangeError for wrong arguments, and whatever
+ * `repair: false` the first thing that would have to be mended. TypeError or RangeError for wrong arguments, and whatever
  * `options.resource` throws
  */
 export function readGltf(

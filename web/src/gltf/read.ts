@@ -1,11 +1,17 @@
 import type { InstancedMesh, Mesh } from 'three';
 import { checkFlag } from '../checks.js';
-import { HalfedgeError, type Problem } from '../errors.js';
+import { HalfedgeError } from '../errors.js';
 import { contentOf } from '../file-content.js';
 import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { type OptionNames, takeOptions } from '../options.js';
-import { type RepairReport, SOUP_OPTIONS, type SoupOptions, soupOptions } from '../repair.js';
+import {
+  type RepairReport,
+  refuseMended,
+  SOUP_OPTIONS,
+  type SoupOptions,
+  soupOptions,
+} from '../repair.js';
 import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
@@ -183,7 +189,7 @@ function meshOf(
   const settings = { weld, dropIsolated, storePrev };
   const { mesh, report } = HalfedgeMesh.fromSoup(positions, indices, settings);
   try {
-    if (!repair) refuseRepaired(report);
+    if (!repair) refuseMended(report);
     addAttributes(mesh, report, indices, attributes);
   } catch (error) {
     mesh.dispose();
@@ -191,14 +197,4 @@ function meshOf(
   }
   const name = format === 'glb' ? 'GLB' : 'glTF';
   return { mesh, report: { ...fileReport(name, mesh, report, notes), format } };
-}
-
-/** Throws if anything was mended, as a strict build does. */
-function refuseRepaired({ problems }: RepairReport): void {
-  const errors = problems
-    .filter(({ severity }) => severity !== 'info')
-    .map((problem): Problem => ({ ...problem, severity: 'error' }));
-  if (errors.length === 0) return;
-  const [{ code, message, witness }] = errors;
-  throw new HalfedgeError(code, message, { problems: errors, ...(witness && { witness }) });
 }

@@ -19,10 +19,10 @@ export function checkPositions(mesh: HalfedgeMesh): void {
   }
 }
 
-/** The buffers of a triangle mesh with such attributes as glTF allows. */
-export function writableBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
+/** The buffers of a mesh, as `buffersOf` makes them, with such attributes as glTF allows. */
+export function writableBuffers(mesh: HalfedgeMesh, note: Note, halfedges?: Uint32Array): Buffers {
   const columns = columnsOf(mesh, note);
-  const buffers = buffersOf(mesh, columns);
+  const buffers = buffersOf(mesh, columns, halfedges);
   columns.forEach(({ kind, name }, i) => {
     const { values } = buffers.attributes[i];
     const title = `the ${kind} attribute ${describe(name)}`;

@@ -5,6 +5,7 @@ import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
+import { liveFaces, triangulateFaces } from '../three/triangulate.js';
 import type { OwnBytes } from '../write.js';
 import type { Buffers, Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
@@ -49,22 +50,17 @@ export async function writeMesh(
   return content;
 }
 
-/** The buffers of a mesh, cut into triangles. */
+/** The buffers of a mesh, whose faces are cut into triangles, each for itself. */
 function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
   if (mesh.faceCount === 0 && mesh.vertexCount > 0) {
     note(`Left out ${counted(mesh.vertexCount, 'vertex', 'vertices')}: there are no faces.`);
   }
   if (mesh.faceCount > 0) checkPositions(mesh);
   if (mesh.isTriangleMesh()) return writableBuffers(mesh, note);
-  const triangles = mesh.clone();
-  try {
-    triangles.triangulate();
-    const faces = counted(mesh.faceCount, 'face', 'faces');
-    note(`Cut ${faces} into ${counted(triangles.faceCount, 'triangle')}: glTF has no polygons.`);
-    return writableBuffers(triangles, note);
-  } finally {
-    triangles.dispose();
-  }
+  const { halfedges, faces } = triangulateFaces(mesh, liveFaces(mesh));
+  const cut = counted(mesh.faceCount, 'face', 'faces');
+  note(`Cut ${cut} into ${counted(faces.length, 'triangle')}: glTF has no polygons.`);
+  return writableBuffers(mesh, note, halfedges);
 }
 
 async function sceneOf({ positions, indices, attributes }: Buffers) {

@@ -39,6 +39,12 @@ export function checkAttribute(name: string, attribute: unknown, rows?: number):
       `geometry.attributes.${name} is one of instances, not of vertices; expected a geometry without instances.`,
     );
   }
+  if (!Number.isInteger(count)) {
+    throw geometryError(
+      'truncated',
+      `geometry.attributes.${name} has ${counted((numbers as Float32Array).length, 'number')}; expected a multiple of ${data?.stride ?? itemSize}, for whole rows.`,
+    );
+  }
   if (rows !== undefined && count < rows) {
     throw geometryError(
       'truncated',

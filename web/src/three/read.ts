@@ -2,11 +2,10 @@ import type { BufferGeometry } from 'three';
 import { describe, newArray } from '../arguments.js';
 import { checkFlag } from '../checks.js';
 import { counted } from '../counted.js';
-import { HalfedgeError } from '../errors.js';
 import { addAttributes, type CornerAttribute, cornersOf } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { checkOptions, type OptionNames } from '../options.js';
-import { type RepairReport, SOUP_OPTIONS, type SoupOptions } from '../repair.js';
+import { type RepairReport, refuseMended, SOUP_OPTIONS, type SoupOptions } from '../repair.js';
 import type { Rows } from '../rings.js';
 import {
   checkAttribute,
@@ -57,10 +56,10 @@ export interface GeometryMesh {
  * seams are one again, and what differs between them becomes attributes of halfedges (corners), so that
  * nothing is lost; what doesn't, attributes of vertices. They keep their names: `normal`, `uv`, `uv1`,
  * `color`, `tangent`, `skinIndex`, ... Normalised integers become floats, but for colours in bytes; morph
- * targets become `morph position 0` and so on, relative to the attribute. Groups become the face attribute
- * `group`, which holds the index of the material (-1 where none is drawn). Triangles outside of the
- * draw range are no part of the mesh; their vertices stay, without faces, unless `dropIsolated` leaves them out. What
- * makes no manifold is mended, as by `HalfedgeMesh.fromSoup`.
+ * targets become `morph position 0` and so on, relative to the attribute; their names are not kept. Groups
+ * become the face attribute `group`, which holds the index of the material (-1 where none is drawn).
+ * Triangles outside of the draw range are no part of the mesh; their vertices stay, without faces, unless
+ * `dropIsolated` leaves them out. What makes no manifold is mended, as by `HalfedgeMesh.fromSoup`.
  *
  * ```ts
  * const { mesh, maps } = fromBufferGeometry(new BoxGeometry()); // 8 vertices, 24 in the geometry
@@ -68,7 +67,8 @@ export interface GeometryMesh {
  * ```
  *
  * @throws HalfedgeError `no-positions`, `unsupported-attribute`, `unsupported-geometry`, `truncated`,
- * `bad-group`, or with `repair: false` what a strict build throws; TypeError for what is no geometry
+ * `bad-group`, or with `repair: false` the first thing that would have to be mended; TypeError for what is
+ * no geometry
  */
 export function fromBufferGeometry(
   given: BufferGeometry,
@@ -104,11 +104,7 @@ export function fromBufferGeometry(
     ...(storePrev === undefined ? {} : { storePrev }),
   });
   try {
-    const mended = report.problems.filter(({ severity }) => severity !== 'info');
-    if (!repair && mended.length > 0) {
-      const [{ code, message, witness }] = mended;
-      throw new HalfedgeError(code, message, { problems: mended, ...(witness && { witness }) });
-    }
+    if (!repair) refuseMended(report);
     addAttributes(mesh, report, indices, attributes);
     if (groups !== undefined) addGroups(mesh, report.faceMap, groups);
     return { mesh, report, maps: mapsOf(mesh, report, indices) };
