@@ -143,7 +143,8 @@ TEST(Repair, LeavesOutPositionsThatAreNotFiniteAndTheirFaces) {
   EXPECT_EQ(result.origins(), (std::vector<Index>{0, 2, 3, 4}));
   EXPECT_EQ(result.report.vertex_map[1], kNone);
   EXPECT_EQ(result.report.problems[0].witness.vertices, std::vector<Index>{1});
-  EXPECT_EQ(result.report.summary, "1 vertex without a finite position left out.");
+  EXPECT_EQ(result.report.summary,
+            "1 vertex without a finite position left out, 1 face that used it left out.");
   expect_verdicts(result, {{0, RepairCode::kNonFinitePosition}});
 }
 

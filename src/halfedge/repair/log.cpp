@@ -40,8 +40,14 @@ namespace {
 
 using sentence::count_of;
 
+/// How many faces were dropped for what their codes don't tell alone.
+struct Dropped {
+  std::size_t without_position = 0;
+  std::size_t repeated = 0;
+};
+
 std::string summary_of(const RepairReport& report, const RepairOptions& options,
-                       std::size_t dropped_as_repeated, std::size_t doubled_vertices) {
+                       const Dropped& dropped, std::size_t doubled_vertices) {
   std::string list;
   const auto say = [&](std::size_t count, const char* noun, const char* done) {
     if (count == 0) return;
@@ -49,12 +55,15 @@ std::string summary_of(const RepairReport& report, const RepairOptions& options,
     list += sentence::of("{} {}", count_of(count, noun), done);
   };
   const auto count = [&](RepairCode code) { return report.count(code); };
-  say(count(RepairCode::kNonFinitePosition), "vertex", "without a finite position left out");
+  const std::size_t misplaced = count(RepairCode::kNonFinitePosition);
+  say(misplaced, "vertex", "without a finite position left out");
+  say(dropped.without_position, "face",
+      misplaced == 1 ? "that used it left out" : "that used them left out");
   say(count(RepairCode::kCoincidentPosition), "vertex", "welded to others");
   say(count(RepairCode::kIndexOutOfRange), "face", "with an index out of range left out");
   say(count(RepairCode::kDegreeBelowThree), "face", "with fewer than 3 corners left out");
-  say(dropped_as_repeated, "face", "that used a vertex twice left out");
-  say(count(RepairCode::kRepeatedVertex) - dropped_as_repeated, "face",
+  say(dropped.repeated, "face", "that used a vertex twice left out");
+  say(count(RepairCode::kRepeatedVertex) - dropped.repeated, "face",
       "that used a vertex twice simplified");
   say(count(RepairCode::kDuplicateFace), "duplicate face", "left out");
   say(count(RepairCode::kEdgeWithManyFaces), "edge", "with more than two faces cut");
@@ -74,15 +83,16 @@ bool Log::finish(const RepairOptions& options, std::size_t doubled_vertices) {
   std::size_t touched = 0;
   for (const std::uint16_t mark : marks_) touched += mark != 0 ? 1 : 0;
   if (!report_.verdicts.reserve(touched)) return false;
-  std::size_t dropped_as_repeated = 0;
+  Dropped dropped;
   for (Index f = 0; f < marks_.size(); ++f) {
     if (marks_[f] == 0) continue;
     const FaceVerdict verdict{f, report_.face_map[f] != kNone, marks_[f]};
-    dropped_as_repeated += verdict.has(RepairCode::kRepeatedVertex) && !verdict.kept &&
-                           !verdict.has(RepairCode::kDuplicateFace);
+    dropped.without_position += !verdict.kept && verdict.has(RepairCode::kNonFinitePosition);
+    dropped.repeated += verdict.has(RepairCode::kRepeatedVertex) && !verdict.kept &&
+                        !verdict.has(RepairCode::kDuplicateFace);
     (void)report_.verdicts.push_back(verdict);  // reserved above
   }
-  report_.summary = summary_of(report_, options, dropped_as_repeated, doubled_vertices);
+  report_.summary = summary_of(report_, options, dropped, doubled_vertices);
   return true;
 }
 
