@@ -18,7 +18,7 @@ import {
 import type { Item } from 'halfedge/teaching';
 import { newPickingWorker } from 'halfedge/three/picking';
 import { Vector3 } from 'three';
-import type { MeshDocument } from '../app/documents.js';
+import type { MeshDocument, OpenFailure } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import { Signal } from '../app/signal.js';
 import { pngOf, svgOf } from './export.js';
@@ -29,6 +29,12 @@ import { WitnessView } from './witness-view.js';
 /** What the bar at the top takes of the height, and the switch below it where a file has problems. */
 const TOP_BAR = 64;
 const PICTURE_SWITCH = 44;
+
+const LOSS: OpenFailure = {
+  title: 'The picture cannot be drawn',
+  message: 'The browser has taken the graphics card away. The picture comes back with it.',
+  lesson: null,
+};
 
 /** The picture of the explorer's state: follows its signals, draws when something changed. */
 export class View {
@@ -64,6 +70,7 @@ export class View {
     this.#soup = new SoupView(this.stage, this.#picture.look);
     this.#witness = new WitnessView(this.stage);
     this.applyTheme();
+    this.#tellOfLoss(canvas);
     this.stage.onFrame(() => {
       this.lacksRoomForNames.value = this.#namesNeedRoom() && !this.#picture.hasRoomForNames;
     });
@@ -182,6 +189,17 @@ export class View {
     return format === 'png'
       ? pngOf(this.stage, frame, this.#labelHost)
       : svgOf(this.stage, frame, this.#labelHost, this.#picture.hides);
+  }
+
+  /** Says why the picture is empty, as long as the browser keeps it from being drawn. */
+  #tellOfLoss(canvas: HTMLCanvasElement): void {
+    const { failure } = this.#explorer;
+    canvas.addEventListener('webglcontextlost', () => {
+      failure.value = LOSS;
+    });
+    canvas.addEventListener('webglcontextrestored', () => {
+      if (failure.value === LOSS) failure.value = null;
+    });
   }
 
   #show(opened: MeshDocument | null): void {

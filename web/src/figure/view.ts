@@ -42,7 +42,7 @@ export class FigureView {
     this.#host = host;
     this.#state = state;
     this.#palette = readPalette(host);
-    this.stage = new Stage(new SharedScreen(canvas, () => this.stage.invalidate()));
+    this.stage = new Stage(new SharedScreen(canvas));
     this.stage.setInsets(SPACE);
     this.#picture = new MeshPicture(this.stage, labels, {
       overlay: (anchors) => this.#overlay(anchors),

@@ -6,6 +6,10 @@ export interface Screen {
   /** Sets the size in CSS pixels, and how many pixels there are to one of them. */
   resize(width: number, height: number, ratio: number): void;
   render(scene: Scene, camera: Camera): void;
+  /** Whether the browser has taken the graphics card away: nothing can be drawn until it gives it back. */
+  readonly isLost: boolean;
+  /** Calls `lost` when that happens, and `restored` when the picture has to be drawn again. */
+  onLoss(lost: () => void, restored: () => void): void;
   dispose(): void;
 }
 
@@ -13,6 +17,7 @@ export interface Screen {
 export class OwnScreen implements Screen {
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: WebGLRenderer;
+  readonly #ended = new AbortController();
 
   constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
@@ -29,7 +34,18 @@ export class OwnScreen implements Screen {
     this.#renderer.render(scene, camera);
   }
 
+  get isLost(): boolean {
+    return this.#renderer.getContext().isContextLost();
+  }
+
+  onLoss(lost: () => void, restored: () => void): void {
+    const { signal } = this.#ended;
+    this.canvas.addEventListener('webglcontextlost', lost, { signal });
+    this.canvas.addEventListener('webglcontextrestored', restored, { signal });
+  }
+
   dispose(): void {
+    this.#ended.abort();
     this.#renderer.dispose();
   }
 }

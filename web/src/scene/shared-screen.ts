@@ -8,18 +8,27 @@ import type { Screen } from './screen.js';
 export class SharedScreen implements Screen {
   readonly canvas: HTMLCanvasElement;
   readonly #context: CanvasRenderingContext2D;
-  readonly #restored: () => void;
+  readonly #ended = new AbortController();
   #width = 1;
   #height = 1;
   #ratio = 1;
 
-  /** `restored` is called when the picture has to be drawn again. Throws where there is no WebGL. */
-  constructor(canvas: HTMLCanvasElement, restored: () => void) {
+  /** Throws where there is no WebGL. */
+  constructor(canvas: HTMLCanvasElement) {
     this.canvas = canvas;
     this.#context = canvas.getContext('2d') as CanvasRenderingContext2D;
-    this.#restored = restored;
     renderer ??= start();
-    listeners.add(restored);
+  }
+
+  get isLost(): boolean {
+    return (renderer as WebGLRenderer).getContext().isContextLost();
+  }
+
+  onLoss(lost: () => void, restored: () => void): void {
+    const { domElement } = renderer as WebGLRenderer;
+    const { signal } = this.#ended;
+    domElement.addEventListener('webglcontextlost', lost, { signal });
+    domElement.addEventListener('webglcontextrestored', restored, { signal });
   }
 
   resize(width: number, height: number, ratio: number): void {
@@ -55,13 +64,12 @@ export class SharedScreen implements Screen {
   }
 
   dispose(): void {
-    listeners.delete(this.#restored);
+    this.#ended.abort();
   }
 }
 
 /** One for the page, made when the first picture needs it, and kept: pages rarely lose all figures. */
 let renderer: WebGLRenderer | undefined;
-const listeners = new Set<() => void>();
 
 function start(): WebGLRenderer {
   const made = new WebGLRenderer({
@@ -70,8 +78,5 @@ function start(): WebGLRenderer {
     alpha: true,
   });
   made.setClearAlpha(0);
-  made.domElement.addEventListener('webglcontextrestored', () => {
-    for (const restored of listeners) restored();
-  });
   return made;
 }

@@ -99,6 +99,10 @@ export class Stage {
       if (pointerType === 'touch') this.#takeBack();
     };
     canvas.addEventListener('pointercancel', takeBack, { signal: this.#ended.signal });
+    screen.onLoss(
+      () => this.#free(),
+      () => this.invalidate(),
+    );
     this.#observer.observe(canvas);
     this.#resize();
   }
@@ -118,12 +122,17 @@ export class Stage {
     cancelAnimationFrame(this.#frame);
     this.#observer.disconnect();
     this.controls.dispose();
+    this.#free();
+    this.#screen.dispose();
+  }
+
+  /** Frees what is on the graphics card; what is drawn again is uploaded anew. */
+  #free(): void {
     this.scene.traverse((object) => {
       const { geometry, material } = object as Partial<Mesh>;
       geometry?.dispose();
       for (const one of [material].flat()) one?.dispose();
     });
-    this.#screen.dispose();
   }
 
   /** Calls `listener` before each frame is drawn. */
@@ -178,12 +187,15 @@ export class Stage {
     return { x: left, y: 0, width: Math.max(1, this.size.x - left - right), height };
   }
 
-  /** A part of the picture, two pixels to the CSS pixel, on the colour of the page. */
+  /** A part of the picture, two pixels to the CSS pixel, on the colour of the page. Throws while nothing can be drawn. */
   capture(
     frame: { x: number; y: number; width: number; height: number },
     without: ReadonlySet<Object3D> = new Set(),
   ): HTMLCanvasElement {
-    const { canvas } = this.#screen;
+    const { canvas, isLost } = this.#screen;
+    if (isLost) {
+      throw new Error('The browser has taken the graphics card away: wait until it is back.');
+    }
     const taken = document.createElement('canvas');
     taken.width = Math.round(CAPTURE_RATIO * frame.width);
     taken.height = Math.round(CAPTURE_RATIO * frame.height);
