@@ -1,0 +1,52 @@
+import type { Page } from 'playwright-core';
+import { disconnect, ExplorerPage } from './support/explorer.js';
+
+afterAll(disconnect);
+
+const TRIANGLE = 'OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n';
+const NAMES = ['scan_2024_11_final_version_cleaned_decimated_v12.off', `${'n'.repeat(196)}.off`];
+
+/** The words of what is shown there that lie outside of it, or outside of the window. */
+function wordsOutside(page: Page, selector: string): Promise<string[]> {
+  return page.$$eval(selector, (all) => {
+    const shown = all.filter((each) => each.checkVisibility());
+    if (shown.length === 0) return ['nothing is shown'];
+    return shown.flatMap((card) => {
+      const box = card.getBoundingClientRect();
+      const right = Math.min(box.right, innerWidth) + 0.5;
+      const isOutside = (rect: DOMRect) => rect.left < box.left - 0.5 || rect.right > right;
+      const range = document.createRange();
+      return [...card.querySelectorAll('*'), card]
+        .filter((each) => {
+          range.selectNodeContents(each);
+          return [...range.getClientRects()].some(isOutside);
+        })
+        .map((each) => each.textContent ?? '');
+    });
+  });
+}
+
+describe.each(NAMES)('The name %s', (name) => {
+  test.each([
+    [390, 844],
+    [1280, 800],
+  ])('breaks in cards and in the panel, in a window %i wide', async (width, height) => {
+    const explorer = await ExplorerPage.open({ width, height, link: 'sample=cube', mesh: 'Cube' });
+    const { page } = explorer;
+    await explorer.drop(name, TRIANGLE);
+    await explorer.ready(name);
+    await explorer.press('3');
+    await page.click('.mesh-facts [data-download=off]');
+    await page.waitForSelector('.outcome:has-text("Saved")');
+    expect(await wordsOutside(page, '.mesh-facts h2, .mesh-facts .outcome')).toEqual([]);
+    await page.click('[data-tab-button=edit]');
+    await page.click('[data-operation=reverse]');
+    await explorer.sample('cube', 'Cube');
+    expect(await wordsOutside(page, '[data-left]')).toEqual([]);
+    await explorer.drop(name, 'OFF\n3 1 3\n');
+    await page.waitForSelector('.notice:not([hidden])');
+    expect(await wordsOutside(page, '.notice')).toEqual([]);
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  });
+});
