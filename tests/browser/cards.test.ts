@@ -50,3 +50,24 @@ describe.each(NAMES)('The name %s', (name) => {
     await explorer.close();
   });
 });
+
+test.each([
+  [320, 568],
+  [390, 844],
+  [844, 390],
+  [1280, 800],
+])('One toast lies below the other, in a window of %i by %i', async (width, height) => {
+  const link = 'sample=cube&edits=splitFace%20f0';
+  const explorer = await ExplorerPage.open({ width, height, link, mesh: 'Cube' });
+  const { page } = explorer;
+  await explorer.sample('grid', 'Open grid');
+  await page.click('[data-share]');
+  await page.waitForSelector('[data-toast]:has-text("Link copied")');
+  const left = await page.locator('[data-left]').boundingBox();
+  const toast = await page.locator('[data-toast]').boundingBox();
+  expect(left && toast && left.y + left.height <= toast.y).toBe(true);
+  expect(left && toast && Math.min(left.x, toast.x) >= 0).toBe(true);
+  await page.click('[data-left] button');
+  await explorer.ready('Cube');
+  await explorer.close();
+});

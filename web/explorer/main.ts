@@ -84,8 +84,7 @@ async function start(): Promise<void> {
     failureNotice(explorer),
     ...cards,
     busyNotice(explorer),
-    share.outcome,
-    leftNotice(explorer),
+    h('div', { class: 'toasts' }, leftNotice(explorer), share.outcome),
     dropTarget(explorer),
     help,
   );
