@@ -218,3 +218,20 @@ test.each([
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test('The tab that is marked is the section on show, also when the window becomes wider', async () => {
+  const explorer = await ExplorerPage.open({ width: 390, height: 844 });
+  const { page } = explorer;
+  const marked = () =>
+    page.$$eval('.tabs [aria-current=true]', (all) => all.map((each) => each.textContent));
+  await page.click('[data-tab-button=inspect]');
+  expect(await marked()).toEqual(['Inspect']);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await explorer.rest();
+  expect(await marked()).toEqual(['Circulate']);
+  expect(await page.isVisible('.transport .play')).toBe(true);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await explorer.rest();
+  expect(await marked()).toEqual(['Inspect']);
+  await explorer.close();
+});

@@ -71,13 +71,21 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
       { type: 'button', 'data-tab-button': id, title, onclick: choose },
       text,
     );
-    tab.subscribe((chosen) => button.setAttribute('aria-current', String(chosen === id)));
     tabs.append(button);
     if (id === 'problems') offerProblems(explorer, tab, button);
   }
-  tab.subscribe((chosen) => {
-    element.dataset.tab = chosen;
-  });
+  const mark = () => {
+    element.dataset.tab = tab.value;
+    const inspect = tabs.querySelector('[data-tab-button=inspect]');
+    // The styles show the circulator below the inspector, where that is no tab.
+    const isBeside = tab.value === 'inspect' && !inspect?.checkVisibility();
+    const shown = isBeside ? 'circulate' : tab.value;
+    for (const button of tabs.querySelectorAll<HTMLElement>('button')) {
+      button.setAttribute('aria-current', String(button.dataset.tabButton === shown));
+    }
+  };
+  tab.subscribe(mark);
+  window.addEventListener('resize', mark);
 
   function pull(sheet: Sheet): void {
     element.dataset.sheet = sheet;
