@@ -160,6 +160,29 @@ test('An edit in a link that is refused tells why', async () => {
   await closeAll(explorer);
 });
 
+test('An edit in a link that is refused is told of in one card, as long as that link is the last', async () => {
+  const link = 'sample=cube&edits=splitFace f0,flipEdge e1';
+  const explorer = await ExplorerPage.open({ link, mesh: 'Cube' });
+  const { page } = explorer;
+  const cards = () =>
+    page.$$eval('[role=alert]', (all) =>
+      all.filter((each) => each.checkVisibility()).map((each) => each.textContent),
+    );
+  expect(await cards()).toEqual([expect.stringContaining('“flipEdge e1” in it')]);
+  expect(await explorer.state('refusal')).toBeNull();
+  await page.evaluate(() => {
+    location.hash = 'sample=none';
+  });
+  await page.waitForSelector('.notice:has-text("“none”")');
+  expect(await cards()).toHaveLength(1);
+  await page.evaluate(() => {
+    location.hash = 'sample=cube&edits=insertEdge h0';
+  });
+  await page.waitForSelector('.notice:has-text("insertEdge h0")');
+  expect(await explorer.state('pending')).toBeNull();
+  await closeAll(explorer);
+});
+
 test('An edit in a link is not done to another item than the one it names', async () => {
   const link = 'sample=icosahedron&edits=flipEdge e3,flipEdge e9999';
   const explorer = await ExplorerPage.open({ link, mesh: 'Icosahedron' });

@@ -137,6 +137,7 @@ function repeatEdits(text: string | null, explorer: Explorer): void {
     }
     if (editor.past.value.undoCount === before) {
       const why = absence || (editor.refused.value?.refusal.message ?? '');
+      editor.cancel(); // what is wrong with the link is told as a whole
       throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
     }
   }
