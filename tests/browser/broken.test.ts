@@ -98,6 +98,9 @@ describe('A broken file', () => {
     ]);
     expect(await explorer.page.isDisabled('[name=pick-mode][value=face]')).toBe(true);
     expect(await explorer.page.textContent('.inspector .facts')).toContain('switch to Repaired');
+    expect(await explorer.page.textContent('.edit .empty')).toContain('Switch to Repaired');
+    await explorer.press('n');
+    expect(await explorer.page.textContent('.inspector .remark')).toContain('switch to Repaired');
     await explorer.projection();
     expect(await explorer.state('camera')).toBe(camera);
     expect(await explorer.colours(250, 150, 400, 500)).not.toBe(repaired);
@@ -106,6 +109,8 @@ describe('A broken file', () => {
     await explorer.page.focus('.picture-switch input:checked');
     await explorer.press('ArrowRight');
     expect(await explorer.state('picture')).toBe('repaired');
+    expect(await explorer.page.textContent('.inspector .remark')).toBe('');
+    expect(await explorer.page.textContent('.edit .empty')).toContain('Pick a vertex');
     expect(await explorer.page.textContent('.picture-switch [role=status]')).toBe(
       'The repaired mesh is shown: 6 faces.',
     );

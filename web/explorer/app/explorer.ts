@@ -218,6 +218,7 @@ export class Explorer {
     if (shows && !this.document.value?.diagnosis) return;
     this.pause();
     if (shows) this.select(null);
+    this.remark.value = '';
     this.showsFile.value = shows;
   }
 
@@ -248,7 +249,10 @@ export class Explorer {
     const mesh = this.document.value?.mesh;
     if (!mesh) return;
     if (!selected) {
-      this.remark.value = 'Nothing is selected: pick an item first.';
+      const how = this.showsFile.value
+        ? 'switch to Repaired (R) to pick one'
+        : 'pick an item first';
+      this.remark.value = `Nothing is selected: ${how}.`;
       return;
     }
     const link = linksOf(mesh, selected).find((candidate) => candidate.key === key);

@@ -29,14 +29,15 @@ export function editPanel(explorer: Explorer): HTMLElement {
     report.textContent = text;
     if (text) requestAnimationFrame(() => report.scrollIntoView({ block: 'nearest' }));
   });
+  const tell = () => {
+    nothing.textContent = emptyWords(explorer);
+  };
+  explorer.showsFile.subscribe(tell);
   explorer.editor.offers.subscribe((offers) => {
     const selected = explorer.selected.value;
     title.textContent = selected ? itemTitle(selected) : 'Selection';
     nothing.hidden = selected !== null;
-    const isEmpty = explorer.document.value?.mesh.vertexCount === 0;
-    nothing.textContent = isEmpty
-      ? 'There is nothing to edit.'
-      : 'Pick a vertex, edge, halfedge or face to edit it.';
+    tell();
     keepFocus(section, title, () => {
       const buttons = (belongs: (operation: Operation) => boolean) =>
         offers
@@ -48,6 +49,13 @@ export function editPanel(explorer: Explorer): HTMLElement {
     });
   });
   return section;
+}
+
+/** What to do while nothing is selected. */
+function emptyWords(explorer: Explorer): string {
+  if (explorer.showsFile.value) return 'Switch to Repaired (R) to edit the items of the mesh.';
+  if (explorer.document.value?.mesh.vertexCount === 0) return 'There is nothing to edit.';
+  return 'Pick a vertex, edge, halfedge or face to edit it.';
 }
 
 /** Rebuilds the buttons; the focus stays on the same operation, or goes to the title. */
