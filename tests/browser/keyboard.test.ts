@@ -92,3 +92,38 @@ test('Menus open, close and choose by keys alone, and give the focus back', asyn
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test('A key that is held edits once and plays once; steps, walks and undo go on', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=f0', mesh: 'Cube' });
+  const { keyboard } = explorer.page;
+  const hold = async (key: string) => {
+    for (let i = 0; i < 4; i++) await keyboard.down(key); // all but the first are repeats
+    await keyboard.up(key);
+  };
+  await keyboard.down('Shift');
+  await hold('I');
+  await keyboard.up('Shift');
+  expect(await explorer.state('undo')).toBe('1');
+  await explorer.press('Shift+S', 'Shift+S');
+  await keyboard.down('Control');
+  await hold('z');
+  await keyboard.up('Control');
+  expect(await explorer.state('undo')).toBe('0');
+  await explorer.goTo('h0');
+  await explorer.press('n', 'n', 'n');
+  const before = await explorer.state('selected');
+  await explorer.press('n');
+  await hold('n');
+  expect(await explorer.state('selected')).toBe('h0'); // around a square, twice
+  expect(before).not.toBe('h0');
+  await hold('.');
+  expect(Number(await explorer.state('position'))).toBeGreaterThan(2);
+  await explorer.press('Home');
+  await hold(' ');
+  expect(await explorer.state('player')).toBe('playing');
+  await explorer.goTo('v0');
+  await hold('Delete');
+  expect(await explorer.state('undo')).toBe('1');
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});

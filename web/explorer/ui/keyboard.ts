@@ -66,7 +66,7 @@ export function listenToKeys(
     const action = actionOf(event);
     if (!action) return;
     event.preventDefault();
-    action();
+    if (!event.repeat || goesOn(event)) action();
   });
 
   /** Capitals are operations; letters walk; control or command with Z and Y goes through history. */
@@ -79,6 +79,11 @@ export function listenToKeys(
     if (shiftKey && /^[a-z]$/.test(letter)) return () => editor.runKey(letter.toUpperCase());
     return WALKS.has(letter) ? () => explorer.walk(letter as WalkKey) : actions[letter];
   }
+}
+
+/** Whether a key that is held does it again and again, as steps and turns do; an operation is done once. */
+function goesOn({ key, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  return ctrlKey || metaKey || WALKS.has(key) || /^([,.+=-]|Arrow\w+)$/.test(key);
 }
 
 /** Whether the focused control has a use of its own for the key. */
