@@ -83,6 +83,21 @@ test.each([
   360_000,
 );
 
+/** How often the colour changes from row to row at the left of a picture. */
+function dashesAtLeft(page: Page, picture: Buffer): Promise<number> {
+  return page.evaluate(
+    async (data) => {
+      const bitmap = await createImageBitmap(await (await fetch(data)).blob());
+      const context = new OffscreenCanvas(1, bitmap.height).getContext('2d');
+      context?.drawImage(bitmap, 0, 0);
+      const { buffer } = context?.getImageData(0, 0, 1, bitmap.height).data ?? new Uint8Array();
+      const column = new Uint32Array(buffer);
+      return column.filter((pixel, y) => y > 0 && pixel !== column[y - 1]).length;
+    },
+    `data:image/png;base64,${picture.toString('base64')}`,
+  );
+}
+
 test('What is chosen can be seen in the colours of the system, where those are forced', async () => {
   const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v3', mesh: 'Cube' });
   const { page } = explorer;
@@ -111,5 +126,8 @@ test('What is chosen can be seen in the colours of the system, where those are f
   await explorer.press('h');
   await page.waitForSelector('.record.selected');
   expect(await isLit('.record.selected')).toBe(true);
+  await page.hover('.record[data-row="9"] [role=rowheader]');
+  const rim = await page.locator('.record.hovered').screenshot();
+  expect(await dashesAtLeft(page, rim)).toBeGreaterThan(5);
   await explorer.close();
 });
