@@ -13,9 +13,11 @@ interface Axe {
   }>;
 }
 
+/** The rules for headings and landmarks, whose findings are moderate. */
+const OUTLINE = new Set(['heading-order', 'landmark-unique']);
 const AXE = readFileSync(join(process.cwd(), 'node_modules/axe-core/axe.min.js'), 'utf8');
 
-/** What axe-core finds serious or critical in a page as it is. */
+/** What axe-core finds serious or critical in a page as it is, and all that it finds about its outline. */
 export async function seriousFindings(page: Page): Promise<string[]> {
   if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(AXE);
   const violations = await page.evaluate(async () => {
@@ -23,7 +25,7 @@ export async function seriousFindings(page: Page): Promise<string[]> {
     return (await axe.run()).violations;
   });
   return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
+    .filter(({ impact, id }) => impact === 'serious' || impact === 'critical' || OUTLINE.has(id))
     .flatMap(({ id, nodes }) =>
       nodes.map(({ target, failureSummary }) => `${id}: ${target}: ${failureSummary}`),
     );

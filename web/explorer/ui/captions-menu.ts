@@ -21,7 +21,7 @@ export function captionsButton(explorer: Explorer): HTMLElement {
   const menu = h(
     'div',
     { id: 'captions-menu', class: 'captions-menu card', popover: 'auto' },
-    h('h3', { id: 'captions-title' }, 'Names of items'),
+    h('h2', { id: 'captions-title' }, 'Names of items'),
     scopes(explorer),
     kinds(explorer),
     h('hr', {}),

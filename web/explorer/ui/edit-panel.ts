@@ -14,7 +14,7 @@ export function editPanel(explorer: Explorer): HTMLElement {
   const nothing = h('p', { class: 'empty' });
   const section = h(
     'section',
-    { class: 'edit', 'aria-labelledby': 'edit-title' },
+    { class: 'edit', 'aria-label': 'Operations' },
     title,
     onItem,
     nothing,

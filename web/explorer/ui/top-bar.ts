@@ -128,7 +128,7 @@ function meshMenu(explorer: Explorer): HTMLElement {
     });
     return button;
   };
-  const group = (title: string, ids: readonly string[]) => [h('h3', {}, title), ...ids.map(entry)];
+  const group = (title: string, ids: readonly string[]) => [h('h2', {}, title), ...ids.map(entry)];
   menu.append(
     ...group('Models', ['bunny', 'suzanne']),
     ...group('Closed', ['icosahedron', 'icosphere', 'cube', 'torus', 'football', 'star']),
