@@ -122,6 +122,9 @@ test('What is chosen can be seen in the colours of the system, where those are f
     if (!(await isLit(selector))) unlit.push(selector);
   }
   expect(unlit).toEqual([]);
+  await page.click('.mesh-button');
+  expect(await isLit('.mesh-menu [aria-current=true]')).toBe(true);
+  await explorer.press('Escape');
   await page.click('[data-tab-button=records]');
   await explorer.press('h');
   await page.waitForSelector('.record.selected');
