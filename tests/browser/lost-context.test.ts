@@ -32,6 +32,9 @@ async function turn(way: 'lose' | 'restore'): Promise<void> {
 /** How many colours the middle of the picture has. */
 const colours = () => explorer.colours(256, 200, 400, 400);
 
+const canBeSeen = () =>
+  explorer.page.$eval('.stage canvas', (it) => it.checkVisibility({ opacityProperty: true }));
+
 test('is drawn again when the browser gives the graphics card back', async () => {
   const { page } = explorer;
   const before = await colours();
@@ -39,12 +42,14 @@ test('is drawn again when the browser gives the graphics card back', async () =>
   await explorer.press('3');
   await turn('lose');
   expect(await page.textContent('.notice:not([hidden]) [data-message]')).toContain('graphics card');
+  expect(await canBeSeen()).toBe(false);
   for (const format of ['png', 'svg']) {
     await page.click(`.mesh-facts [data-download=${format}]`);
     await page.waitForSelector('.mesh-facts .outcome:has-text("Not saved: ")');
   }
   await turn('restore');
   expect(await explorer.comesTrue(async () => (await colours()) === before)).toBe(true);
+  expect(await canBeSeen()).toBe(true);
   expect(await page.isHidden('.notice')).toBe(true);
   await page.click('.mesh-facts [data-download=png]');
   await page.waitForSelector('.mesh-facts .outcome:has-text("Saved cube.png")');

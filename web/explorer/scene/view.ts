@@ -194,10 +194,13 @@ export class View {
   /** Says why the picture is empty, as long as the browser keeps it from being drawn. */
   #tellOfLoss(canvas: HTMLCanvasElement): void {
     const { failure } = this.#explorer;
+    const { classList } = canvas.parentElement as HTMLElement;
     canvas.addEventListener('webglcontextlost', () => {
+      classList.add('lost');
       failure.value = LOSS;
     });
     canvas.addEventListener('webglcontextrestored', () => {
+      classList.remove('lost');
       if (failure.value === LOSS) failure.value = null;
     });
   }
