@@ -2,12 +2,16 @@
 // so through whatever leaves vertices where they are, or blends corners as it blends positions.
 
 #include <gtest/gtest.h>
+#include <halfedge/mend/mend.h>
 #include <halfedge/operations/bevel.h>
 #include <halfedge/operations/collapse.h>
+#include <halfedge/operations/cut.h>
 #include <halfedge/operations/dissolve.h>
 #include <halfedge/operations/extrude.h>
 #include <halfedge/operations/flip.h>
+#include <halfedge/operations/glue.h>
 #include <halfedge/operations/insert_edge.h>
+#include <halfedge/operations/orientation.h>
 #include <halfedge/operations/split_edge.h>
 #include <halfedge/operations/split_face.h>
 #include <halfedge/operations/split_vertex.h>
@@ -161,6 +165,34 @@ TEST(Corners, StayWhereFacesAreCut) {
                 with_faces,
                 [](Mesh& m, Halfedge h) { return ops::insert_edge(m, h, m.next(m.next(h))); }),
             20);
+}
+
+TEST(Corners, StayWithTheFacesWhereAMeshIsCutOpenAndSewn) {
+  EXPECT_GT(expect_corners_follow(kHalfedges, [](Mesh& m, Halfedge h) { return ops::cut(m, h); }),
+            50);
+  EXPECT_GT(expect_corners_follow(kHalfedges,
+                                  [](Mesh& m, Halfedge h) -> Result<mend::Report> {
+                                    const Result<Halfedge> g = ops::cut(m, h);
+                                    if (!g) return g.error();
+                                    return mend::stitch_boundaries(m, {.tolerance = 0});
+                                  }),
+            50);
+  EXPECT_GT(expect_corners_follow(kHalfedges,
+                                  [](Mesh& m, Halfedge h) -> Result<Edge> {
+                                    const Result<Halfedge> g = ops::cut(m, h);
+                                    if (!g) return g.error();
+                                    return ops::glue(m, Mesh::opposite(h), g.value());
+                                  }),
+            50);
+  EXPECT_GT(
+      expect_corners_follow(kFaces, [](Mesh& m, Face) { return mend::split_pinched_vertices(m); }),
+      50);
+  EXPECT_GT(expect_corners_follow(kFaces,
+                                  [](Mesh& m, Face) -> Result<mend::Report> {
+                                    EXPECT_TRUE(ops::reverse(m).ok());
+                                    return mend::orient_outward(m, {});
+                                  }),
+            50);
 }
 
 TEST(Corners, FollowTheVerticesOfACollapse) {
