@@ -85,7 +85,7 @@ describe('parse', () => {
       summary: 'PLY: 3 vertices, 3 edges, 1 face.',
     });
     expect(mesh.attributes.list()).toEqual([
-      { kind: 'vertex', name: 'red', type: 'uint8', components: 1, onSplit: 'copy' },
+      { kind: 'vertex', name: 'red', type: 'uint8', components: 1, default: [0], onSplit: 'copy' },
     ]);
     expect(Array.from(mesh.positions)).toEqual([0, 0, 0, 1, 0, 0, 0, Math.fround(0.1), 0]);
     mesh.dispose();
