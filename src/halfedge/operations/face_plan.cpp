@@ -18,31 +18,50 @@ std::uint64_t key_of(Vertex a, Vertex b) {
   return std::uint64_t{low.index()} << 32U | high.index();
 }
 
+// Each bit of the result depends on all of `h`.
+std::uint64_t mix(std::uint64_t h) {
+  h *= 0x9E37'79B9'7F4A'7C15U;
+  h = (h ^ (h >> 32U)) * 0xD6E8'FEB8'6659'FD93U;
+  return h ^ (h >> 32U);
+}
+
 }  // namespace
 
-std::size_t PlannedEdges::slot_of(std::uint64_t key) const {
+std::size_t PlannedEdges::slot_of(std::uint64_t key) {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t i = std::size_t((key * 0x9E37'79B9'7F4A'7C15U) >> 20U) & mask;
-  while (slots_[i] != kEmpty && slots_[i] != key) i = (i + 1) & mask;
+  std::size_t i = std::size_t(mix(key ^ seed_)) & mask;
+  while (slots_[i] != kEmpty && slots_[i] != key) {
+    i = (i + 1) & mask;
+    ++steps_;
+  }
   return i;
 }
 
-bool PlannedEdges::contains(Vertex a, Vertex b) const {
+bool PlannedEdges::contains(Vertex a, Vertex b) {
   return count_ > 0 && slots_[slot_of(key_of(a, b))] != kEmpty;
 }
 
 bool PlannedEdges::insert(Vertex a, Vertex b) {
   if (2 * count_ >= slots_.size()) {
-    PlannedEdges larger;
-    if (!larger.slots_.resize(std::max<std::size_t>(64, 2 * slots_.size()), kEmpty)) return false;
-    for (const std::uint64_t key : slots_) {
-      if (key != kEmpty) larger.slots_[larger.slot_of(key)] = key;
-    }
-    slots_ = std::move(larger.slots_);
+    if (!rebuild(std::max<std::size_t>(64, 2 * slots_.size()))) return false;
+  } else if (steps_ > 8 * slots_.size()) {  // that many have paid for a new table
+    seed_ = mix(seed_ + reinterpret_cast<std::uintptr_t>(slots_.data()));  // which no file knows
+    if (!rebuild(slots_.size())) return false;
   }
   const std::uint64_t key = key_of(a, b);
   slots_[slot_of(key)] = key;
   ++count_;
+  return true;
+}
+
+bool PlannedEdges::rebuild(std::size_t slots) {
+  Array<std::uint64_t> old = std::move(slots_);
+  slots_ = {};
+  if (!slots_.resize(slots, kEmpty)) return false;
+  for (const std::uint64_t key : old) {
+    if (key != kEmpty) slots_[slot_of(key)] = key;
+  }
+  steps_ = 0;
   return true;
 }
 

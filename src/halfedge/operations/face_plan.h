@@ -12,18 +12,22 @@
 /// What triangulate decides before it changes anything.
 namespace halfedge::operations::internal {
 
-/// A hash table of edges that will be, by their two vertices.
+/// A hash table of edges that will be, by their two vertices. It takes linear time for any edges,
+/// also for those that someone chose who has read how they are hashed.
 class PlannedEdges {
  public:
-  [[nodiscard]] bool contains(Vertex a, Vertex b) const;
+  [[nodiscard]] bool contains(Vertex a, Vertex b);
   /// False when memory is exhausted. pre: not there yet
   [[nodiscard]] bool insert(Vertex a, Vertex b);
 
  private:
-  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key);
+  [[nodiscard]] bool rebuild(std::size_t slots);
 
   Array<std::uint64_t> slots_;  // a power of two
   std::size_t count_ = 0;
+  std::size_t steps_ = 0;  // past slots of other edges, since the table was built
+  std::uint64_t seed_ = 0;
 };
 
 /// How faces are cut into triangles, one after another, so that no two diagonals join the same
@@ -57,7 +61,7 @@ class FacePlan {
   std::size_t largest_ = 0;
 };
 
-/// The edge between two vertices, or empty. cost: O(valence of a)
+/// The edge between two vertices, or empty. cost: O(the smaller of their valences)
 [[nodiscard]] Edge find_edge(const Links& links, Vertex a, Vertex b);
 
 }  // namespace halfedge::operations::internal
