@@ -2,9 +2,11 @@ import { HalfedgeMesh, init, type Refusal } from 'halfedge';
 import {
   BoundaryLoopsHelper,
   CirculatorHelper,
+  ghostOf,
   HalfedgeGlyphs,
   HalfedgesHelper,
   IndexLabelsHelper,
+  lineMaterial,
   MeshGeometry,
   type MeshHelper,
   ProblemsHelper,
@@ -47,10 +49,24 @@ describe('HalfedgesHelper', () => {
 
   test('comes nearer to the camera than the triangles of a face that is not plane', () => {
     const { material } = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
-    const { vertexShader, defines } = material as THREE.ShaderMaterial;
-    expect(Number(defines.LIFT)).toBeGreaterThanOrEqual(3); // CSS pixels
+    const { vertexShader, uniforms } = material as THREE.ShaderMaterial;
+    expect(uniforms.lineLift.value).toBeGreaterThanOrEqual(3); // CSS pixels
     expect(vertexShader.indexOf('clip.z +=')).toBeGreaterThan(vertexShader.indexOf('vec4 clip ='));
     expect(vertexShader.indexOf('clip.z +=')).toBeLessThan(vertexShader.indexOf('gl_Position ='));
+  });
+
+  test('shares the program of its lines with others that are wider or nearer, and with ghosts of them', () => {
+    const [one, other] = [lineMaterial(1.5, 2), lineMaterial(7, 4)];
+    const ghost = ghostOf(other);
+    const programOf = ({ vertexShader, fragmentShader, defines }: THREE.ShaderMaterial) => ({
+      vertexShader,
+      fragmentShader,
+      defines,
+    });
+    expect(programOf(other)).toEqual(programOf(one));
+    expect(programOf(ghost)).toEqual(programOf(one));
+    const lifts = [one, other, ghost].map(({ uniforms }) => uniforms.lineLift.value);
+    expect(lifts).toEqual([3, 6, 6]); // CSS pixels
   });
 
   test('runs beside the halfedge, in its direction and on the side of its face', () => {

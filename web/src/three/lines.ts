@@ -99,15 +99,19 @@ const LIFT_PX = 1.5;
  * can't do that: it follows the slope of the line's own quad, which faces the camera and has none.
  */
 const LIFT = `
-  float lift = 2.0 * LIFT / (projectionMatrix[1][1] * resolution.y);
+  float lift = 2.0 * lineLift / (projectionMatrix[1][1] * resolution.y);
   clip.z += (projectionMatrix[2][3] == 0.0 ? projectionMatrix[2][2] : projectionMatrix[3][2]) * lift;
   gl_Position = clip;`;
 
-/** A fat line material in CSS pixels, coloured by its segments, that wins against the surface. */
+/**
+ * A fat line material in CSS pixels, coloured by its segments, that wins against the surface. The lift is a uniform:
+ * all of them share a program, as far as they are coloured and blended alike.
+ */
 export function lineMaterial(linewidth: number, bias: number): LineMaterial {
   const material = new LineMaterial({ linewidth, vertexColors: true });
-  material.defines.LIFT = (LIFT_PX * bias).toFixed(2);
-  material.vertexShader = material.vertexShader.replace('gl_Position = clip;', LIFT);
+  material.uniforms.lineLift = { value: LIFT_PX * bias };
+  const { vertexShader } = material;
+  material.vertexShader = `uniform float lineLift;\n${vertexShader.replace('gl_Position = clip;', LIFT)}`;
   material.polygonOffset = true;
   material.polygonOffsetFactor = -bias;
   material.polygonOffsetUnits = -bias;
