@@ -32,6 +32,29 @@ describe('The page', () => {
     await explorer.close();
   });
 
+  test('draws no frame before there is a mesh', async () => {
+    const explorer = await ExplorerPage.open();
+    const { page } = explorer;
+    let goOn = () => {};
+    const held = new Promise<void>((resolve) => {
+      goOn = resolve;
+    });
+    await page.route('**/core*.wasm', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.reload();
+    await page.waitForSelector('.panel');
+    await page.setViewportSize({ width: 1200, height: 800 });
+    await page.waitForTimeout(300);
+    expect(await explorer.state('frames')).toBeNull();
+    goOn();
+    await explorer.ready('Bunny');
+    expect(Number(await explorer.state('frames'))).toBeGreaterThan(0);
+    expect(await explorer.colours(380, 330, 200, 200)).toBeGreaterThan(60);
+    await explorer.close();
+  });
+
   test('draws nothing while nothing changes', async () => {
     const explorer = await ExplorerPage.open();
     await explorer.projection();

@@ -107,7 +107,8 @@ export class Explorer {
     this.failure.value = null;
     this.progress.value = null;
     this.busy.value = source.name;
-    await painted();
+    // Where nothing is on show, there is nothing that could stand still.
+    if (this.document.value) await painted();
     const { signal } = abort;
     const onProgress = (fraction: number, stage: ParseStage) => {
       if (!signal.aborted) this.progress.value = { fraction, stage };

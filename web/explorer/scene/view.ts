@@ -57,6 +57,7 @@ export class View {
     this.#explorer = explorer;
     this.#labelHost = labels;
     this.stage = new Stage(new OwnScreen(canvas));
+    this.stage.asleep = true; // until there is a mesh
     const source: PictureSource = {
       overlay: (anchors) => this.#overlay(anchors),
       captions: () => this.#captions(),
@@ -218,6 +219,7 @@ export class View {
     const { start } = opened;
     const first = start === null ? null : ({ kind: 'vertex', index: start } as const);
     this.#explorer.select(first ?? this.#picture.vertexInFront());
+    this.stage.asleep = false;
   }
 
   #overlay(anchors: Anchors): Overlay {

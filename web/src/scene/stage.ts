@@ -104,7 +104,7 @@ export class Stage {
       () => this.invalidate(),
     );
     this.#observer.observe(canvas);
-    this.#resize();
+    this.#fit();
   }
 
   /** Whether nobody sees the picture: then no frame is drawn, until it is seen again. */
@@ -415,7 +415,8 @@ export class Stage {
     this.controls.reset();
   }
 
-  #resize(): void {
+  /** Takes over the size of the canvas. */
+  #fit(): void {
     const { clientWidth, clientHeight } = this.#screen.canvas;
     const width = Math.max(1, clientWidth);
     const height = Math.max(1, clientHeight);
@@ -425,6 +426,10 @@ export class Stage {
     const { top, right, bottom, left } = this.#insets;
     const [x, y] = [(right - left) / 2, (bottom - top) / 2];
     this.camera.setViewOffset(width, height, x, y, width, height);
+  }
+
+  #resize(): void {
+    this.#fit();
     // A resized canvas is blank until it is drawn again: do not wait for the next frame.
     if (this.#frame !== 0) cancelAnimationFrame(this.#frame);
     this.#frame = 0;
