@@ -32,7 +32,7 @@ describe('The page', () => {
     await explorer.close();
   });
 
-  test('draws no frame before there is a mesh', async () => {
+  test('draws no frame before there is a mesh, and the first sample is on its way before WebAssembly is', async () => {
     const explorer = await ExplorerPage.open();
     const { page } = explorer;
     let goOn = () => {};
@@ -43,7 +43,7 @@ describe('The page', () => {
       await held;
       await route.continue();
     });
-    await page.reload();
+    await Promise.all([page.waitForRequest('**/bunny*.off'), page.reload()]);
     await page.waitForSelector('.panel');
     await page.setViewportSize({ width: 1200, height: 800 });
     await page.waitForTimeout(300);

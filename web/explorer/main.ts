@@ -21,6 +21,7 @@ import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
 import { follow } from './app/share.js';
 import { Signal } from './app/signal.js';
+import { samples } from './samples/index.js';
 import { View } from './scene/view.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
@@ -42,6 +43,11 @@ import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
 import { topBar } from './ui/top-bar.js';
+
+// Both come while the page is built.
+const loading = init();
+loading.catch(() => {}); // for whom it awaits
+if (location.hash.length <= 1) samples[0].fetchAhead?.();
 
 addPictureStyles();
 const theme = new Theme();
@@ -100,7 +106,7 @@ async function start(): Promise<void> {
   });
   listenToPaste(explorer);
   publishState(explorer, view, stage);
-  await init();
+  await loading;
   if (location.hash.length > 1) await followLink(view);
   await explorer.openSomething();
   forgetLinkWithMesh();

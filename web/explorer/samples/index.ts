@@ -14,12 +14,30 @@ export interface Sample {
   /** From which direction it is first seen (y is up); need not be a unit vector. */
   readonly view: readonly [number, number, number];
   load(): Promise<HalfedgeMesh>;
+  /** Begins to fetch what `load` is going to read. */
+  fetchAhead?(): void;
 }
 
-async function fetchMesh(url: string): Promise<HalfedgeMesh> {
+async function fetchText(url: string): Promise<string> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`The sample could not be fetched (HTTP ${response.status}).`);
-  return HalfedgeMesh.parse(await response.text(), { format: 'off' }).mesh;
+  return response.text();
+}
+
+/** A mesh in a file beside the page. */
+function fetched(url: string): Required<Pick<Sample, 'load' | 'fetchAhead'>> {
+  let ahead: Promise<string> | null = null;
+  return {
+    async load() {
+      const text = ahead ?? fetchText(url);
+      ahead = null; // if it fails, it is fetched again the next time
+      return HalfedgeMesh.parse(await text, { format: 'off' }).mesh;
+    },
+    fetchAhead() {
+      ahead = fetchText(url);
+      ahead.catch(() => {}); // for whom it loads
+    },
+  };
 }
 
 /** The first one opens with the page. */
@@ -30,7 +48,7 @@ export const samples: readonly Sample[] = [
     note: 'closed, 5,648 triangles',
     start: 1224,
     view: [0.3, 0.22, 1],
-    load: () => fetchMesh(bunnyUrl),
+    ...fetched(bunnyUrl),
   },
   {
     id: 'suzanne',
@@ -38,7 +56,7 @@ export const samples: readonly Sample[] = [
     note: 'three components, four boundary loops',
     start: null,
     view: [0.35, 0.15, 1],
-    load: () => fetchMesh(suzanneUrl),
+    ...fetched(suzanneUrl),
   },
   {
     id: 'icosahedron',
