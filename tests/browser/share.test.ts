@@ -119,6 +119,67 @@ test('A link shows what it names and nothing else, and the address goes with its
   await closeAll(explorer);
 });
 
+describe('Back to the plain address, from a link,', () => {
+  const torus = (page: ExplorerPage['page']) =>
+    page.evaluate(() => {
+      location.hash = 'sample=torus&select=f3';
+    });
+
+  test('shows what was on show there, and forward follows the link again', async () => {
+    const explorer = await ExplorerPage.open();
+    const { page } = explorer;
+    await explorer.sample('cube', 'Cube');
+    await torus(page);
+    await explorer.ready('Torus');
+    await page.goBack();
+    await explorer.ready('Cube');
+    expect(await page.isVisible('.notice')).toBe(false);
+    await page.goForward();
+    await explorer.ready('Torus');
+    await explorer.until('selected', 'f3');
+    expect(explorer.complaints).toEqual([]);
+    await closeAll(explorer);
+  });
+
+  test('brings a mesh back with its edits, and keeps those of the mesh of the link', async () => {
+    const explorer = await ExplorerPage.open();
+    const { page } = explorer;
+    await explorer.sample('icosahedron', 'Icosahedron');
+    await explorer.goTo('e3');
+    await explorer.press('Shift+F');
+    await explorer.until('undo', '1');
+    await explorer.rest();
+    const edited = await explorer.state('digest');
+    await torus(page);
+    await explorer.ready('Torus');
+    await page.goBack();
+    await explorer.ready('Icosahedron');
+    await explorer.until('undo', '1');
+    await explorer.until('digest', edited);
+    await page.goForward();
+    await explorer.ready('Torus');
+    await explorer.goTo('f5');
+    await explorer.press('Delete');
+    await explorer.until('undo', '3');
+    await page.goBack();
+    await explorer.ready('Icosahedron');
+    await page.click('[data-left] button');
+    await explorer.ready('Torus');
+    await explorer.until('undo', '3');
+    await closeAll(explorer);
+  });
+
+  test('opens what the page begins with, where the page began with the link', async () => {
+    const explorer = await ExplorerPage.open({ link: 'sample=cube', mesh: 'Cube' });
+    await explorer.page.evaluate(() => {
+      location.hash = '';
+    });
+    await explorer.ready('Bunny');
+    expect(await explorer.page.isVisible('.notice')).toBe(false);
+    await closeAll(explorer);
+  });
+});
+
 const BROKEN = [
   ['sample=teapot', 'It names the sample “teapot”, which this page does not have.'],
   ['select=v3', 'It names no mesh: it has neither “sample” nor “mesh”.'],

@@ -19,10 +19,10 @@ import { init } from 'halfedge';
 import { listenToPointer } from 'halfedge/scene';
 import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
-import { follow } from './app/share.js';
 import { Signal } from './app/signal.js';
 import { samples } from './samples/index.js';
 import { View } from './scene/view.js';
+import { AddressFollower, hasLink } from './ui/address.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { emptyState } from './ui/empty-state.js';
@@ -47,7 +47,7 @@ import { topBar } from './ui/top-bar.js';
 // Both come while the page is built.
 const loading = init();
 loading.catch(() => {}); // for whom it awaits
-if (location.hash.length <= 1) samples[0].fetchAhead?.();
+if (!hasLink()) samples[0].fetchAhead?.();
 
 addPictureStyles();
 const theme = new Theme();
@@ -60,8 +60,6 @@ const labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
 const stage = h('main', { class: 'stage' }, canvas, labels);
 const help = helpDialog();
 const openHelp = () => help.showModal();
-/** How many links are being followed: what is opened then is what the address tells of. */
-let following = 0;
 
 async function start(): Promise<void> {
   const app = h('div', { id: 'app' }, stage);
@@ -107,38 +105,10 @@ async function start(): Promise<void> {
   listenToPaste(explorer);
   publishState(explorer, view, stage);
   await loading;
-  if (location.hash.length > 1) await followLink(view);
-  await explorer.openSomething();
-  forgetLinkWithMesh();
+  await new AddressFollower(explorer, view).start();
   window.addEventListener('beforeunload', (event) => {
     if (explorer.editor.anyUnsaved) event.preventDefault();
   });
-  window.addEventListener('hashchange', () => void followLink(view));
-}
-
-/** The address tells of no mesh but the one on show: it is cleared when another one is chosen. */
-function forgetLinkWithMesh(): void {
-  let { value: shown } = explorer.document;
-  explorer.document.subscribe((opened) => {
-    if (opened === shown) return;
-    shown = opened;
-    if (following > 0 || location.hash === '') return;
-    history.replaceState(null, '', location.pathname + location.search);
-  });
-}
-
-/** Goes where the address leads; what is wrong with it is told in a sentence. */
-async function followLink(view: View): Promise<void> {
-  following += 1;
-  try {
-    await follow(location.hash.slice(1), explorer, view);
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    await explorer.openSomething();
-    explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
-  } finally {
-    following -= 1;
-  }
 }
 
 start().catch((error: unknown) => {

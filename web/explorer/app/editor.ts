@@ -272,6 +272,11 @@ export class Editor {
     return this.isUnsaved || this.#earlier.some(({ log }) => hasUnsaved(log));
   }
 
+  /** The mesh that the next undo brings back; null where that takes an edit back, or nothing. */
+  get previous(): MeshDocument | null {
+    return this.#log.done.length === 0 ? (this.#earlier.at(-1)?.document ?? null) : null;
+  }
+
   /** The mesh as it is was saved to a file. */
   markSaved(): void {
     this.#log.saved = this.#log.done.at(-1);

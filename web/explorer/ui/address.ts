@@ -1,0 +1,82 @@
+import type { MeshDocument } from '../app/documents.js';
+import type { Explorer } from '../app/explorer.js';
+import { follow, type Sight } from '../app/share.js';
+import { brokenSamples } from '../samples/broken.js';
+import { samples } from '../samples/index.js';
+
+/** Whether the address tells of a state of the page. */
+export function hasLink(): boolean {
+  return location.hash.length > 1;
+}
+
+/** Shows what the address tells of, now and whenever it changes. */
+export class AddressFollower {
+  readonly #explorer: Explorer;
+  readonly #sight: Sight;
+  /** How many links are being followed: what is opened then is what the address tells of. */
+  #following = 0;
+  #shown: MeshDocument | null = null;
+  /** What was on show last while the address told of nothing. */
+  #plain: MeshDocument | null = null;
+
+  constructor(explorer: Explorer, sight: Sight) {
+    this.#explorer = explorer;
+    this.#sight = sight;
+  }
+
+  /** Opens what the page begins with. */
+  async start(): Promise<void> {
+    const explorer = this.#explorer;
+    if (hasLink()) await this.#followLink();
+    await explorer.openSomething();
+    this.#shown = explorer.document.value;
+    explorer.document.subscribe((opened) => this.#forgetLink(opened));
+    window.addEventListener('hashchange', () => {
+      if (hasLink()) void this.#followLink();
+      else this.#goBack();
+    });
+  }
+
+  /** The address tells of no mesh but the one on show: it is cleared when another one is chosen. */
+  #forgetLink(opened: MeshDocument | null): void {
+    if (opened !== this.#shown && this.#following === 0 && hasLink()) {
+      history.replaceState(null, '', location.pathname + location.search);
+    }
+    this.#shown = opened;
+    if (!hasLink()) this.#plain = opened;
+  }
+
+  /** Goes where the address leads; what is wrong with it is told in a sentence. */
+  async #followLink(): Promise<void> {
+    const explorer = this.#explorer;
+    this.#following += 1;
+    try {
+      await follow(location.hash.slice(1), explorer, this.#sight);
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      await explorer.openSomething();
+      explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
+    } finally {
+      this.#following -= 1;
+    }
+  }
+
+  /**
+   * Shows again what was on show before a link was followed: with its edits, if it has any and undo leads to it;
+   * as it was opened, if it is a sample. Something else is gone: what is on show stays.
+   */
+  #goBack(): void {
+    const explorer = this.#explorer;
+    const plain = this.#plain;
+    explorer.cancel();
+    explorer.failure.value = null;
+    if (plain && plain === explorer.document.value) return;
+    if (plain && plain === explorer.editor.previous) {
+      explorer.editor.undo();
+      return;
+    }
+    const id = plain ? plain.sample : samples[0].id;
+    const sample = [...samples, ...brokenSamples].find((each) => each.id === id);
+    if (sample) void explorer.open(sample);
+  }
+}
