@@ -15,10 +15,10 @@ import './styles/overlays.css';
 import './styles/narrow.css';
 import './styles/low.css';
 import './styles/forced-colors.css';
-import { init } from 'halfedge';
 import { listenToPointer } from 'halfedge/scene';
 import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
+import { loadPackage } from './app/fetching.js';
 import { Signal } from './app/signal.js';
 import { samples } from './samples/index.js';
 import { View } from './scene/view.js';
@@ -35,6 +35,7 @@ import {
   helpDialog,
   listenToPaste,
   namesHint,
+  startFailure,
 } from './ui/notices.js';
 import { panel, type Tab } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
@@ -44,9 +45,8 @@ import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
 import { topBar } from './ui/top-bar.js';
 
-// Both come while the page is built.
-const loading = init();
-loading.catch(() => {}); // for whom it awaits
+// Both come while the page is built; if the package doesn't, it is told where a mesh is opened.
+loadPackage().catch(() => {});
 if (!hasLink()) samples[0].fetchAhead?.();
 
 addPictureStyles();
@@ -104,7 +104,6 @@ async function start(): Promise<void> {
   });
   listenToPaste(explorer);
   publishState(explorer, view, stage);
-  await loading;
   await new AddressFollower(explorer, view).start();
   window.addEventListener('beforeunload', (event) => {
     if (explorer.editor.anyUnsaved) event.preventDefault();
@@ -113,10 +112,15 @@ async function start(): Promise<void> {
 
 start().catch((error: unknown) => {
   document.documentElement.dataset.state = 'error';
-  explorer.failure.value = {
-    title: 'The explorer could not start',
-    lesson: null,
-    message: error instanceof Error ? error.message : String(error),
-  };
-  if (!document.querySelector('.notice')) document.body.append(failureNotice(explorer));
+  const hasWebGl = document.createElement('canvas').getContext('webgl2') !== null;
+  const message = error instanceof Error ? error.message : String(error);
+  const notice = hasWebGl
+    ? startFailure('The explorer could not start', message, 'Reload the page.')
+    : startFailure(
+        'The explorer could not start',
+        'This browser gives the page no WebGL 2, which draws the mesh.',
+        'Turn on graphics acceleration in its settings and reload the page, or open it in another browser.',
+      );
+  // There is no panel that it would have to leave room for.
+  document.body.replaceChildren(h('main', { class: 'stage', style: '--panel-room: 0px' }, notice));
 });

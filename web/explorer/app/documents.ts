@@ -2,6 +2,14 @@ import { type AttributeNames, HalfedgeMesh, type ProgressOptions } from 'halfedg
 import type { BrokenSample } from '../samples/broken.js';
 import type { Sample } from '../samples/index.js';
 import { type Diagnosis, diagnose } from './diagnosis.js';
+import {
+  adviceFor,
+  fetching,
+  GLTF_READER,
+  LARGE_FILE_READER,
+  loadPackage,
+  ofPage,
+} from './fetching.js';
 
 /** A mesh on show, and where it came from. */
 export interface MeshDocument {
@@ -29,6 +37,8 @@ export interface OpenFailure {
   readonly message: string;
   /** Of a broken sample that can't be read: why it is there. */
   readonly lesson: string | null;
+  /** What to do, where opening another mesh doesn't help. */
+  readonly advice?: string | null;
 }
 
 /** What can be opened. */
@@ -49,6 +59,7 @@ export const EXTENSIONS = [...FORMATS, 'glb', 'gltf'] as const;
 const LARGE_FILE = 2 ** 20;
 
 export async function openSource(source: Source, options: OpenOptions = {}): Promise<MeshDocument> {
+  await loadPackage();
   if (source instanceof File) return openFile(source, options);
   return 'load' in source ? openSample(source) : openBrokenSample(source);
 }
@@ -85,10 +96,11 @@ async function openFile(file: File, options: OpenOptions): Promise<MeshDocument>
 /** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
 async function openGltf(file: File, { companions = [] }: OpenOptions): Promise<MeshDocument> {
   // Only pages that open such a file load three.js's reader of them.
-  const [{ readGltf }, { DRACOLoader }] = await Promise.all([
+  const readers = Promise.all([
     import('halfedge/gltf'),
     import('three/addons/loaders/DRACOLoader.js'),
   ]);
+  const [{ readGltf }, { DRACOLoader }] = await fetching(GLTF_READER, readers);
   const dracoLoader = new DRACOLoader(); // it loads its decoder where it is needed
   const content = await file.arrayBuffer();
   const resource = (uri: string) => companionOf(uri, companions);
@@ -110,7 +122,7 @@ async function openElsewhere(
   file: File,
   { signal, onProgress }: OpenOptions,
 ): Promise<MeshDocument> {
-  const { parseInWorker } = await import('halfedge/worker');
+  const { parseInWorker } = await fetching(LARGE_FILE_READER, import('halfedge/worker'));
   const format = formatOf(file.name);
   const { mesh, report } = await parseInWorker(file, {
     ...(format ? { format } : {}),
@@ -176,8 +188,13 @@ export function fileOfText(text: string): File | null {
   return extension ? new File([text], `Pasted mesh.${extension}`) : null;
 }
 
-export function failureOf(error: unknown, source: Source | { readonly name: string }): OpenFailure {
+export function failureOf(
+  thrown: unknown,
+  source: Source | { readonly name: string },
+): OpenFailure {
+  const error = ofPage(thrown);
   const message = error instanceof Error ? error.message : String(error);
   const lesson = 'lesson' in source ? source.lesson : null;
-  return { title: `“${source.name}” was not opened`, message, lesson };
+  const title = `“${source.name}” was not opened`;
+  return { title, message, lesson, advice: adviceFor(error) };
 }

@@ -189,7 +189,8 @@ export class Explorer {
   async openSomething(): Promise<void> {
     if (this.document.value) return;
     const { value: failure } = this.failure;
-    if (await this.open(samples[0])) this.failure.value = failure;
+    const isOpen = await this.open(samples[0]);
+    if (isOpen || failure) this.failure.value = failure;
   }
 
   /** Selects an item, or nothing. An index that the mesh does not have is remarked on instead. */

@@ -1,4 +1,5 @@
 import { HalfedgeMesh } from 'halfedge';
+import { fetching, NotFetched } from '../app/fetching.js';
 import bunnyUrl from './bunny.off?url';
 import * as generate from './generators.js';
 import suzanneUrl from './suzanne.off?url';
@@ -19,9 +20,11 @@ export interface Sample {
 }
 
 async function fetchText(url: string): Promise<string> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`The sample could not be fetched (HTTP ${response.status}).`);
-  return response.text();
+  const response = await fetching('The sample', fetch(url));
+  if (!response.ok) {
+    throw new NotFetched(`The sample could not be fetched (HTTP ${response.status}).`);
+  }
+  return fetching('The sample', response.text());
 }
 
 /** A mesh in a file beside the page. */

@@ -1,5 +1,6 @@
-import type { MeshDocument } from '../app/documents.js';
+import { failureOf, type MeshDocument } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
+import { loadPackage } from '../app/fetching.js';
 import { follow, type Sight } from '../app/share.js';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
@@ -51,11 +52,12 @@ export class AddressFollower {
     const explorer = this.#explorer;
     this.#following += 1;
     try {
+      await loadPackage();
       await follow(location.hash.slice(1), explorer, this.#sight);
     } catch (error) {
-      const message = error instanceof Error ? error.message : String(error);
       await explorer.openSomething();
-      explorer.failure.value = { title: 'The link could not be followed', message, lesson: null };
+      const told = failureOf(error, { name: 'The link' });
+      explorer.failure.value = { ...told, title: 'The link could not be followed' };
     } finally {
       this.#following -= 1;
     }

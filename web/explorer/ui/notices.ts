@@ -14,14 +14,25 @@ export function failureNotice(explorer: Explorer): HTMLElement {
     appear(failure !== null);
     if (!failure) return;
     const shown = explorer.document.value?.name;
-    const still = shown ? `${shown} is still open.` : 'Choose another mesh above.';
-    const calm = [failure.lesson, still].filter(Boolean).join(' ');
+    const { lesson, advice } = failure;
+    const others = advice ? null : 'Choose another mesh above.';
+    const still = shown ? `${shown} is still open.` : others;
+    const calm = [lesson, advice, still].filter(Boolean).join(' ');
     tell(failure.title, failure.message, calm);
   });
   return notice;
 }
 
-function noticeCard(dismiss: () => void) {
+/** Says why the page can't be shown: it has the window to itself. */
+export function startFailure(title: string, message: string, advice: string): HTMLElement {
+  const { notice, tell } = noticeCard(null);
+  tell(title, message, advice);
+  notice.hidden = false;
+  return notice;
+}
+
+/** `dismiss` hides it; null: it stays. */
+function noticeCard(dismiss: (() => void) | null) {
   const title = h('h2');
   const message = h('p', { 'data-message': true });
   const calm = h('p', { class: 'calm' });
@@ -32,16 +43,17 @@ function noticeCard(dismiss: () => void) {
     title,
     message,
     calm,
-    h(
-      'button',
-      {
-        type: 'button',
-        class: 'button square quiet',
-        'aria-label': 'Dismiss',
-        onclick: dismiss,
-      },
-      icon('close'),
-    ),
+    dismiss &&
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'button square quiet',
+          'aria-label': 'Dismiss',
+          onclick: dismiss,
+        },
+        icon('close'),
+      ),
   );
   const tell = (...texts: [string, string, string]) => {
     [title, message, calm].forEach((part, i) => {

@@ -16,6 +16,9 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
     if (busy !== null) page.dataset.state = 'loading';
     else view.stage.invalidate();
   });
+  explorer.failure.subscribe((failure) => {
+    if (failure && !explorer.document.value) page.dataset.state = 'error';
+  });
   explorer.document.subscribe((opened) => publish('mesh', opened?.name ?? null));
   explorer.selected.subscribe((item) => publish('selected', item && itemName(item)));
   explorer.hovered.subscribe((item) => publish('hovered', item && itemName(item)));
