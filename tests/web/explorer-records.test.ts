@@ -4,6 +4,7 @@ import {
   type CirculatorName,
   CirculatorPlayer,
   circulators,
+  dialectOf,
 } from 'halfedge/teaching';
 import { columnsOf, roomOfIndex } from '../../web/explorer/app/record-columns.js';
 import { readingOf, rowsOf } from '../../web/explorer/app/records.js';
@@ -118,4 +119,71 @@ test('what a step passes over is read, too', () => {
       `halfedge ${mesh.next(inner)} face`,
     ].sort(),
   );
+});
+
+test('what a step reads in the names of CGAL is what its code says, and it is where that is', () => {
+  const mesh = HalfedgeMesh.grid(3, 3);
+  const v = 5; // inside
+  const circulatorOf = (name: CirculatorName) =>
+    circulators.find((each) => each.name === name) as Circulator;
+  const readingAt = (name: CirculatorName, position: number, start?: number) => {
+    const options = start === undefined ? {} : { start };
+    const query = {
+      circulator: circulatorOf(name),
+      index: v,
+      direction: 'cw',
+      ...options,
+    } as const;
+    const player = new CirculatorPlayer(mesh, query, dialectOf('cgal'));
+    player.seek(position);
+    const { cells, at } = readingOf(mesh, { player, position, playing: false });
+    return { cells: [...cells].sort(), at, cursor: player.current?.cursor, words: player.words };
+  };
+  const cell = (h: number, column: string) => `halfedge ${h} ${column}`;
+
+  const first = mesh.opposite(mesh.vertexHalfedge(v));
+  const passed = mesh.next(first);
+  const second = mesh.opposite(passed);
+  expect(mesh.toVertex(first)).toBe(v);
+  const begun = readingAt('vertexVertices', 1);
+  expect(begun).toMatchObject({ at: first, cursor: first });
+  expect(begun.cells).toEqual(
+    [
+      `vertex ${v} halfedge`,
+      cell(mesh.opposite(first), 'opposite'),
+      cell(first, 'opposite'),
+      cell(mesh.opposite(first), 'to'),
+    ].sort(),
+  );
+  const hopped = readingAt('vertexVertices', 2);
+  expect(hopped.words).toContain(`h${first}->next()->opposite() = h${second}`);
+  expect(hopped).toMatchObject({ at: second, cursor: second });
+  expect(hopped.cells).toEqual(
+    [
+      cell(first, 'next'),
+      cell(passed, 'opposite'),
+      cell(second, 'opposite'),
+      cell(passed, 'to'),
+    ].sort(),
+  );
+  const incoming = readingAt('vertexIncomingHalfedges', 2);
+  expect(incoming.cells).toEqual([cell(first, 'next'), cell(passed, 'opposite')].sort());
+  const chosen = readingAt('vertexOutgoingHalfedges', 1, passed);
+  expect(chosen).toMatchObject({ at: second });
+  expect(chosen.cells).toEqual([cell(passed, 'opposite'), cell(second, 'opposite')].sort());
+  mesh.dispose();
+});
+
+test('a walk around a face is where it is in all names', () => {
+  const mesh = HalfedgeMesh.cube();
+  const circulator = circulators.find(({ name }) => name === 'faceVertices') as Circulator;
+  const readings = (['halfedge', 'cgal'] as const).map((dialect) => {
+    const query = { circulator, index: 2, direction: 'ccw' } as const;
+    const player = new CirculatorPlayer(mesh, query, dialectOf(dialect));
+    player.seek(2);
+    const { cells, at } = readingOf(mesh, { player, position: 2, playing: false });
+    return { cells: [...cells], at };
+  });
+  expect(readings[1]).toEqual(readings[0]);
+  mesh.dispose();
 });

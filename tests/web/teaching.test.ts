@@ -39,16 +39,15 @@ describe('A walk without code', () => {
         if (!isLive(mesh, { kind: circulator.around, index })) continue;
         for (const direction of ['ccw', 'cw'] as Direction[]) {
           const query = { circulator, index, direction };
-          const dialect = dialectOf('halfedge');
-          const ran = [...run(programOf(query, dialect), mesh, query, dialect)];
-          const walked = [...visit(mesh, query)];
-          const bare = ran.map((hop) => ({ halfedge: hop.halfedge, index: hop.index }));
-          const what = `${circulator.name}(${index}, ${direction})`;
-          expect({ what, walked }).toEqual({
-            what,
-            walked: bare.map((hop) => ({ ...hop, ran: [] })),
-          });
-          walks += 1;
+          for (const id of ['halfedge', 'cgal'] as const) {
+            const dialect = dialectOf(id);
+            const ran = [...run(programOf(query, dialect), mesh, query, dialect)];
+            const walked = [...visit(mesh, query, dialect)];
+            const bare = ran.map((hop) => ({ ...hop, ran: [] }));
+            const what = `${circulator.name}(${index}, ${direction}) of ${id}`;
+            expect({ what, walked }).toEqual({ what, walked: bare });
+            walks += 1;
+          }
         }
       }
     }

@@ -1,5 +1,5 @@
 import type { HalfedgeMesh, ItemKind } from 'halfedge';
-import { type Item, stepOf, stepsFirst } from 'halfedge/teaching';
+import { arrives, type Item, stepOf, stepsFirst } from 'halfedge/teaching';
 import type { Play } from './explorer.js';
 
 /** The rows that tell of an item: one, or the two halfedges of an edge, or the edge of a halfedge. */
@@ -25,8 +25,10 @@ export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
   const cells = new Set<string>();
   const current = play?.player.current;
   if (!play || !current) return { cells, at: null };
-  const { query } = play.player;
+  const { query, dialect } = play.player;
   const { around, view } = query.circulator;
+  // Around a vertex, the cursor of such a dialect is the opposite of the halfedge where the walk is.
+  const isOpposite = arrives(query, dialect);
   const read = (row: number, column: string) => cells.add(cellKey('halfedge', row, column));
   const end = current.halfedge;
   const last = play.player.visits.at(-2)?.halfedge;
@@ -40,12 +42,16 @@ export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
       show(h);
     } while (h !== end);
   }
-  return { cells, at: end };
+  return { cells, at: current.cursor };
 
   /** Before the first visit the walk is at the anchor, which may come last. */
   function firstStop(): number {
-    const { index, start } = query;
-    if (start !== undefined) return start;
+    const first = query.start ?? anchor(query.index);
+    if (isOpposite) read(first, 'opposite');
+    return first;
+  }
+
+  function anchor(index: number): number {
     if (around === 'halfedge') return index;
     if (around === 'edge') return mesh.edgeHalfedge(index);
     cells.add(cellKey(around, index, 'halfedge'));
@@ -55,12 +61,14 @@ export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
   function step(h: number): number {
     switch (stepOf(query)) {
       case 'rotateCcw':
+        if (isOpposite) read(mesh.opposite(h), 'opposite');
         read(h, 'prev');
-        read(mesh.prev(h), 'opposite');
+        if (!isOpposite) read(mesh.prev(h), 'opposite');
         return mesh.rotateCcw(h);
       case 'rotateCw':
-        read(h, 'opposite');
+        if (!isOpposite) read(h, 'opposite');
         read(mesh.opposite(h), 'next');
+        if (isOpposite) read(mesh.rotateCw(h), 'opposite');
         return mesh.rotateCw(h);
       case 'next':
         read(h, 'next');
@@ -75,9 +83,15 @@ export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
   }
 
   function show(h: number): void {
+    // It has to get to the halfedge that leaves, or is at the one that arrives.
+    const leaves = view !== 'opposite' && view !== 'edge';
+    if (isOpposite) {
+      if (leaves) read(mesh.opposite(h), 'opposite');
+    } else if (view === 'opposite' || view === 'faceAcross') {
+      read(h, 'opposite');
+    }
     if (view === 'toVertex') read(h, 'to');
     if (view === 'face') read(h, 'face');
-    if (view === 'opposite' || view === 'faceAcross') read(h, 'opposite');
     if (view === 'faceAcross') read(mesh.opposite(h), 'face');
   }
 }

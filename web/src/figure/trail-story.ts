@@ -35,8 +35,8 @@ export class TrailStory implements Story {
     this.missing = (trail.missing ?? []).map((name) => itemOf(mesh, name));
     this.#visits = trail.steps.map(({ item, halfedge }) => {
       const found = itemOf(mesh, item);
-      const carrier = halfedge === undefined ? null : itemOf(mesh, halfedge);
-      return { item: found, halfedge: carrier?.index ?? -1, ran: [] };
+      const carrier = halfedge === undefined ? -1 : itemOf(mesh, halfedge).index;
+      return { item: found, halfedge: carrier, cursor: carrier, ran: [] };
     });
   }
 

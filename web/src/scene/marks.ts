@@ -134,8 +134,8 @@ function addTrail(
   if (!current) return;
   for (const visit of visits.slice(-TRAIL_CAP)) {
     const weight = visit === current ? 'strong' : 'fine';
-    const carrier: Item = { kind: 'halfedge', index: visit.halfedge };
-    const led = visit.halfedge >= 0 && !sameItem(carrier, visit.item);
+    const carrier: Item = { kind: 'halfedge', index: visit.cursor };
+    const led = visit.cursor >= 0 && !sameItem(carrier, visit.item);
     if (led) marks.push({ item: carrier, color: palette.next, weight });
     marks.push({ item: visit.item, color: palette.next, weight });
   }

@@ -58,6 +58,7 @@ export { operations, operationsFor } from './operations.js';
 export { repairs } from './operations-that-repair.js';
 export { CirculatorPlayer, type Visit } from './player.js';
 export {
+  arrives,
   canRun,
   type Hop,
   type Program,

@@ -5,9 +5,12 @@ import type { Item } from './items.js';
 import { canRun, type Hop, type Program, programOf, run, visit } from './program.js';
 import { hopWords, startWords } from './words.js';
 
-/** One visit: the halfedge where the circulator stood, and the item it showed. */
+/** One visit: where the circulator stood, and the item it showed. */
 export interface Visit {
+  /** The halfedge where the walk was, the same in all dialects; -1 where none is known. */
   readonly halfedge: number;
+  /** The halfedge where the code was, as its dialect has it. */
+  readonly cursor: number;
   readonly item: Item;
   /** The lines of the program that ran since the visit before, by their places; the last yielded. */
   readonly ran: readonly number[];
@@ -34,7 +37,9 @@ export class CirculatorPlayer {
     this.dialect = dialect;
     this.program = programOf(query, dialect);
     this.count = lengthOf(lapOf(mesh, query));
-    this.#running = canRun() ? run(this.program, mesh, query, dialect) : visit(mesh, query);
+    this.#running = canRun()
+      ? run(this.program, mesh, query, dialect)
+      : visit(mesh, query, dialect);
   }
 
   /** How many items are visited; the last of them is the current one. */
@@ -97,8 +102,8 @@ export class CirculatorPlayer {
   #look(): Visit | null {
     const step = this.#running.next();
     if (step.done) return null;
-    const { halfedge, index, ran } = step.value;
-    const visit = { halfedge, item: { kind: this.query.circulator.yields, index }, ran };
+    const { halfedge, cursor, index, ran } = step.value;
+    const visit = { halfedge, cursor, item: { kind: this.query.circulator.yields, index }, ran };
     this.#known.push(visit);
     return visit;
   }

@@ -9,8 +9,10 @@ export interface Program {
 
 /** What the code did from one visit to the next. */
 export interface Hop {
-  /** The halfedge at the cursor, one that leaves the vertex in a walk around one. */
+  /** Where the walk is, the same in all dialects: around a vertex a halfedge that leaves it. */
   readonly halfedge: number;
+  /** Where the cursor of the code stands: in some dialects one that arrives at the vertex. */
+  readonly cursor: number;
   /** The item that the code yielded. */
   readonly index: number;
   /** The lines that ran, by their places in the program; the last one yielded. */
@@ -24,11 +26,10 @@ export function programOf(query: Query, dialect: Dialect): Program {
   const { cursor } = dialect;
   const parameter = dialect.parameters[start === undefined ? around : 'halfedge'];
   const parameters = [dialect.mesh, parameter].filter(Boolean).join(', ');
-  const arrives = dialect.arrives && around === 'vertex';
   const anchor =
     start === undefined
       ? dialect.anchor(around, parameter)
-      : arrives
+      : arrives(query, dialect)
         ? 'start.opposite()'
         : 'start';
   // A parameter that is the first halfedge needs no second name.
@@ -49,6 +50,11 @@ export function programOf(query: Query, dialect: Dialect): Program {
     '}',
   ];
   return { lines };
+}
+
+/** Whether the cursor arrives at the vertex of the walk, where ours leaves it. */
+export function arrives({ circulator }: Query, dialect: Dialect | undefined): boolean {
+  return dialect?.arrives === true && circulator.around === 'vertex';
 }
 
 export function stepOf({ circulator: { walk }, direction }: Query): Step {
@@ -85,9 +91,10 @@ type Note = (line: number, cursor?: unknown) => void;
 export function* run(
   { lines }: Program,
   mesh: HalfedgeMesh,
-  { circulator, index, start }: Query,
+  query: Query,
   dialect: Dialect,
 ): Generator<Hop, void> {
+  const { circulator, index, start } = query;
   const items = dialect.open(mesh);
   let ran: number[] = [];
   let cursor: unknown;
@@ -104,11 +111,11 @@ export function* run(
     start === undefined ? items.item(circulator.around, index) : items.item('halfedge', start);
   const parameters = dialect.mesh ? [items.mesh, around] : [around];
   const running = code(NONE, note)(...parameters);
-  const arrives = dialect.arrives && circulator.around === 'vertex';
   for (let step = running.next(); !step.done; step = running.next()) {
     const at = items.index(cursor, 'halfedge');
     yield {
-      halfedge: arrives ? mesh.opposite(at) : at,
+      halfedge: arrives(query, dialect) ? mesh.opposite(at) : at,
+      cursor: at,
       index: items.index(step.value, circulator.yields),
       ran,
     };
@@ -126,16 +133,16 @@ function withNote(line: string, i: number, cursor: string): string {
 /**
  * The same visits, without the code: for pages whose policy forbids to compile a text. No lines run.
  */
-export function* visit(
-  mesh: HalfedgeMesh,
-  { circulator, index, direction, start }: Query,
-): Generator<Hop, void> {
+export function* visit(mesh: HalfedgeMesh, query: Query, dialect?: Dialect): Generator<Hop, void> {
+  const { circulator, index, direction, start } = query;
   const options = start === undefined ? { direction } : { direction, start };
   const walk = mesh.circulate(circulator.name, index, options);
   const first = walk.halfedge;
   if (walk.current === NONE) return;
   do {
-    yield { halfedge: walk.halfedge, index: walk.current, ran: [] };
+    const { halfedge } = walk;
+    const cursor = arrives(query, dialect) ? mesh.opposite(halfedge) : halfedge;
+    yield { halfedge, cursor, index: walk.current, ran: [] };
     walk.next();
   } while (walk.halfedge !== first);
 }

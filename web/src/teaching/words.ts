@@ -1,7 +1,7 @@
 import { type HalfedgeMesh, NONE } from '../api.js';
 import type { Circulator, Query } from './circulators.js';
 import type { Dialect } from './dialects.js';
-import { stepOf, stepsFirst } from './program.js';
+import { arrives, stepOf, stepsFirst } from './program.js';
 
 /** One step of the walk, as the expression that makes it. */
 function step(
@@ -26,11 +26,6 @@ function step(
 /** The halfedge that the dialect is at, where ours is `h`: one that arrives, or one that leaves. */
 function cursor(mesh: HalfedgeMesh, query: Query, dialect: Dialect, h: number): number {
   return arrives(query, dialect) ? mesh.opposite(h) : h;
-}
-
-/** Whether the cursor of the dialect arrives at the vertex of the walk, where ours leaves it. */
-function arrives({ circulator: { walk } }: Query, dialect: Dialect): boolean {
-  return dialect.arrives === true && walk === 'rotate';
 }
 
 /** What the circulator shows of halfedge `h`: ` → vertex 7`, or nothing for the halfedge itself. */
