@@ -153,3 +153,13 @@ test('The attributes of an item are listed below its links', async () => {
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test('Each link has its number in the picture, also where another label is beside it', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=h0', mesh: 'Cube' });
+  for (let h = 0; h < 24; h++) {
+    await explorer.goTo(`h${h}`);
+    await explorer.rest();
+    expect([h, await numbers(explorer)]).toEqual([h, ['3', '4', '5', '6', '7']]);
+  }
+  await explorer.close();
+});

@@ -184,8 +184,7 @@ function addLinks(
         role,
         point: anchors.point(target),
         lift: role === 'vertex' ? 18 : 0,
-        // A face is large: its number need not be in the middle.
-        yields: role === 'face',
+        yields: true,
       });
     }
   }
