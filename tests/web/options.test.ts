@@ -123,7 +123,7 @@ const CASES: Case[] = [
     'attributes.add',
     'AttributeOptions',
     (o) => cube().attributes.add('face', 'heat', o),
-    'type, components, default, onSplit',
+    'type, components, default, onSplit, kind, name',
   ],
   ['history.limit', 'HistoryLimits', (o) => cube().history.limit(o), 'steps, bytes'],
   ['stitchBoundaries', 'StitchOptions', (o) => cube().stitchBoundaries(o), 'tolerance'],
