@@ -41,6 +41,8 @@ class BasicMesh : public BasicConnectivity<kStored> {
     const float* p = &positions_[3 * std::size_t{v.index()}];
     return {p[0], p[1], p[2]};
   }
+  /// Any numbers are taken, also those that operations get as positions: level kGeometryLevel of
+  /// `validate` tells which are none.
   void set_position(Vertex v, Point p) {
     float* stored = &positions_[3 * std::size_t{v.index()}];
     if (this->history() != nullptr) note_position(v);
@@ -82,7 +84,7 @@ class BasicMesh : public BasicConnectivity<kStored> {
   [[nodiscard]] Vertex new_vertex() { return add_vertex({}); }
 
   [[nodiscard]] bool reserve(Index vertices, Index edges, Index faces) {
-    return positions_.reserve(3 * std::size_t{vertices}) && Base::reserve(vertices, edges, faces);
+    return Base::reserve(vertices, edges, faces) && positions_.reserve(3 * std::size_t{vertices});
   }
   void clear() {
     positions_.clear();

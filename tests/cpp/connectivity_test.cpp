@@ -206,6 +206,14 @@ TEST(Connectivity, TheVersionChangesWithEveryChange) {
   EXPECT_EQ(mesh.version(), last) << "reserve changes no item";
 }
 
+TEST(Connectivity, ReservesNoMoreItemsThanThereCanBe) {
+  Mesh mesh;
+  EXPECT_FALSE(mesh.reserve(kMaxSlots + 1, 0, 0));
+  EXPECT_FALSE(mesh.reserve(0, kMaxSlots / 2 + 1, 0));  // 2^31 halfedges, or none of 32 bits
+  EXPECT_FALSE(mesh.reserve(0, 1U << 31U, 0));
+  EXPECT_FALSE(mesh.reserve(0, 0, kMaxSlots + 1));
+}
+
 TEST(Connectivity, AssignCopiesSlotBySlot) {
   Mesh original = reference_build(two_components());
   original.release(Vertex(6));

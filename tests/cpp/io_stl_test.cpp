@@ -165,6 +165,15 @@ TEST(Stl, TakesTextOnAnyLines) {
   }
   const std::string facet = "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 1 1 0 ";
   EXPECT_EQ(parse_stl("solid\n" + facet + "endloop endfacet\nendsolid\n").faces.size(), 1U);
+  // Two spellings of no number.
+  for (const char* normal : {"1.#IND 1.#IND 1.#IND", "1.#QNAN0 -1.#INF 0"}) {
+    std::string broken = facet;
+    broken.replace(broken.find("0 0 1"), 5, normal);
+    EXPECT_EQ(parse_stl("solid\n" + broken + "endloop endfacet\nendsolid\n").faces.size(), 1U);
+  }
+  const std::string comment = "facet normal 0 0 1 # from the outer loop\nouter loop vertex 0 0 0 ";
+  const std::string corners = facet.substr(facet.find("vertex 1 0 0"));
+  EXPECT_EQ(parse_stl("solid\n" + comment + corners + "endloop endfacet\n").faces.size(), 1U);
 }
 
 TEST(Stl, TakesSolidsWithoutAnEnd) {

@@ -211,6 +211,21 @@ TEST(ExtrudeFace, Refusals) {
   const double infinity = std::numeric_limits<double>::infinity();
   expect_refused(extrude_face(mesh, Face(6), 1), "not-a-face", mesh, before);
   expect_refused(extrude_face(mesh, Face(1), infinity), "not-finite", mesh, before);
+  const double far = std::numeric_limits<float>::max();
+  Mesh near = copy_of(mesh);
+  ASSERT_TRUE(extrude_face(near, Face(1), far));
+  const Snapshot at_the_end(near);
+  for (const Result<Face>& further :
+       {extrude_face(near, Face(1), far), extrude_face(near, Face(1), 1e40)}) {
+    expect_refused(further, "not-finite", near, at_the_end);
+    EXPECT_EQ(further.error().witness.faces, std::vector<Index>{1});
+  }
+  const Result<Vertex> poked = poke(near, Face(1), far);
+  expect_refused(poked, "not-finite", near, at_the_end);
+  EXPECT_EQ(poked.error().message,
+            "An offset of 3.40282e+38 takes face 1 to where positions fit no 32-bit floats, "
+            "expected a smaller one.");
+  EXPECT_TRUE(check_poke(near, Face(1), -far));
   const Result<Face> flat = extrude_face(mesh, Face(0), 1);
   expect_refused(flat, "degenerate-face", mesh, before);
   EXPECT_EQ(flat.error().witness.faces, std::vector<Index>{0});

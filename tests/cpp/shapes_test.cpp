@@ -204,6 +204,7 @@ TEST(Shapes, RefuseWhatIsNone) {
       {octahedron(0), "a length of an octahedron is 0, expected a positive number"},
       {cube(-1), "a length of a cube is -1, expected a positive number"},
       {torus(3, 3, Faces::kQuads, 1, infinity), "a length of a torus is inf, expected a positive"},
+      {torus(3, 3, Faces::kQuads, 2e38, 2e38), "a length of a torus is 4e+38, expected a positive"},
       {ico_sphere(0, std::nan("")), "a length of an ico-sphere is nan, expected a positive"},
   };
   for (const auto& [shape, sentence] : refused) {

@@ -240,6 +240,14 @@ describe('Faces', () => {
         new RangeError('offset is 1e+39; expected a number that fits a 32-bit float.'),
       );
     }
+    const refusal = mesh.checkExtrudeFace(0, 3.4e38) ?? mesh.extrudeFace(0, 3.4e38);
+    expect(refusal).toBe(0);
+    expectRefused(() => mesh.extrudeFace(0, 3.4e38), 'not-finite');
+    expect(mesh.checkPoke(0, 3.4e38)).toMatchObject({
+      code: 'not-finite',
+      witness: { faces: [0] },
+    });
+    expect(mesh.extrudeFace(0, -3.4e38)).toBe(0);
     expect(() => mesh.checkInsetFace(0, '1' as never)).toThrow(TypeError);
     const c = mesh.poke(0, 0.5);
     expect(mesh.valence(c)).toBe(4);

@@ -41,7 +41,7 @@ export abstract class Modelling extends Surgery {
    * Inverse: `deleteVertex` of the new vertices, then `fillHole`.
    *
    * @returns `f`
-   * @throws HalfedgeError `degenerate-face` (it has no normal)
+   * @throws HalfedgeError `degenerate-face` (it has no normal), `not-finite` (a new position would fit no 32-bit floats)
    */
   extrudeFace(f: FaceLike, offset: number): Face {
     const links = linksOf(this);
@@ -89,7 +89,7 @@ export abstract class Modelling extends Surgery {
    * Inverse: `dissolveVertex(returned)`.
    *
    * @returns the new vertex
-   * @throws HalfedgeError `degenerate-face` (it has no normal, and the offset isn't 0)
+   * @throws HalfedgeError `degenerate-face` (it has no normal, and the offset isn't 0), `not-finite` (as of {@link extrudeFace})
    */
   poke(f: FaceLike, offset = 0): Vertex {
     const links = linksOf(this);

@@ -37,6 +37,7 @@ BasicConnectivity<kStored>& BasicConnectivity<kStored>::operator=(
 
 template <Storage kStored>
 bool BasicConnectivity<kStored>::reserve(Index vertices, Index edges, Index faces) {
+  if (vertices > kMaxSlots || edges > kMaxSlots / 2 || faces > kMaxSlots) return false;
   const std::size_t halfedges = 2 * std::size_t{edges};
   if (kStorage.vertex_halfedge && !links_.vertex_halfedge.reserve(vertices)) return false;
   if (kStorage.face_halfedge && !links_.face_halfedge.reserve(faces)) return false;

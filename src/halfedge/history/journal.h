@@ -139,8 +139,8 @@ class Journal {
 
   /// Takes back the last step, or repeats the one taken back last: calls `exchange` with each of
   /// its writes (of several in a row with the first), whose words it exchanges with those of the
-  /// mesh. False if there is none. A step underway that is taken back costs no other steps, whatever
-  /// the limits are.
+  /// mesh. False if there is none. A step underway that is taken back costs no other steps,
+  /// whatever the limits are.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
     close_step();

@@ -114,7 +114,8 @@ void TextReader::skip_name() {
   text_.skip_line();
 }
 
-/// Which the corners tell better. Its numbers have no o, as "outer" has, which may be on this line.
+/// Which the corners tell better. Its numbers have no o, as "outer" has, which may be on this line,
+/// but perhaps a #: 1.#IND is no number to some.
 void TextReader::skip_normal() {
   const char* const start = text_.position();
   if (!skip_word("normal")) text_.move_to(start);
@@ -122,7 +123,10 @@ void TextReader::skip_normal() {
   std::size_t length = 0;
   for (; length < rest.size(); ++length) {
     const CharClass c = class_of(rest[length]);
-    if ((rest[length] | ' ') == 'o' || (c != CharClass::kOther && c != CharClass::kBlank)) break;
+    const bool in_number = length > 0 && class_of(rest[length - 1]) == CharClass::kOther;
+    if ((rest[length] | ' ') == 'o' || c == CharClass::kNewline || c == CharClass::kBackslash)
+      break;
+    if (c == CharClass::kComment && !in_number) break;
   }
   text_.move_to(rest.data() + length);
 }

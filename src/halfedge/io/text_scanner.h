@@ -172,11 +172,8 @@ class TextScanner {
 
  private:
   void skip_newline() {
-    if (skip('\r')) {
-      skip('\n');
-    } else {
-      skip('\n');
-    }
+    skip('\r');
+    skip('\n');
   }
   HALFEDGE_NOINLINE bool skip_continuation() {
     const char* next = at_ + 1;

@@ -61,12 +61,21 @@ template <class Mesh>
 
 }  // namespace internal
 
-/// Whether extrude_face(f, offset) can be done: else not-a-face; not-finite; degenerate-face, if
-/// the offset isn't 0 and the face has no area, so no normal to move along.
+/// Whether extrude_face(f, offset) can be done: else not-a-face; not-finite, also if a new position
+/// would fit no 32-bit floats; degenerate-face, if the offset isn't 0 and the face has no area, so
+/// no normal to move along.
 template <EditableSurface Mesh>
 requires HasPositions<Mesh>
 [[nodiscard]] Result<void> check_extrude_face(const Mesh& mesh, Face f, double offset) {
-  return check_poke(mesh, f, offset);
+  if (Result<void> can = internal::check_offset(mesh, f, offset); !can) return can;
+  if (offset == 0) return {};
+  const Vector offset_vector = internal::along_normal(mesh, f, offset);
+  for (const Vertex v : mesh.face_vertices_ccw(f)) {
+    if (!internal::is_finite(internal::moved(mesh.position(v), offset_vector))) {
+      return too_far(f, offset);
+    }
+  }
+  return {};
 }
 
 /// Moves a face by `offset` along its normal, and closes the gap with a quad at each side: a prism

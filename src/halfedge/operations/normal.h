@@ -36,6 +36,11 @@ template <HasPositions Mesh>
   return {scale * normal[0], scale * normal[1], scale * normal[2]};
 }
 
+/// Whether the place fits 32-bit floats.
+[[nodiscard]] inline bool is_finite(Point p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 [[nodiscard]] inline Point moved(Point p, const Vector& by) {
   return {float(double{p.x} + by[0]), float(double{p.y} + by[1]), float(double{p.z} + by[2])};
 }

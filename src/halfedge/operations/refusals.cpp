@@ -149,6 +149,14 @@ Failure not_finite(const char* name, double value) {
                                             sentence::number(value)));
 }
 
+Failure too_far(Face f, double offset) {
+  return refusal("not-finite",
+                 sentence::of("an offset of {} takes {} to where positions fit no 32-bit floats, "
+                              "expected a smaller one",
+                              sentence::number(offset), f),
+                 {.faces = {f.index()}});
+}
+
 // ---- edges divided and contracted -----------------------------------------------------------
 
 Failure not_valence_two(Vertex v, Index valence) {

@@ -50,6 +50,8 @@ namespace halfedge::operations {
 [[nodiscard]] Failure degenerate_face(Face f);
 /// not-finite: the argument `name` is `value`.
 [[nodiscard]] Failure not_finite(const char* name, double value);
+/// not-finite: a position that far from the face would be infinite.
+[[nodiscard]] Failure too_far(Face f, double offset);
 
 // ---- edges divided and contracted -----------------------------------------------------------
 

@@ -44,17 +44,42 @@ template <EditableSurface Mesh>
   return c;
 }
 
-/// Whether poke(f, offset) can be done: else not-a-face; not-finite; degenerate-face, if an offset
-/// is given and the face has no area, so no normal to move along.
+namespace internal {
+
+/// Whether a face can be left along its normal, so far: else not-a-face, not-finite,
+/// degenerate-face.
 template <EditableSurface Mesh>
 requires HasPositions<Mesh>
-[[nodiscard]] Result<void> check_poke(const Mesh& mesh, Face f, double offset = 0) {
+[[nodiscard]] Result<void> check_offset(const Mesh& mesh, Face f, double offset) {
   if (Result<void> live = check_live(mesh, f); !live) return live;
   if (!std::isfinite(offset)) return not_finite("offset", offset);
   if (offset == 0) return {};
-  const Vector normal = internal::area_vector(mesh, f);
+  const Vector normal = area_vector(mesh, f);
   if (!(std::hypot(normal[0], normal[1], normal[2]) > 0)) return degenerate_face(f);
   return {};
+}
+
+/// The mean of the corners of a face, moved along its normal.
+template <EditableSurface Mesh>
+requires HasPositions<Mesh>
+[[nodiscard]] Point tip(const Mesh& mesh, Face f, double offset) {
+  const Point mean = decorator::internal::centroid(mesh, mesh.face_halfedge(f));
+  return moved(mean, along_normal(mesh, f, offset));
+}
+
+}  // namespace internal
+
+/// Whether poke(f, offset) can be done: else not-a-face; not-finite, also if the new position would
+/// fit no 32-bit floats; degenerate-face, if an offset is given and the face has no area, so no
+/// normal to move along.
+template <EditableSurface Mesh>
+requires HasPositions<Mesh>
+[[nodiscard]] Result<void> check_poke(const Mesh& mesh, Face f, double offset = 0) {
+  Result<void> can = internal::check_offset(mesh, f, offset);
+  if (can && offset != 0 && !internal::is_finite(internal::tip(mesh, f, offset))) {
+    return too_far(f, offset);
+  }
+  return can;
 }
 
 /// split_face with the vertex `offset` above the mean of the corners, along the normal of the face:
@@ -68,8 +93,7 @@ requires HasPositions<Mesh>
 [[nodiscard]] Result<Vertex> poke(Mesh& mesh, Face f, double offset = 0) {
   if (Result<void> can = check_poke(mesh, f, offset); !can) return can.error();
   if (offset == 0) return split_face(mesh, f);
-  const Point mean = decorator::internal::centroid(mesh, mesh.face_halfedge(f));
-  return split_face(mesh, f, internal::moved(mean, internal::along_normal(mesh, f, offset)));
+  return split_face(mesh, f, internal::tip(mesh, f, offset));
 }
 
 }  // namespace halfedge::operations

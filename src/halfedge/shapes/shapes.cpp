@@ -223,7 +223,7 @@ Result<PolygonSoup> grid(Index columns, Index rows, Faces faces, double width, d
 Result<PolygonSoup> torus(Index rings, Index sides, Faces faces, double radius, double tube) {
   Error error;
   if (refused({check_count("a torus", "ring", rings, 3), check_count("a torus", "side", sides, 3),
-               check_lengths("a torus", {radius, tube})},
+               check_lengths("a torus", {radius, tube, radius + tube})},
               error)) {
     return error;
   }
