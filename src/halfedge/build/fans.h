@@ -3,6 +3,7 @@
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -36,28 +37,48 @@ class LongWalks {
 
   /// Takes a walk over that began at `anchor`. The steps that this leads to.
   std::size_t take(Index anchor, Index at) {
-    anchors_[count_] = anchor;
-    at_[count_] = at;
-    ++count_;
+    keep(anchor, at);
     return count_ == kMost ? finish() : 0;
   }
 
   /// Goes on to the ends of all walks; the steps to there.
   std::size_t finish() {
     std::size_t steps = 0;
-    while (count_ > 0) {
-      for (std::size_t i = 0; i < count_; ++i, ++steps) {
-        at_[i] = rotate_cw_(at_[i]);
-        if (at_[i] != anchors_[i]) continue;
-        --count_;
-        at_[i] = at_[count_];
-        anchors_[i] = anchors_[count_];
-      }
-    }
+    while (count_ >= 4) steps += walk<4>();
+    while (count_ >= 2) steps += walk<2>();
+    if (count_ == 1) steps += walk<1>();
     return steps;
   }
 
  private:
+  /// Goes on with so many of the walks, the last ones, until some of them end; the steps to there.
+  /// Their number is known to the compiler so that registers hold where they are.
+  template <std::size_t kWalks>
+  std::size_t walk() {
+    count_ -= kWalks;
+    std::array<Index, kWalks> anchor;
+    std::array<Index, kWalks> at;
+    std::copy_n(anchors_.begin() + count_, kWalks, anchor.begin());
+    std::copy_n(at_.begin() + count_, kWalks, at.begin());
+    std::size_t steps = 0;
+    for (bool all_go_on = true; all_go_on; steps += kWalks) {
+      for (std::size_t i = 0; i < kWalks; ++i) {
+        at[i] = rotate_cw_(at[i]);
+        all_go_on &= at[i] != anchor[i];
+      }
+    }
+    for (std::size_t i = 0; i < kWalks; ++i) {
+      if (at[i] != anchor[i]) keep(anchor[i], at[i]);
+    }
+    return steps;
+  }
+
+  void keep(Index anchor, Index at) {
+    anchors_[count_] = anchor;
+    at_[count_] = at;
+    ++count_;
+  }
+
   static constexpr std::size_t kMost = 8;
 
   const Rotate& rotate_cw_;

@@ -76,6 +76,18 @@ inline Shape bipyramid(Index valence) {
   return {"bipyramid", valence + 2, std::move(faces)};
 }
 
+/// Triangles around vertex 0, and a face of `valence` corners opposite of it.
+inline Shape pyramid(Index valence) {
+  std::vector<std::vector<Index>> faces;
+  std::vector<Index> base;
+  for (Index i = 0; i < valence; ++i) {
+    faces.push_back({0, 1 + i, 1 + (i + 1) % valence});
+    base.push_back(valence - i);
+  }
+  faces.push_back(std::move(base));
+  return {"pyramid", valence + 1, std::move(faces)};
+}
+
 /// (columns + 1) * (rows + 1) vertices row by row; `quad` tells whether a cell stays a quad or is
 /// cut into two triangles.
 template <class IsQuad>
