@@ -171,7 +171,7 @@ char* write_number(char* out, Scalar type, const void* value) {
     case Scalar::kFloat64:
       return write_double(out, number_at<double>(value));
     case Scalar::kInt8:
-      integer = number_at<std::int8_t>(value);
+      integer = int{number_at<std::int8_t>(value)};
       break;
     case Scalar::kUint8:
       integer = number_at<std::uint8_t>(value);
