@@ -192,6 +192,8 @@ describe('An attribute', () => {
     expectRefused(() => attributes.add('vertex', 'a'), 'attribute-exists');
     expectRefused(() => attributes.add('vertex', ''), 'bad-attribute');
     attributes.add('face', 'a');
+    attributes.add('edge', 'n', { type: 'int32', default: Number.POSITIVE_INFINITY });
+    expect(attributes.get('edge', 'n')[0]).toBe(2 ** 31 - 1);
     for (const [call, type, message] of [
       [() => attributes.add('faces' as never, 'b'), RangeError, 'kind is "faces"; expected'],
       [() => attributes.add(2 as never, 'b'), TypeError, 'kind is 2'],
@@ -212,7 +214,7 @@ describe('An attribute', () => {
         RangeError,
         'expected an attribute of this mesh by face: "a".',
       ],
-      [() => attributes.get('edge', 'b'), RangeError, 'by edge: none.'],
+      [() => attributes.get('edge', 'b'), RangeError, 'by edge: "n".'],
       [
         () => attributes.set('face', 'a', 9, 1),
         RangeError,
@@ -229,11 +231,21 @@ describe('An attribute', () => {
         'values is "1"; expected a number',
       ],
       [() => attributes.values('face', 'a', -1), RangeError, 'item is -1'],
+      [
+        () => attributes.add('face', 'n', { type: 'uint8', default: Number.NaN }),
+        RangeError,
+        'default is NaN; expected a number that uint8 can hold.',
+      ],
+      [
+        () => attributes.set('edge', 'n', 0, [Number.NaN]),
+        RangeError,
+        'values[0] is NaN; expected a number that int32 can hold.',
+      ],
     ] as [() => unknown, ErrorConstructor, string][]) {
       expect(call).toThrow(type);
       expect(call).toThrow(message);
     }
-    expect(attributes.list().length).toBe(2);
+    expect(attributes.list().length).toBe(3);
   });
 
   test('of a disposed mesh can not be had', () => {

@@ -183,11 +183,12 @@ export class Attributes {
 
   /**
    * Sets the values of one item: a number, or one for each component. As writing to the view does; but
-   * history notes this. Integers are rounded and kept in their range.
+   * history notes this. Integers are rounded and kept in their range; NaN is none.
    */
   set(kind: ItemKind, name: string, item: number, values: number | ArrayLike<number>): void {
     const links = this.#links;
-    const numbers = numbersOf('values', values, this.#find(kind, name).info.components);
+    const { components, type } = this.#find(kind, name).info;
+    const numbers = numbersOf('values', values, components, type);
     const { address } = this.#find(kind, name); // again: reading the values may have removed it
     checkItem(links, kind, item);
     const { core } = links;
@@ -292,22 +293,31 @@ function settingsOf(options: AttributeOptions) {
   if (!(Number.isInteger(components) && components >= 1 && components <= 16)) {
     refuse('components', components, 'an integer from 1 to 16', 'number');
   }
-  return { type, components, onSplit, defaults: numbersOf('default', given, components) };
+  return { type, components, onSplit, defaults: numbersOf('default', given, components, type) };
 }
 
 /** One number for each component, of an array or of a single number for all. */
-function numbersOf(argument: string, given: unknown, components: number): Float64Array {
+function numbersOf(
+  argument: string,
+  given: unknown,
+  components: number,
+  type: AttributeType,
+): Float64Array {
   const numbers = new Float64Array(components);
-  if (typeof given === 'number') return numbers.fill(given);
+  if (typeof given === 'number') return numbers.fill(numberOf(argument, given, type));
   const expected = `a number, or ${components === 1 ? 'an array of one' : `${components} of them`}`;
   if (lengthOfArrayLike(argument, given, expected) !== components) {
     throw new RangeError(`${argument} is ${describe(given)}; expected ${expected}.`);
   }
   const list = given as ArrayLike<unknown>;
-  for (let i = 0; i < components; i++) {
-    const value = list[i];
-    if (typeof value !== 'number') refuse(`${argument}[${i}]`, value, 'a number');
-    numbers[i] = value;
-  }
+  for (let i = 0; i < components; i++) numbers[i] = numberOf(`${argument}[${i}]`, list[i], type);
   return numbers;
+}
+
+/** A number that the type can hold, rounded or at its end where need be. */
+function numberOf(argument: string, value: unknown, type: AttributeType): number {
+  if (typeof value !== 'number') refuse(argument, value, 'a number');
+  const isLost = Number.isNaN(value) && !type.startsWith('float');
+  if (isLost) refuse(argument, value, `a number that ${type} can hold`, 'number');
+  return value;
 }
