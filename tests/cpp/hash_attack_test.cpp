@@ -3,8 +3,8 @@
 // 5 MB.
 
 #include <gtest/gtest.h>
+#include <halfedge/algorithms/polygon_cutter.h>
 #include <halfedge/io/parse.h>
-#include <halfedge/operations/face_plan.h>
 #include <halfedge/repair/repair.h>
 
 #include <cmath>
@@ -136,7 +136,7 @@ Edges edges_of_a_hub() {
 
 double seconds_to_plan(const Edges& edges) {
   return seconds_of([&edges] {
-    operations::internal::PlannedEdges planned;
+    PlannedEdges planned;
     for (const auto& [a, b] : edges) {
       ASSERT_FALSE(planned.contains(a, b));
       ASSERT_TRUE(planned.insert(b, a));

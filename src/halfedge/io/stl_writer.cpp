@@ -1,11 +1,8 @@
-#include <halfedge/algorithms/triangulate_polygon.h>
+#include <halfedge/algorithms/polygon_cutter.h>
 #include <halfedge/io/position_table.h>
 #include <halfedge/io/stl_writer.h>
-#include <halfedge/operations/face_plan.h>
 #include <halfedge/sentence.h>
-#include <halfedge/sort.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -55,104 +52,37 @@ class Cutter {
       };
       if (corners.size() == 3) return visit_corners(0, 1, 2);
       fits = cut(corners);
-      if (!fits) return;
-      for (const Index ear : ears_) {
-        visit_corners(prev_[ear], ear, next_[ear]);
-        next_[prev_[ear]] = next_[ear];
-        prev_[next_[ear]] = prev_[ear];
-      }
-      const Index left = next_[ears_[ears_.size() - 1]];
-      visit_corners(prev_[left], left, next_[left]);
+      if (fits) cutter_.for_each_triangle(ears_.span(), visit_corners);
     });
     return fits;
   }
 
  private:
+  /// Where each way to cut a face takes an edge that there is, it is cut along that.
   [[nodiscard]] bool cut(std::span<const Index> corners) {
-    const std::size_t n = corners.size();
-    if (!points_.recreate(n) || !next_.recreate(n) || !prev_.recreate(n)) return false;
-    for (std::size_t i = 0; i < n; ++i) {
-      const float* const p = mesh_.position(corners[i]);
-      points_[i] = {p[0], p[1], p[2]};
-    }
-    forbidden_.clear();
-    for (;;) {
-      ears_.clear();
-      switch (triangulator_.run(points_.span(), forbidden_.span(), ears_)) {
-        case PolygonTriangulator::Outcome::kOutOfMemory:
-          return false;
-        case PolygonTriangulator::Outcome::kBlocked:
-          return cut_in_any_way(corners);
-        case PolygonTriangulator::Outcome::kDone:
-          break;
-      }
-      const std::size_t known = forbidden_.size();
-      if (!list_diagonals() || !forbid_existing(corners)) return false;
-      if (forbidden_.size() == known) return keep_diagonals(corners);
-    }
-  }
-
-  /// Without forbidden diagonals nothing but memory can be in the way.
-  [[nodiscard]] bool cut_in_any_way(std::span<const Index> corners) {
+    using Outcome = PolygonCutter::Outcome;
+    corners_.clear();
+    points_.clear();
     ears_.clear();
-    return triangulator_.run(points_.span(), {}, ears_) == PolygonTriangulator::Outcome::kDone &&
-           list_diagonals() && keep_diagonals(corners);
-  }
-
-  void join_in_a_ring() {
-    const std::size_t n = points_.size();
-    for (std::size_t i = 0; i < n; ++i) {
-      next_[i] = Index(i + 1 == n ? 0 : i + 1);
-      prev_[i] = Index(i == 0 ? n - 1 : i - 1);
+    for (const Index corner : corners) {
+      const float* const p = mesh_.position(corner);
+      if (!corners_.push_back(Vertex(corner)) || !points_.push_back({p[0], p[1], p[2]})) {
+        return false;
+      }
     }
-  }
-
-  /// Those along which the ears are cut off. Afterwards the corners are a ring again.
-  [[nodiscard]] bool list_diagonals() {
-    join_in_a_ring();
-    diagonals_.clear();
-    for (const Index ear : ears_) {
-      const Index a = prev_[ear];
-      const Index b = next_[ear];
-      if (!diagonals_.push_back({std::min(a, b), std::max(a, b)})) return false;
-      next_[a] = b;
-      prev_[b] = a;
-    }
-    join_in_a_ring();
-    return true;
-  }
-
-  /// Puts those that join what is joined already on the list of the forbidden.
-  [[nodiscard]] bool forbid_existing(std::span<const Index> corners) {
-    for (const Diagonal& diagonal : diagonals_) {
-      const Index a = corners[diagonal.a];
-      const Index b = corners[diagonal.b];
-      if (!mesh_.are_joined(a, b) && !taken_.contains(Vertex(a), Vertex(b))) continue;
-      if (!forbidden_.push_back(diagonal)) return false;
-    }
-    introsort(forbidden_.begin(), forbidden_.end());
-    return true;
-  }
-
-  /// Faces to come know the diagonals of this one.
-  [[nodiscard]] bool keep_diagonals(std::span<const Index> corners) {
-    for (const Diagonal& diagonal : diagonals_) {
-      const Vertex a(corners[diagonal.a]);
-      const Vertex b(corners[diagonal.b]);
-      if (!taken_.contains(a, b) && !taken_.insert(a, b)) return false;
-    }
-    return true;
+    const auto is_edge = [this](Vertex a, Vertex b) {
+      return mesh_.are_joined(a.index(), b.index());
+    };
+    Outcome outcome = cutter_.cut(corners_.span(), points_.span(), is_edge, ears_);
+    if (outcome == Outcome::kBlocked) outcome = cutter_.cut_anyhow(points_.span(), ears_);
+    return outcome == Outcome::kDone && cutter_.keep_diagonals(corners_.span());
   }
 
   const LiveMesh& mesh_;
-  PolygonTriangulator triangulator_;
-  operations::internal::PlannedEdges taken_;  // diagonals of the faces so far
+  PolygonCutter cutter_;
+  Array<Vertex> corners_;
   Array<Point> points_;
-  Array<Diagonal> forbidden_;
-  Array<Diagonal> diagonals_;
   Array<Index> ears_;
-  Array<Index> next_;  // of the corners that are left
-  Array<Index> prev_;
 };
 
 void write_text_stl(const LiveMesh& mesh, ByteWriter& out) {
