@@ -4,7 +4,9 @@
 #include <halfedge/validate/validate.h>
 
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/reference_build.h"
@@ -303,6 +305,39 @@ TEST(Connectivity, FindsHalfedgesByTheirEnds) {
   EXPECT_EQ(mesh.find_edge(Vertex(6), Vertex(5)), mesh.edge(h));
   EXPECT_FALSE(mesh.find_halfedge(Vertex(5), Vertex(10)).valid());
   EXPECT_FALSE(mesh.find_edge(Vertex(5), Vertex(5)).valid());
+}
+
+TEST(Connectivity, FindsTheHalfedgesOfAllPairsOfVerticesAndNoOthers) {
+  const Shape shapes[] = {quad_grid(3, 3), bipyramid(30), pyramid(30), pinched(9),
+                          with_isolated_vertices()};
+  for (const Shape& shape : shapes) {
+    SCOPED_TRACE(shape.name);
+    const Mesh mesh = reference_build(shape);
+    std::map<std::pair<Vertex, Vertex>, Halfedge> expected;
+    for (const Halfedge h : mesh.halfedges()) {
+      expected[{mesh.from_vertex(h), mesh.to_vertex(h)}] = h;
+    }
+    for (const Vertex a : mesh.vertices()) {
+      for (const Vertex b : mesh.vertices()) {
+        const auto found = expected.find({a, b});
+        EXPECT_EQ(mesh.find_halfedge(a, b), found == expected.end() ? Halfedge{} : found->second);
+      }
+    }
+  }
+}
+
+TEST(Connectivity, FindsTheEdgesOfHubsFromTheirOtherEnds) {
+  // Around the hubs alone it would be ten thousand million steps.
+  const Index valence = 100'000;
+  const Mesh mesh = reference_build(bipyramid(valence));
+  Index missing = 0;
+  for (Index i = 1; i <= valence; ++i) {
+    for (const Vertex hub : {Vertex(0), Vertex(valence + 1)}) {
+      missing += mesh.find_halfedge(hub, Vertex(i)).valid() ? 0U : 1U;
+      missing += mesh.find_halfedge(Vertex(i), hub).valid() ? 0U : 1U;
+    }
+  }
+  EXPECT_EQ(missing, 0U);
 }
 
 TEST(Connectivity, KnowsLiveHandlesFromOthers) {

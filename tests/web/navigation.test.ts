@@ -56,6 +56,22 @@ describe('The links', () => {
     for (let e = 0; e < 6; e++) expect(mesh.isBoundaryEdge(e)).toBe(false);
   });
 
+  test('between hubs and their neighbours are found from either side', () => {
+    const n = 40_000;
+    const faces = Array.from({ length: n }, (_, i) => [0, 1 + i, 1 + ((i + 1) % n)]);
+    using mesh = HalfedgeMesh.fromFaces(faces);
+    // Around the hub alone these would be more than a thousand million steps.
+    for (let v = 1; v <= n; v++) {
+      const h = mesh.findHalfedge(0, v);
+      if (h === NONE || mesh.fromVertex(h) !== 0 || mesh.toVertex(h) !== v) fail(0, v, h);
+      if (mesh.findHalfedge(v, 0) !== mesh.opposite(h)) fail(v, 0, mesh.findHalfedge(v, 0));
+    }
+    expect(mesh.findHalfedge(1, 3)).toBe(NONE);
+    function fail(from: number, to: number, found: number): never {
+      throw new Error(`the halfedge from ${from} to ${to} is not ${found}`);
+    }
+  });
+
   test('tell an isolated vertex from the others', () => {
     using mesh = build(triangleAndIsolatedVertex());
     expect(mesh.isIsolatedVertex(3)).toBe(true);

@@ -243,24 +243,29 @@ export abstract class Navigation {
     return (2 * e + side) as Halfedge;
   }
 
-  /** The halfedge from `a` to `b`, or `NONE`. O(valence of a). */
+  /** The halfedge from `a` to `b`, or `NONE`. O(the smaller valence). */
   findHalfedge(a: VertexLike, b: VertexLike): Halfedge | typeof NONE {
     this.#links.checkVertex(a, 'a');
     this.#links.checkVertex(b, 'b');
     const { next, toVertex, vertexHalfedge } = this.#links;
-    const anchor = vertexHalfedge[a];
-    if (anchor === NONE) return NONE;
-    let h = anchor;
+    const fromA = vertexHalfedge[a];
+    const fromB = vertexHalfedge[b];
+    if (fromA === NONE || fromB === NONE) return NONE;
+    // Around both in step, so that a vertex of high valence costs no more than the other one.
+    let atA = fromA;
+    let atB = fromB;
     for (let laps = next.length; laps > 0; laps--) {
-      if (toVertex[h] === b) return h as Halfedge;
-      h = next[h ^ 1];
-      if (h === anchor) return NONE;
-      if (!(h >= 0)) break;
+      if (toVertex[atA] === b) return atA as Halfedge;
+      if (toVertex[atB] === a) return (atB ^ 1) as Halfedge;
+      atA = next[atA ^ 1];
+      atB = next[atB ^ 1];
+      if (atA === fromA || atB === fromB) return NONE;
+      if (!(atA >= 0 && atB >= 0)) break;
     }
-    throw openOrbit('vertex', a);
+    throw openOrbit('vertex', atA >= 0 ? b : a);
   }
 
-  /** The edge between `a` and `b`, or `NONE`. O(valence of a). */
+  /** The edge between `a` and `b`, or `NONE`. O(the smaller valence). */
   findEdge(a: VertexLike, b: VertexLike): Edge | typeof NONE {
     const h = this.findHalfedge(a, b);
     return h === NONE ? NONE : ((h >> 1) as Edge);

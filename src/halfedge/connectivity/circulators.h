@@ -114,14 +114,34 @@ class Circulators {
     return count;
   }
 
-  /// The halfedge from `a` to `b`, or empty. O(valence of a).
+  /// The halfedge from `a` to `b`, or empty. O(the smaller valence).
   [[nodiscard]] Halfedge find_halfedge(Vertex a, Vertex b) const {
-    for (const Halfedge h : outgoing_cw(a)) {
-      if (self().to_vertex(h) == b) return h;
+    const Halfedge from_a = self().vertex_halfedge(a);
+    const Halfedge from_b = self().vertex_halfedge(b);
+    return from_a.valid() && from_b.valid() ? find_halfedge(from_a, from_b) : Halfedge{};
+  }
+  /// The same, from from_vertex(from_a) to from_vertex(from_b).
+  [[nodiscard]] Halfedge find_halfedge(Halfedge from_a, Halfedge from_b) const {
+    const Vertex a = self().from_vertex(from_a);
+    const Vertex b = self().from_vertex(from_b);
+    // Most vertices have few edges: a lap around one of them decides. Where it is long, around both
+    // in step.
+    Halfedge at_a = from_a;
+    for (int steps = 0; steps < 8; ++steps) {
+      if (self().to_vertex(at_a) == b) return at_a;
+      at_a = self().rotate_cw(at_a);
+      if (at_a == from_a) return {};
     }
+    Halfedge at_b = from_b;
+    do {
+      if (self().to_vertex(at_a) == b) return at_a;
+      if (self().to_vertex(at_b) == a) return self().opposite(at_b);
+      at_a = self().rotate_cw(at_a);
+      at_b = self().rotate_cw(at_b);
+    } while (at_a != from_a && at_b != from_b);
     return {};
   }
-  /// The edge between `a` and `b`, or empty. O(valence of a).
+  /// The edge between `a` and `b`, or empty. O(the smaller valence).
   [[nodiscard]] Edge find_edge(Vertex a, Vertex b) const {
     const Halfedge h = find_halfedge(a, b);
     return h.valid() ? self().edge(h) : Edge{};

@@ -59,23 +59,6 @@ template <class Mesh>
                                mesh.face(mesh.opposite(mesh.next(in))));
 }
 
-/// The halfedge from `a` to `b`, or empty. O(smaller valence)
-template <class Mesh>
-[[nodiscard]] Halfedge find_side(const Mesh& mesh, Vertex a, Vertex b) {
-  const Halfedge first_of_a = mesh.vertex_halfedge(a);
-  const Halfedge first_of_b = mesh.vertex_halfedge(b);
-  if (!first_of_a.valid() || !first_of_b.valid()) return {};
-  Halfedge out = first_of_a;
-  Halfedge back = first_of_b;
-  do {
-    if (mesh.to_vertex(out) == b) return out;
-    if (mesh.to_vertex(back) == a) return mesh.opposite(back);
-    out = mesh.rotate_cw(out);
-    back = mesh.rotate_cw(back);
-  } while (out != first_of_a && back != first_of_b);
-  return {};
-}
-
 /// The checks of add_face; how many of the sides are new edges.
 template <class Mesh>
 [[nodiscard]] Result<Index> count_new_edges(const Mesh& mesh, std::span<const Vertex> corners) {
@@ -89,12 +72,12 @@ template <class Mesh>
   if (repeated.value().valid()) return repeated_vertex(repeated.value());
 
   Index new_edges = 0;
-  const Halfedge last = find_side(mesh, corners[degree - 1], corners[0]);
+  const Halfedge last = mesh.find_halfedge(corners[degree - 1], corners[0]);
   if (last.valid() && !mesh.is_boundary(last))
     return side_is_taken(mesh, last, corners, degree - 1);
   Halfedge in = last;
   for (std::size_t i = 0; i < degree; ++i) {
-    const Halfedge out = i + 1 == degree ? last : find_side(mesh, corners[i], corners[i + 1]);
+    const Halfedge out = i + 1 == degree ? last : mesh.find_halfedge(corners[i], corners[i + 1]);
     if (out.valid() && !mesh.is_boundary(out)) return side_is_taken(mesh, out, corners, i);
     new_edges += out.valid() ? 0 : 1;
     if (Result<void> can = check_corner(mesh, corners[i], in, out); !can) return can.error();
@@ -230,7 +213,7 @@ template <EditableSurface Mesh>
     return decorator::internal::no_memory("a face and its edges");
   }
   const auto side = [&](Vertex from, Vertex to) {
-    const Halfedge found = find_side(mesh, from, to);
+    const Halfedge found = mesh.find_halfedge(from, to);
     return found.valid() ? Side{found} : Side{mesh.new_edge(from, to), true};
   };
   const Side last = side(corners.back(), corners.front());

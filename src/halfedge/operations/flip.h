@@ -5,33 +5,6 @@
 
 namespace halfedge::operations {
 
-namespace internal {
-
-/// The edge between from_vertex(a) and from_vertex(b), or empty. Most vertices have few edges, so a
-/// lap around one of them decides; where it is long, around both in step, so that it costs O(the
-/// smaller valence): flips in a row make vertices of high valence.
-template <class Mesh>
-[[nodiscard]] Edge find_edge_between(const Mesh& mesh, Halfedge a, Halfedge b) {
-  const Vertex v = mesh.from_vertex(a);
-  const Vertex w = mesh.from_vertex(b);
-  Halfedge at_v = a;
-  for (int steps = 0; steps < 8; ++steps) {
-    if (mesh.to_vertex(at_v) == w) return mesh.edge(at_v);
-    at_v = mesh.rotate_cw(at_v);
-    if (at_v == a) return {};
-  }
-  Halfedge at_w = b;
-  do {
-    if (mesh.to_vertex(at_v) == w) return mesh.edge(at_v);
-    if (mesh.to_vertex(at_w) == v) return mesh.edge(at_w);
-    at_v = mesh.rotate_cw(at_v);
-    at_w = mesh.rotate_cw(at_w);
-  } while (at_v != a && at_w != b);
-  return {};
-}
-
-}  // namespace internal
-
 /// Whether flip_edge(e) can be done: else not-an-edge; boundary-edge; not-a-triangle; same-vertex,
 /// if the two opposite corners are one vertex; edge-exists, if they are joined already.
 template <EditableSurface Mesh>
@@ -50,8 +23,8 @@ template <EditableSurface Mesh>
   const Vertex a = mesh.to_vertex(mesh.next(h));
   const Vertex b = mesh.to_vertex(mesh.next(o));
   if (a == b) return same_vertex(e, a);
-  if (const Edge existing = internal::find_edge_between(mesh, from_a, from_b); existing.valid()) {
-    return edge_exists(a, b, existing);
+  if (const Halfedge existing = mesh.find_halfedge(from_a, from_b); existing.valid()) {
+    return edge_exists(a, b, mesh.edge(existing));
   }
   return {};
 }

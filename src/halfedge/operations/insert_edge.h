@@ -48,8 +48,9 @@ template <EditableSurface Mesh>
 ///             defaults; corners that are cut become two alike; the edge has the defaults
 /// returns: the edge; its halfedge 0 leads from a to b in a face, from b to a in the new face of a
 ///          boundary loop, so that `remove_edge` keeps the old face
-/// cost: O(halfedges of the new face + valence of a), and where the loop has no face, of the loop
-///       and the sum of the valences along the new face. inverse: remove_edge(returned)
+/// cost: O(halfedges of the new face + the smaller valence of a and b), and where the loop has no
+///       face, of the loop and the sum of the valences along the new face
+/// inverse: remove_edge(returned)
 /// errors: those of check_insert_edge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> insert_edge(Mesh& mesh, Halfedge h, Halfedge g) {

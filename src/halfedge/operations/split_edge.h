@@ -68,7 +68,8 @@ template <EditableSurface Mesh>
 /// insert_vertex_on_edge)
 ///
 /// attributes: the edge keeps its own; so do the corners
-/// returns: the edge. cost: O(valence of a neighbour). inverse: insert_vertex_on_edge
+/// returns: the edge. cost: O(the smaller valence of its neighbours)
+/// inverse: insert_vertex_on_edge
 /// errors: those of check_remove_vertex_on_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> remove_vertex_on_edge(Mesh& mesh, Vertex v) {
