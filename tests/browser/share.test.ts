@@ -141,6 +141,27 @@ describe('Back to the plain address, from a link,', () => {
     await closeAll(explorer);
   });
 
+  test('gives back the names, labels and pointers that were chosen there', async () => {
+    const explorer = await ExplorerPage.open();
+    const { page } = explorer;
+    const choices = async () => [
+      await page.inputValue('[name=dialect]'),
+      await page.isChecked('[name=direction][value=cw]'),
+      await page.isChecked('[name=label-scope][value=all]'),
+      await page.isChecked('[name=pointers]'),
+    ];
+    await page.selectOption('[name=dialect]', 'openmesh');
+    await page.evaluate(() => {
+      location.hash = 'sample=torus&select=v3&names=cgal&direction=cw&labels=all:vf&pointers=on';
+    });
+    await explorer.ready('Torus');
+    expect(await choices()).toEqual(['cgal', true, true, true]);
+    await page.goBack();
+    await explorer.ready('Bunny');
+    expect(await choices()).toEqual(['openmesh', false, false, false]);
+    await closeAll(explorer);
+  });
+
   test('brings a mesh back with its edits, and keeps those of the mesh of the link', async () => {
     const explorer = await ExplorerPage.open();
     const { page } = explorer;

@@ -10,6 +10,18 @@ export function hasLink(): boolean {
   return location.hash.length > 1;
 }
 
+/** What a link chooses besides the mesh. */
+type Choices = ReturnType<typeof choicesOf>;
+
+function choicesOf({ dialect, direction, labels, pointers }: Explorer) {
+  return {
+    dialect: dialect.value,
+    direction: direction.value,
+    labels: labels.value,
+    pointers: pointers.value,
+  };
+}
+
 /** Shows what the address tells of, now and whenever it changes. */
 export class AddressFollower {
   readonly #explorer: Explorer;
@@ -19,6 +31,8 @@ export class AddressFollower {
   #shown: MeshDocument | null = null;
   /** What was on show last while the address told of nothing. */
   #plain: MeshDocument | null = null;
+  /** What was chosen before links were followed; null while the address tells of nothing. */
+  #chosen: Choices | null = null;
 
   constructor(explorer: Explorer, sight: Sight) {
     this.#explorer = explorer;
@@ -42,6 +56,7 @@ export class AddressFollower {
   #forgetLink(opened: MeshDocument | null): void {
     if (opened !== this.#shown && this.#following === 0 && hasLink()) {
       history.replaceState(null, '', location.pathname + location.search);
+      this.#chosen = null;
     }
     this.#shown = opened;
     if (!hasLink()) this.#plain = opened;
@@ -50,6 +65,7 @@ export class AddressFollower {
   /** Goes where the address leads; what is wrong with it is told in a sentence. */
   async #followLink(): Promise<void> {
     const explorer = this.#explorer;
+    this.#chosen ??= choicesOf(explorer);
     this.#following += 1;
     try {
       await loadPackage();
@@ -64,14 +80,16 @@ export class AddressFollower {
   }
 
   /**
-   * Shows again what was on show before a link was followed: with its edits, if it has any and undo leads to it;
-   * as it was opened, if it is a sample. Something else is gone: what is on show stays.
+   * Shows again what was on show before a link was followed, in the names and with the labels of then: with its
+   * edits, if it has any and undo leads to it; as it was opened, if it is a sample. Something else is gone: what is
+   * on show stays.
    */
   #goBack(): void {
     const explorer = this.#explorer;
     const plain = this.#plain;
     explorer.cancel();
     explorer.failure.value = null;
+    this.#chooseAgain();
     if (plain && plain === explorer.document.value) return;
     if (plain && plain === explorer.editor.previous) {
       explorer.editor.undo();
@@ -80,5 +98,16 @@ export class AddressFollower {
     const id = plain ? plain.sample : samples[0].id;
     const sample = [...samples, ...brokenSamples].find((each) => each.id === id);
     if (sample) void explorer.open(sample);
+  }
+
+  #chooseAgain(): void {
+    const explorer = this.#explorer;
+    if (!this.#chosen) return;
+    const { dialect, direction, labels, pointers } = this.#chosen;
+    this.#chosen = null;
+    explorer.setDialect(dialect);
+    explorer.setDirection(direction);
+    explorer.labels.value = labels;
+    explorer.pointers.value = pointers;
   }
 }
