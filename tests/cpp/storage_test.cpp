@@ -306,6 +306,38 @@ TEST(StorageOptions, NeedACompactMeshWhereTheyCannotMarkDeletedItems) {
   EXPECT_EQ(reduced.vertex_count(), 5U);
 }
 
+TEST(StorageOptions, LosePositionsOnTheWayToAConnectivity) {
+  Mesh mesh = built<Mesh>(cube());
+  Connectivity connectivity;
+  ASSERT_TRUE(convert(std::move(mesh), connectivity));
+  EXPECT_EQ(connectivity.face_count(), 6U);
+  EXPECT_TRUE(mesh.positions().empty());
+  EXPECT_TRUE(validate(mesh).empty());
+
+  mesh = built<Mesh>(tetrahedron());
+  ASSERT_TRUE(convert(std::move(connectivity), mesh));
+  EXPECT_EQ(mesh.positions().size(), 3 * 8U);
+  EXPECT_EQ(mesh.position(Vertex(0)), Point());
+  EXPECT_EQ(mesh.position(Vertex(7)), Point());
+  EXPECT_TRUE(validate(mesh).empty());
+}
+
+TEST(StorageOptions, KeepTheirPositionsWhereAConnectivityIsRefused) {
+  Mesh mesh = built<Mesh>(with_isolated_vertices());
+  mesh.release(Vertex(0));
+  BasicConnectivity<kWithoutAnchors> reduced;
+  ASSERT_FALSE(convert(std::move(mesh), reduced));
+  EXPECT_EQ(mesh.positions().size(), 18U);
+}
+
+TEST(StorageOptions, AreTheSameAfterAConversionToThemselves) {
+  Mesh mesh = built<Mesh>(cube());
+  ASSERT_TRUE(convert(std::move(mesh), mesh));
+  EXPECT_EQ(mesh.face_count(), 6U);
+  EXPECT_EQ(mesh.positions().size(), 3 * 8U);
+  EXPECT_TRUE(validate(mesh).empty());
+}
+
 TEST(StorageOptions, FindBrokenLinksWithoutFollowingThem) {
   const auto broken = [](auto&& damage) {
     auto mesh = built<BasicMesh<kWithoutPrev>>(quad_grid(3, 3));

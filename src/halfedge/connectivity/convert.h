@@ -4,6 +4,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
+#include <cstddef>
 #include <utility>
 
 namespace halfedge {
@@ -19,6 +20,9 @@ class LinkConversion {
   template <Storage kFrom, Storage kTo>
   [[nodiscard]] static Result<void> run(BasicConnectivity<kFrom>& from,
                                         BasicConnectivity<kTo>& to) {
+    if constexpr (kFrom == kTo) {
+      if (&from == &to) return {};
+    }
     if (!kTo.vertex_halfedge && from.free_vertices_.count > 0) return has_deleted("vertices");
     if (!kTo.face_halfedge && from.free_faces_.count > 0) return has_deleted("faces");
     const Index vertices = from.vertex_slots();
@@ -78,12 +82,28 @@ template <Storage kFrom, Storage kTo>
   return LinkConversion::run(from, to);
 }
 
-/// The same with positions.
+/// The same with positions: dropped where `to` has none, and at the origin where `from` had none.
 template <Storage kFrom, Storage kTo>
 [[nodiscard]] Result<void> convert(BasicMesh<kFrom>&& from, BasicMesh<kTo>& to) {
   Array<float> positions = std::move(from.mutable_positions());
   Result<void> done = LinkConversion::run(from, to);
   (done ? to.mutable_positions() : from.mutable_positions()) = std::move(positions);
+  return done;
+}
+template <Storage kFrom, Storage kTo>
+[[nodiscard]] Result<void> convert(BasicMesh<kFrom>&& from, BasicConnectivity<kTo>& to) {
+  Result<void> done = LinkConversion::run(from, to);
+  if (done) from.mutable_positions().clear();
+  return done;
+}
+template <Storage kFrom, Storage kTo>
+[[nodiscard]] Result<void> convert(BasicConnectivity<kFrom>&& from, BasicMesh<kTo>& to) {
+  Array<float> origins;
+  if (!origins.resize(3 * std::size_t{from.vertex_slots()}, 0.0F)) {
+    return Error{"out-of-memory", "There is not enough memory for positions."};
+  }
+  Result<void> done = LinkConversion::run(from, to);
+  if (done) to.mutable_positions() = std::move(origins);
   return done;
 }
 
