@@ -275,8 +275,8 @@ template <Editable Mesh>
 ///
 /// pre: every corner at the vertex has a face, all of them different
 /// returns: the halfedge before the corner where h was: prev(h), if that stays
-/// cost: O(sum of the degrees of the faces). inverse: create_center_vertex(returned), if the faces
-///       were triangles
+/// cost: O(sum of the degrees of the faces); where prev isn't stored, O(valence^2) besides
+/// inverse: create_center_vertex(returned), if the faces were triangles
 /// errors: those of check_erase_center_vertex
 template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>

@@ -71,7 +71,8 @@ template <EditableSurface Mesh>
 /// attributes: those of the face that stays, opposite(vertex_halfedge(v)) lies in it, and of the
 ///             halfedges that stay, stay
 /// returns: the joined face
-/// cost: O(sum of the degrees of the faces), O(d log d) of d corners
+/// cost: O(sum of the degrees of the faces), O(d log d) of d corners; where prev isn't stored,
+///       O(valence^2) besides
 /// inverse: split_face(returned), if the faces were triangles around an interior vertex
 /// errors: those of check_dissolve_vertex
 template <EditableSurface Mesh>
