@@ -69,6 +69,15 @@ TEST(Attributes, AreRefusedWithASentence) {
   EXPECT_EQ(mesh.attributes().of(ItemKind::kFace).size(), 1U);
 }
 
+TEST(Attributes, OfTheMeshItselfAreNotFound) {
+  Mesh mesh = reference_build(tetrahedron());
+  add(mesh, ItemKind::kFace, "name");
+  EXPECT_TRUE(mesh.remove_attribute(ItemKind::kFace, "name"));
+  EXPECT_TRUE(mesh.attributes().of(ItemKind::kMesh).empty());
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kMesh, "name"), nullptr);
+  EXPECT_FALSE(mesh.remove_attribute(ItemKind::kMesh, "name"));
+}
+
 TEST(Attributes, OfANewItemAreWhatThePolicySays) {
   Mesh mesh = reference_build(tetrahedron());
   Attribute& mean = add(mesh, ItemKind::kVertex, "mean");

@@ -147,7 +147,7 @@ class Attributes {
   void copy_corner_values(Index to, Index from, Journal* journal);
   void drop_all();
 
-  std::array<Columns, 4> columns_;  // by kind
+  std::array<Columns, 5> columns_;  // by kind; a mesh itself has none
   std::size_t count_ = 0;           // of columns, all kinds together
   Index serials_ = 0;
   Index generations_ = 0;  // so many were given
