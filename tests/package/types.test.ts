@@ -1,4 +1,7 @@
-import { project, tool, tryNode } from './support/project.js';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { filesBelow } from '../../scripts/lib/files.mjs';
+import { install, packed, project, tool, tryNode } from './support/project.js';
 
 const consumer = `
 import { type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Refusal, type Vertex } from 'halfedge';
@@ -118,8 +121,16 @@ const strict = {
   types: [] as string[],
 };
 
+/** What single entries need. */
+const PEERS = ['@codemirror', '@lezer', 'acorn', 'lit', 'three', 'three-mesh-bvh'];
+
 /** Compiles the consumer; returns what tsc says, which is nothing if all is well. */
-async function compile(name: string, options: object, source = consumer): Promise<string> {
+async function compile(
+  name: string,
+  options: object,
+  source = consumer,
+  packages: readonly string[] = [],
+): Promise<string> {
   const folder = project(name, {
     'package.json': '{ "type": "module", "private": true }',
     'tsconfig.json': JSON.stringify({
@@ -128,6 +139,7 @@ async function compile(name: string, options: object, source = consumer): Promis
     }),
     'consumer.ts': source,
   });
+  install(folder, packages);
   const { output } = await tryNode(folder, tool('typescript/bin/tsc'), '-p', '.');
   return output.trim();
 }
@@ -145,6 +157,30 @@ describe('The types, installed, under strict,', () => {
       'declare global { class URL { constructor(address: string); href: string; } interface AbortSignal {} interface Blob {} }';
     const options = { module: 'nodenext', moduleResolution: 'nodenext', lib: ['es2022'] };
     expect(await compile('types-nodenext', options, url + consumer)).toBe('');
+  });
+
+  test('serve a consumer of each entry, who checks them', async () => {
+    const { exports } = JSON.parse(
+      readFileSync(join(packed.folder, 'installed/node_modules/halfedge/package.json'), 'utf8'),
+    );
+    const entries = Object.keys(exports).filter((path) => !path.endsWith('.json'));
+    const source = entries
+      .map((path, i) => `export * as entry${i} from 'halfedge${path.slice(1)}';`)
+      .join('\n');
+    const options = {
+      module: 'esnext',
+      moduleResolution: 'bundler',
+      exactOptionalPropertyTypes: false, // three.js's own types don't go together under it
+    };
+    expect(await compile('types-entries', options, source, ['@types/three', ...PEERS])).toBe('');
+  });
+
+  test('are ones that TypeScript before 5.7 reads, where no typed array has a parameter', () => {
+    const folder = join(packed.folder, 'installed/node_modules/halfedge/dist');
+    const telling = filesBelow(folder)
+      .filter((path) => /\.d\.(m|wasm\.)?ts$/.test(path))
+      .filter((path) => /Array<ArrayBuffer/.test(readFileSync(path, 'utf8')));
+    expect(telling).toEqual([]);
   });
 
   test('let `using` end the life of a mesh', async () => {

@@ -13,7 +13,7 @@ import { Memory } from './memory.js';
 import { exampleOf, type Picture, pictureOf } from './picture.js';
 import { runProgram } from './runner.js';
 import { exerciseStyles } from './styles.js';
-import { type Actions, page } from './template.js';
+import { page } from './template.js';
 
 /** What an exercise is doing, as its attribute `state` tells. */
 export type ExerciseState = 'ready' | 'running' | 'passed' | 'failed';
@@ -33,7 +33,7 @@ export function runWith(make: () => WorkerLike): void {
  * <halfedge-exercise task="vertex-vertices"></halfedge-exercise>
  * ```
  */
-export class HalfedgeExercise extends LitElement implements Actions {
+export class HalfedgeExercise extends LitElement {
   static override readonly styles = exerciseStyles;
   static override readonly properties = {
     task: { reflect: true },

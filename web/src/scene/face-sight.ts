@@ -6,9 +6,9 @@ import type { Stage } from './stage.js';
 /** Tells how large faces appear to the camera, as it was when it was taken over last. */
 export class FaceSight {
   /** By place in the list that was measured last: the mean length of the edges as seen, in CSS pixels; 0 out of sight. */
-  edges = new Float32Array(0);
+  edges: Float32Array = new Float32Array(0);
   /** By place in that list: how long a CSS pixel is at the face, if that is in sight. */
-  pixels = new Float32Array(0);
+  pixels: Float32Array = new Float32Array(0);
   readonly #toClip = new Matrix4();
   readonly #eye = new Float64Array(3);
   /** The length of a CSS pixel at depth 1. */

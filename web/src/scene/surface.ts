@@ -20,7 +20,7 @@ const MOST_CHANGES = 4000;
 export class Surface implements PickTarget, ShownFaces {
   readonly mesh: HalfedgeMesh;
   /** xyz by vertex, centred, within distance 1 of the origin; the origin for deleted vertices. */
-  points = new Float32Array(0);
+  points: Float32Array = new Float32Array(0);
   readonly triangles: ShownTriangles;
   /** Takes a position of the mesh to its place in the scene, also after edits. */
   readonly placement: Matrix4;

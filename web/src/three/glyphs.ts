@@ -13,7 +13,7 @@ export interface DrawnMesh {
 /** Traces the half-arrows of the halfedges of a mesh, a face or a boundary halfedge at a time. */
 export class HalfedgeGlyphs {
   /** xyz of start, end and tip of the barb of each arrow, after `face`, `boundary` or `halfedge`. */
-  arrows = new Float32Array(16 * ARROW_FLOATS);
+  arrows: Float32Array = new Float32Array(16 * ARROW_FLOATS);
   readonly #drawn: DrawnMesh;
   readonly #tracer = new ArrowTracer();
   readonly #corners: number[] = [];

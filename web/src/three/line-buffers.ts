@@ -19,9 +19,9 @@ export class LineBuffers {
   /** The first one draws the first segment of each line, and so on: they share the buffers. */
   readonly geometries: readonly LineSegmentsGeometry[];
   /** xyz of all points by line; another array when there was not room enough. */
-  positions = new Float32Array(0);
+  positions: Float32Array = new Float32Array(0);
   /** One colour for all of a line. */
-  colors = new Float32Array(0);
+  colors: Float32Array = new Float32Array(0);
   /** How many numbers of `positions` a line has. */
   readonly stride: number;
   readonly #buffers: InstancedInterleavedBuffer[] = [];
