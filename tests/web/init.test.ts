@@ -198,6 +198,18 @@ describe('init', () => {
   });
 });
 
+test('init says what to do in a bundle for a server, whose addresses are those of pages', async () => {
+  const api = await fresh();
+  // As webpack and Turbopack make it of `new URL('./core.wasm', import.meta.url)`.
+  const href = { value: '/_next/static/media/core.wasm' };
+  const wasm: URL = Object.create(URL.prototype, { href, protocol: { value: '' } });
+  const error = await rejection(api.init({ wasm }));
+  expect(error.code).toBe('init-failed');
+  expect(error.message).toMatch(
+    /from \/_next\/static\/media\/core\.wasm: .*Import from 'halfedge\/inline'/,
+  );
+});
+
 test('init says what to do in a script that has no address', async () => {
   const { outputFiles } = await bundle({
     entryPoints: [fileURLToPath(new URL('../../dist/index.js', import.meta.url))],

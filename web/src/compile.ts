@@ -81,6 +81,14 @@ async function fromAddress(url: URL): Promise<WebAssembly.Module> {
   if (files !== undefined) {
     return fromBytes(await loaded(url, files.readFile(url)), url.href);
   }
+  // webpack and Turbopack make an address of this kind, which only a page can complete.
+  if (url.protocol === '' && globalThis.location === undefined) {
+    throw new HalfedgeError(
+      'init-failed',
+      `The WebAssembly module can't be loaded from ${shorten(url.href)}: a bundler has made that an address for pages, and this is a server. ` +
+        "Import from 'halfedge/inline', or leave the package out of the server's bundle (in Next.js by serverExternalPackages).",
+    );
+  }
   const response = await loaded(url, fetch(url));
   if (!response.ok) {
     throw new HalfedgeError(

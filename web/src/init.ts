@@ -29,7 +29,7 @@ function addressOfModule(): URL {
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      "This script has no address (it is a blob: or data: URL), so that core.wasm can't be looked for beside it: " +
+      "This script has no address (it is a blob: or data: URL, or was bundled as CommonJS), so that core.wasm can't be looked for beside it: " +
         "call init({ wasm }) with an address, or import from 'halfedge/inline'.",
       { cause },
     );
