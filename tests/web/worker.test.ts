@@ -139,6 +139,32 @@ describe('parseInWorker', () => {
     mesh.dispose();
   });
 
+  test.each(['Blob', 'File', 'Object'])(
+    'reads a Blob that can not be sent, such as jsdom has: %s',
+    async (tag) => {
+      class OtherBlob {
+        readonly [Symbol.toStringTag] = tag;
+        readonly size = SQUARE.length;
+        slice() {}
+        async arrayBuffer() {
+          return new TextEncoder().encode(SQUARE).buffer;
+        }
+      }
+      Object.setPrototypeOf(OtherBlob.prototype, Blob.prototype);
+      const source = new OtherBlob() as unknown as Blob;
+      const { mesh } = await parseInWorker(source);
+      expect(mesh.faceCount).toBe(2);
+      const controller = new AbortController();
+      const aborted = rejection(parseInWorker(source, { signal: controller.signal }));
+      controller.abort('Enough.');
+      expect(await aborted).toBe('Enough.');
+      const worker = createMeshWorker();
+      const ended = rejection(worker.parse(source));
+      worker.terminate();
+      expect((await ended).code).toBe('worker-terminated');
+    },
+  );
+
   test('throws what a Blob can not be read for, with its name and its cause', async () => {
     const worker = () => {
       const { Worker } = process.getBuiltinModule('node:worker_threads');

@@ -68,7 +68,19 @@ export function fromSent(sent: SentError): Error {
   return error;
 }
 
-/** Whether it is a Blob or a File, of whatever realm. */
+const isNamedBlob = (data: unknown) =>
+  /^\[object (Blob|File)\]$/.test(Object.prototype.toString.call(data));
+
+/** Whether it is a Blob or a File, of whatever realm, or of what stands in for a browser in Node. */
 export function isBlob(data: unknown): data is Blob {
-  return /^\[object (Blob|File)\]$/.test(Object.prototype.toString.call(data));
+  return isNamedBlob(data) || (typeof Blob === 'function' && data instanceof Blob);
+}
+
+/** Those of jsdom and happy-dom come over as objects without content. */
+export function canBeSent(blob: Blob): boolean {
+  try {
+    return isNamedBlob(structuredClone(blob));
+  } catch {
+    return false;
+  }
 }

@@ -21,7 +21,7 @@ import {
 } from './repair.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
-import { fromSent, isBlob, type Job, type Reply } from './worker-messages.js';
+import { canBeSent, fromSent, isBlob, type Job, type Reply } from './worker-messages.js';
 
 export type { WorkerLike } from './thread.js';
 
@@ -98,8 +98,13 @@ export class MeshWorker {
   ): Promise<{ mesh: HalfedgeMesh; report: ParseReport }> {
     this.#checkOpen();
     const given = takeOptions(options, PARSE_JOB_OPTIONS);
-    const content = checkParse(source, given);
+    let content = checkParse(source, given);
     const { signal, transfer = false, onProgress, ...rest } = given;
+    if (isBlob(content) && !canBeSent(content)) {
+      content = new Uint8Array(await content.arrayBuffer());
+      this.#checkOpen();
+      signal?.throwIfAborted();
+    }
     const tells = onProgress !== undefined;
     const [data] = owned([content], transfer);
     const job: Job = { kind: 'parse', data, options: rest, tells };
