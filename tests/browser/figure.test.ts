@@ -258,6 +258,34 @@ OFF
     expect((await page.counts()).contexts).toBe(1);
   });
 
+  test('loads where it was copied from one that is on show', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const copied = await page.figure(async (figure) => {
+      const copy = figure.cloneNode() as typeof figure;
+      figure.replaceWith(copy);
+      return (await copy.ready()).vertexCount;
+    });
+    expect(copied).toBe(12);
+  });
+
+  test('tells all who wait for it when it is taken out of the page', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const answers = await page.figure(async (figure) => {
+      const other = document.createElement('halfedge-figure') as typeof figure;
+      other.src = 'shape:cube';
+      figure.after(other);
+      const waiting = [other.ready(), other.ready()];
+      other.remove();
+      const tooLong = new Promise<string>((done) => setTimeout(done, 5000, 'It never settles.'));
+      const answer = (promise: Promise<unknown>) =>
+        promise.then(() => 'It is ready.').catch(({ message }: Error) => message);
+      return Promise.all(waiting.map((promise) => Promise.race([answer(promise), tooLong])));
+    });
+    expect(answers).toEqual(Array(2).fill('The figure is not in a page.'));
+  });
+
   test('follows the theme of the system, or its own', async () => {
     const body = '<halfedge-figure src="shape:cube"></halfedge-figure>';
     const page = await figures(body, { dark: true });

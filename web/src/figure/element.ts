@@ -114,6 +114,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.state = 'waiting'; // whatever a copied attribute says
     this.#dark.addEventListener('change', this.#retheme);
     this.#watcher.observe(this);
     if (this.loading === 'eager') void this.#load();
@@ -125,6 +126,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#watcher.disconnect();
     this.#close();
     this.state = 'waiting';
+    this.dispatchEvent(new Event('halfedge-settled'));
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
