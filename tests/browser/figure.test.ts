@@ -131,6 +131,7 @@ describe('A figure', () => {
     expect(refused.code).toBe('leaves-pillow');
     expect(await page.sentence()).toBe(`Refused: collapse h2. ${refused.message}`);
     expect(await page.figure(({ mesh }) => mesh?.validate())).toEqual([]);
+    await page.page.waitForSelector('halfedge-figure .tag.witness'); // with the next frame
     const marked = await page.page.$$eval('halfedge-figure .tag.witness', (tags) =>
       tags.map(({ textContent }) => textContent),
     );
@@ -267,6 +268,21 @@ OFF
       return (await copy.ready()).vertexCount;
     });
     expect(copied).toBe(12);
+  });
+
+  test('is waited for while it is moved, whatever it has loaded by then', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const counts = await page.figure(async (figure) => {
+      const other = document.createElement('halfedge-figure') as typeof figure;
+      other.src = 'shape:cube';
+      other.loading = 'lazy';
+      figure.after(other);
+      const waiting = [other.ready(), other.ready()];
+      figure.before(other);
+      return (await Promise.all(waiting)).map(({ vertexCount }) => vertexCount);
+    });
+    expect(counts).toEqual([8, 8]);
   });
 
   test('tells all who wait for it when it is taken out of the page', async () => {

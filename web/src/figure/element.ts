@@ -58,10 +58,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   /** Loads the mesh, also where it is out of sight, and resolves once it is on show. */
   async ready(): Promise<HalfedgeMesh> {
-    if (this.state === 'waiting') await this.#load();
-    while (this.state === 'loading') {
-      await new Promise((done) => this.addEventListener('halfedge-settled', done, { once: true }));
-    }
+    do {
+      if (this.state === 'waiting') await this.#load();
+      while (this.state === 'loading') {
+        await new Promise((done) =>
+          this.addEventListener('halfedge-settled', done, { once: true }),
+        );
+      }
+    } while (this.state === 'waiting' && this.isConnected); // it was moved meanwhile
     if (this.#model.mesh) return this.#model.mesh;
     throw new Error(this.failure ?? 'The figure is not in a page.');
   }
