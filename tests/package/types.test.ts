@@ -175,6 +175,25 @@ describe('The types, installed, under strict,', () => {
     expect(await compile('types-entries', options, source, ['@types/three', ...PEERS])).toBe('');
   });
 
+  test('let React know the figure, as its page says', async () => {
+    const page = readFileSync('docs/figure.md', 'utf8');
+    const [, declaration] = /## In React[^]*?```ts\n([^]*?)```/.exec(page) ?? [];
+    const source = `
+import { createRef, type JSX } from 'react';
+type Figure = JSX.IntrinsicElements['halfedge-figure'];
+export const figure: Figure = {
+  ref: createRef<HalfedgeFigure>(),
+  src: 'shape:cube',
+  'onhalfedge-select': ({ detail }) => detail.item?.startsWith('v'),
+};
+// @ts-expect-error: it is an address
+export const wrong: Figure = { src: 3 };
+${declaration}`;
+    const options = { module: 'esnext', moduleResolution: 'bundler', skipLibCheck: true };
+    const peers = [...PEERS, '@types/three', '@types/react', 'react', 'csstype'];
+    expect(await compile('types-react', options, source, peers)).toBe('');
+  });
+
   test('are ones that TypeScript before 5.7 reads, where no typed array has a parameter', () => {
     const folder = join(packed.folder, 'installed/node_modules/halfedge/dist');
     const telling = filesBelow(folder)
