@@ -177,7 +177,7 @@ describe('The types, installed, under strict,', () => {
 
   test('let React know the figure, as its page says', async () => {
     const page = readFileSync('docs/figure.md', 'utf8');
-    const [, declaration] = /## In React[^]*?```ts\n([^]*?)```/.exec(page) ?? [];
+    const [, declaration] = /## In React.*?```ts\n(.*?)```/s.exec(page) ?? [];
     const source = `
 import { createRef, type JSX } from 'react';
 type Figure = JSX.IntrinsicElements['halfedge-figure'];
