@@ -21,17 +21,22 @@ export async function run(command, args, { env = {}, cwd = root, input = 'ignore
   if (status !== 0) throw new Failure(`${[command, ...args].join(' ')} failed (${status}).`);
 }
 
-/** Runs a program in the project's folder and returns what it wrote: `{ ok, output }`. */
+/**
+ * Runs a program in the project's folder and returns what it wrote: `{ ok, output, printed }`. `printed` is
+ * without its notices and errors, as npm may tell of a newer npm wherever it is.
+ */
 export async function capture(command, args, { env = {}, cwd = root } = {}) {
   const { child, ended } = start(command, args, { env, cwd, stdio: ['ignore', 'pipe', 'pipe'] });
   let output = '';
+  let printed = '';
   for (const stream of [child.stdout, child.stderr]) {
     stream.setEncoding('utf8').on('data', (text) => {
       output += text;
+      if (stream === child.stdout) printed += text;
     });
   }
   const status = await ended;
-  return { ok: status === 0, output };
+  return { ok: status === 0, output, printed };
 }
 
 /** A child process, and the promise of its exit code, or of the signal that ended it. */

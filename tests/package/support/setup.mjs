@@ -63,7 +63,7 @@ async function npm(args) {
   const outer = Object.keys(process.env).filter((name) => name.startsWith('npm_'));
   const env = Object.fromEntries(outer.map((name) => [name, undefined]));
   const cache = ['--cache', join(folder, 'npm-cache')];
-  const { ok, output } = await capture('npm', [...args, ...cache], { env });
+  const { ok, output, printed } = await capture('npm', [...args, ...cache], { env });
   if (!ok) throw new Error(`npm ${args.join(' ')} failed:\n${output}`);
-  return output;
+  return printed;
 }
