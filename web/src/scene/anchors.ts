@@ -39,6 +39,13 @@ export function anchorOf(
   }
 }
 
+/** Where the shaft of a halfedge's arrow begins and ends. */
+export function shaftOf(h: number, glyphs: Glyphs): [Vector3, Vector3] {
+  const at = glyphs.halfedge(h);
+  const { arrows } = glyphs;
+  return [new Vector3().fromArray(arrows, at), new Vector3().fromArray(arrows, at + 3)];
+}
+
 /** A point on the face side of a halfedge's arrow, from the middle of it. */
 export function sideOf(h: number, glyphs: Glyphs): Vector3 {
   const at = glyphs.halfedge(h);

@@ -1,4 +1,5 @@
 import { Vector3 } from 'three';
+import { LabelPlaces, type Trace } from './label-places.js';
 import type { Stage } from './stage.js';
 
 /** So many names of items at most are shown: more can't be read, and cost time in every frame. */
@@ -6,20 +7,10 @@ const MOST_NAMES = 300;
 /** Of no more other labels than this it is asked whether something hides them: each takes a ray. */
 const MOST_TRIED = 300;
 
-/** Where a label goes that would cover another one: right or left (times its width), and up or down. */
-const ASIDE = [
-  [0, 0],
-  [0, -19],
-  [0, 19],
-  [1, 0],
-  [-1, 0],
-  [1, -19],
-  [-1, -19],
-  [1, 19],
-  [-1, 19],
-  [0, 38],
-  [0, -38],
-] as const;
+/** Where no link is drawn longer than this, in CSS pixels, their numbers would only hide them. */
+const SHORTEST_LINKS = 20;
+/** What so many labels name is kept clear by others that go aside: each asks for each of these. */
+const MOST_TRACES = 64;
 
 /** A small text at a point of the scene. */
 export interface Label {
@@ -41,7 +32,12 @@ export interface Label {
   /** How far it lies from the point, in CSS pixels: upwards, or towards `side`. */
   readonly lift: number;
   readonly side?: Vector3 | undefined;
-  /** Whether it goes aside where it would cover another one, instead of being hidden. */
+  /** What it names, where that is a line: from corner to corner. */
+  readonly line?: readonly Vector3[] | undefined;
+  /**
+   * Whether it goes aside where it would cover another one, or what another one names, instead of being hidden or
+   * taken for it.
+   */
   readonly yields?: boolean;
   /** Whether it lies over the surface, as what it stands beside does: then nothing hides it. */
   readonly over?: boolean;
@@ -102,37 +98,52 @@ export class Labels {
 
   /** Before each frame: moves the labels with their points. `hides` tells what is out of sight. */
   update(hides: (point: Vector3) => boolean): void {
-    const taken: { x: number; y: number; width: number }[] = [];
+    const traces = this.#labels.map((label) => (label.yields ? this.#trace(label) : null));
+    const places = new LabelPlaces(traces.filter((trace) => trace !== null).slice(0, MOST_TRACES));
+    const areTiny = this.#areTiny(traces);
     let names = 0;
     this.#labels.forEach((label, i) => {
       const element = this.#pool[i];
       const width = widthOf(label);
       const wanted = this.#place(label, width);
-      const isFree = (x: number, y: number) =>
-        !taken.some(
-          (other) =>
-            Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
-        );
-      const places = label.yields ? ASIDE : ASIDE.slice(0, 1);
-      const place = places
-        .map(([dx, dy]) => [wanted.x + dx * (width + 4), wanted.y + dy])
-        .find(([x, y]) => isFree(x, y));
+      const trace = traces[i];
+      const own = places.isFree(wanted, width) ? wanted : undefined;
+      const place = trace ? places.best(wanted, width, trace) : own;
       const isName = label.look === 'index';
-      const inSight = wanted.z < 1 && place && !(isName && names === MOST_NAMES);
+      const isCrowded = isName ? names === MOST_NAMES : label.look === 'link' && areTiny;
+      const inSight = wanted.z < 1 && place && !isCrowded;
       const isTried = !label.over && (isName || i < MOST_TRIED);
       const behind = inSight && isTried && hides(label.point);
       const shown = inSight && !(behind && isName);
       element.classList.toggle('away', !shown);
       if (!shown) return;
       if (isName) names += 1;
-      const [x, y] = place;
-      taken.push({ x, y, width });
+      const { x, y } = place;
+      places.take(x, y, width);
       // The disc or line that this label stands above must not be covered either.
       if (label.look === 'self' && !label.side && label.lift > 0) {
-        taken.push({ x, y: y + label.lift, width: 14 });
+        places.take(x, y + label.lift, 14);
       }
       element.classList.toggle('behind', behind === true);
       element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    });
+  }
+
+  /** Whether all links that are lines are too short for numbers beside them. */
+  #areTiny(traces: readonly (Trace | null)[]): boolean {
+    const lines = traces.filter((_, i) => this.#labels[i].look === 'link' && this.#labels[i].line);
+    const reach = (line: Trace | null) => {
+      const [from, to] = [line?.at(0), line?.at(-1)];
+      return from && to ? Math.hypot(from.x - to.x, from.y - to.y) : 0;
+    };
+    return lines.length > 0 && lines.every((line) => reach(line) < SHORTEST_LINKS);
+  }
+
+  /** What a label names, as it lies on the canvas. */
+  #trace({ point, line = [point] }: Label): Trace {
+    return line.map((corner) => {
+      const { x, y } = this.#stage.project(corner, this.#seen);
+      return { x, y };
     });
   }
 

@@ -37,6 +37,8 @@ export interface Overlay {
 export interface Anchors {
   point(item: Item): Vector3;
   side(item: Item): Vector3 | undefined;
+  /** From corner to corner, where the item is drawn as a line. */
+  line(item: Item): Vector3[] | undefined;
 }
 
 /** Marks and labels for the selection, its links, the visited trail and what is under the pointer. */
@@ -82,6 +84,7 @@ function addSelected(
     look: 'self',
     point: anchors.point(selected),
     side: anchors.side(selected),
+    line: anchors.line(selected),
     lift: selected.kind === 'face' ? 0 : 22,
     yields: true,
   });
@@ -169,6 +172,7 @@ function addLinks(
   selected: Item,
   numbers: boolean,
 ): void {
+  const roomy: Label[] = [];
   for (const { number, target, role } of linksOf(mesh, selected)) {
     if (!target) continue;
     if (role === 'face') {
@@ -178,14 +182,18 @@ function addLinks(
       marks.push({ item: target, color, weight: 'fine', dashed: role === 'prev' });
     }
     if (numbers && number !== undefined) {
-      labels.push({
+      // A face has room for its number, so it comes after those that have little.
+      const group = role === 'face' ? roomy : labels;
+      group.push({
         text: `${number}`,
         look: 'link',
         role,
         point: anchors.point(target),
+        line: anchors.line(target),
         lift: role === 'vertex' ? 18 : 0,
         yields: true,
       });
     }
   }
+  labels.push(...roomy);
 }

@@ -4,7 +4,7 @@ import type { Item } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import type { FaceTreeOptions } from '../three/face-tree.js';
 import { ItemPicker, type PickMode } from '../three/item-picker.js';
-import { anchorOf, facesAt, sideOf } from './anchors.js';
+import { anchorOf, facesAt, shaftOf, sideOf } from './anchors.js';
 import { ArrowLayer } from './arrow-layer.js';
 import type { ChangedEdge } from './change.js';
 import { FaceFrames } from './faces.js';
@@ -303,5 +303,6 @@ function anchorsOf({ surface, frames, glyphs }: Shown): Anchors {
   return {
     point: (item) => anchorOf(item, surface, frames, glyphs),
     side: ({ kind, index }) => (kind === 'halfedge' ? sideOf(index, glyphs) : undefined),
+    line: ({ kind, index }) => (kind === 'halfedge' ? shaftOf(index, glyphs) : undefined),
   };
 }

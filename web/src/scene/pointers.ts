@@ -1,7 +1,7 @@
 import { type Color, Vector3 } from 'three';
 import { type Item, itemName, type Link, linksOf } from '../teaching/items.js';
 import { LineBatch, lineMaterial, lines } from '../three/lines.js';
-import { anchorOf, sideOf } from './anchors.js';
+import { anchorOf, shaftOf, sideOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';
 import type { Glyphs } from './glyphs.js';
 import { type Label, widthOf } from './labels.js';
@@ -130,6 +130,7 @@ export class Pointers {
       role,
       point: at(0.5),
       side: control,
+      line: [0, 0.25, 0.5, 0.75, 1].map(at),
       lift,
       yields: true,
     };
@@ -175,8 +176,7 @@ export class Pointers {
 /** A point of an item: of a halfedge, at this share of the shaft of its arrow. */
 function placeOn(item: Item, share: number, { surface, frames, glyphs }: Parts): Vector3 {
   if (item.kind !== 'halfedge') return anchorOf(item, surface, frames, glyphs);
-  const at = glyphs.halfedge(item.index);
-  const [start, end] = [0, 3].map((k) => new Vector3().fromArray(glyphs.arrows, at + k));
+  const [start, end] = shaftOf(item.index, glyphs);
   return start.lerp(end, share);
 }
 
