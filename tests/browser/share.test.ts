@@ -331,3 +331,22 @@ test('A mesh that is too large for a link is told of', async () => {
   expect(told).toMatch(/^much\.obj is too large for a link: it would be \d+ kB long, 32 kB/);
   await closeAll(explorer);
 });
+
+test('Of a mesh that is far too large, no link is tried', async () => {
+  const explorer = await ExplorerPage.open();
+  const side = 200;
+  const vertices = Array.from({ length: side * side }, (_, i) => {
+    return `${i % side} ${Math.floor(i / side)} ${Math.sin(i)}`;
+  });
+  const faces = Array.from({ length: (side - 1) ** 2 }, (_, i) => {
+    const v = i + Math.floor(i / (side - 1));
+    return `4 ${v} ${v + 1} ${v + side + 1} ${v + side}`;
+  });
+  const file = [`OFF ${vertices.length} ${faces.length} 0`, ...vertices, ...faces].join('\n');
+  await explorer.drop('vast.off', file);
+  await explorer.ready('vast.off');
+  await explorer.page.click('[data-share]');
+  const told = await explorer.page.textContent('[data-toast] p');
+  expect(told).toMatch(/^vast\.off is too large for a link: it would be far longer, 32 kB/);
+  await closeAll(explorer);
+});

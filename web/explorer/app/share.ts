@@ -27,6 +27,8 @@ export interface Sight {
 
 /** Longer links break in mails and messengers. */
 const MOST_LETTERS = 32_000;
+/** Bytes of a mesh that pack to no less than that, however regular it is: more would only take time. */
+const MOST_BYTES = 40 * MOST_LETTERS;
 /** What is longer is not even tried to be read: it could unfold without end. */
 const MOST_LETTERS_READ = 200_000;
 
@@ -46,7 +48,9 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
     if (deeds.length > 0) link.set('edits', deeds.join(','));
   } else {
     link.set('name', opened.name);
-    link.set('mesh', packed(opened.mesh.toBytes()));
+    const bytes = opened.mesh.toBytes();
+    if (bytes.length > MOST_BYTES) throw tooLarge(opened.name, 'far longer');
+    link.set('mesh', packed(bytes));
   }
   const { value: selected } = explorer.selected;
   link.set('select', selected ? itemName(selected) : 'nothing');
@@ -68,11 +72,15 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   // These read better as they are, and are allowed there.
   const text = link.toString().replaceAll('%2C', ',').replaceAll('%3A', ':').replaceAll('+', '%20');
   if (text.length > MOST_LETTERS) {
-    throw new Error(
-      `${opened.name} is too large for a link: it would be ${kilobytes(text.length)} long, ${kilobytes(MOST_LETTERS)} are sure to arrive. Download the mesh and send the file.`,
-    );
+    throw tooLarge(opened.name, `${kilobytes(text.length)} long`);
   }
   return text;
+}
+
+function tooLarge(name: string, length: string): Error {
+  return new Error(
+    `${name} is too large for a link: it would be ${length}, ${kilobytes(MOST_LETTERS)} are sure to arrive. Download the mesh and send the file.`,
+  );
 }
 
 /**
