@@ -5,6 +5,8 @@
 #include <halfedge/mend/measure.h>
 #include <halfedge/operations/append.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -163,6 +165,57 @@ TEST(OrientOutward, TakesNestedComponentsForCavitiesIfAsked) {
     (void)mended(mesh, orient_with({.nested = true}));
     EXPECT_NEAR(volume_of(mesh), unit * (1 - 8 + 64) + 1, 1e-2);
   }
+}
+
+// A block with a notch, and a cube that touches it: outside, on the floor of the notch, or inside,
+// as a cavity. Whatever face and corner of the cube comes first.
+TEST(OrientOutward, TellsInsideFromOutsideWhereComponentsTouch) {
+  const std::vector<std::array<float, 2>> outline = {{0, 0}, {10, 0}, {10, 10}, {8, 10},
+                                                     {8, 2}, {2, 2},  {2, 10},  {0, 10}};
+  const std::vector<std::vector<Index>> cube_faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                                      {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  struct Case {
+    Point at;
+    float size;
+    double volume;
+  };
+  for (const Case& placed : {Case{{4, 2, 4}, 2, 520 + 8}, Case{{4, 0, 4}, 1, 520 - 1},
+                             Case{{4, 1, 4}, 1, 520 - 1}, Case{{2, 4, 4}, 1, 520 + 1}}) {
+    for (std::size_t turn = 0; turn < 24; ++turn) {
+      SCOPED_TRACE(testing::Message() << placed.at.x << ' ' << placed.at.y << ", turn " << turn);
+      std::vector<Point> points;
+      for (const float z : {0.F, 10.F}) {
+        for (const auto& [x, y] : outline) points.push_back({x, y, z});
+      }
+      std::vector<std::vector<Index>> faces = {{7, 6, 5, 4, 3, 2, 1, 0},
+                                               {8, 9, 10, 11, 12, 13, 14, 15}};
+      for (Index i = 0; i < 8; ++i) {
+        const Index j = (i + 1) % 8;
+        faces.push_back({i, j, j + 8, i + 8});
+      }
+      for (Index i = 0; i < 8; ++i) {
+        const float x = i % 4 == 1 || i % 4 == 2 ? placed.size : 0;
+        const float y = i % 4 >= 2 ? placed.size : 0;
+        const float z = i >= 4 ? placed.size : 0;
+        points.push_back({placed.at.x + x, placed.at.y + y, placed.at.z + z});
+      }
+      for (std::size_t f = 0; f < 6; ++f) {
+        std::vector<Index> corners = cube_faces[(f + turn / 4) % 6];
+        std::rotate(corners.begin(), corners.begin() + long(turn % 4), corners.end());
+        for (Index& v : corners) v += 16;
+        faces.push_back(corners);
+      }
+      Mesh mesh = mesh_of(points, faces);
+      (void)mended(mesh, orient_with({.nested = true}));
+      EXPECT_NEAR(volume_of(mesh), placed.volume, 1e-3);
+    }
+  }
+}
+
+TEST(OrientOutward, LeavesCopiesInOnePlaceAsTheyAre) {
+  Mesh mesh = cube_at(0);
+  ASSERT_TRUE(append(mesh, cube_at(0)));
+  EXPECT_EQ(mended(mesh, orient_with({.nested = true})).summary, "Nothing to repair.");
 }
 
 TEST(OrientOutward, IsSafeWithPositionsThatAreNoNumbers) {

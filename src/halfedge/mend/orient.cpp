@@ -4,8 +4,11 @@
 #include <halfedge/mend/repairs.h>
 #include <halfedge/sentence.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <numbers>
 #include <string>
 
 namespace halfedge::mend {
@@ -45,7 +48,7 @@ Failure is_unmeasured(const Extent& extent, const Component& component) {
 }
 
 // Which components lie inside of others: by the solid angles under which the faces of these are
-// seen from a vertex (Van Oosterom and Strackee 1983), which add up to 4 pi from the inside.
+// seen from a point (Van Oosterom and Strackee 1983), which add up to 4 pi from the inside.
 class Nesting {
  public:
   Nesting(const Surface& surface, const Components& components, const Array<Extent>& extents)
@@ -75,17 +78,69 @@ class Nesting {
 
   /// Whether an odd number of closed components is around this one.
   [[nodiscard]] bool is_cavity(std::size_t inner) const {
-    const Vector p =
-        point_of(surface_, surface_.to_vertex(surface_.halfedge(Face(extents_[inner].first_face))));
     bool is_inside = false;
     boxes_.for_each_around(extents_[inner], [&](Index outer) {
-      if (outer != inner && contains(outer, p)) is_inside = !is_inside;
+      if (outer != inner && contains(outer, inner)) is_inside = !is_inside;
     });
     return is_inside;
   }
 
  private:
-  [[nodiscard]] bool contains(std::size_t outer, const Vector& p) const {
+  // Where the points to be asked lie among the faces of a component, in sixteenths: from any of
+  // them on spread as widely as can be.
+  static constexpr std::array<std::size_t, 16> kSpread = {0, 8, 4, 12, 2, 10, 6, 14,
+                                                          1, 9, 5, 13, 3, 11, 7, 15};
+  // They are asked until so many more say one thing than the other.
+  static constexpr int kLead = 3;
+  // The number of times that a surface goes around a point is whole by this, or the point lies on
+  // it.
+  static constexpr double kWhole = 0.01;
+  // A triangle that fills half of the view, but for this, is touched.
+  static constexpr double kTouches = 1e-4;
+
+  // By where most of a few points of `inner` lie, spread over it: any single one may lie where the
+  // two touch. What has the very same box does not lie inside.
+  [[nodiscard]] bool contains(std::size_t outer, std::size_t inner) const {
+    if (extents_[outer].low == extents_[inner].low &&
+        extents_[outer].high == extents_[inner].high) {
+      return false;
+    }
+    const std::size_t begin = first_[inner];
+    const std::size_t count = first_[inner + 1] - begin;
+    int lead = 0;
+    bool takes_corner = false;
+    for (const std::size_t sixteenths : kSpread) {
+      const Face f(faces_[begin + sixteenths * count / kSpread.size()]);
+      takes_corner = !takes_corner;
+      const double turns = turns_around(outer, takes_corner ? corner_of(f) : centre_of(f));
+      const double whole = std::round(turns);
+      if (std::abs(turns - whole) < kWhole) lead += whole == 0 ? -1 : 1;
+      if (std::abs(lead) == kLead) break;
+    }
+    return lead > 0;
+  }
+
+  [[nodiscard]] Vector corner_of(Face f) const {
+    return point_of(surface_, surface_.to_vertex(surface_.halfedge(f)));
+  }
+
+  [[nodiscard]] Vector centre_of(Face f) const {
+    Vector sum = {};
+    double corners = 0;
+    const Halfedge first = surface_.halfedge(f);
+    Halfedge h = first;
+    do {
+      const Vector p = point_of(surface_, surface_.to_vertex(h));
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += p[k];
+      corners += 1;
+      h = surface_.next(h);
+    } while (h != first);
+    return {sum[0] / corners, sum[1] / corners, sum[2] / corners};
+  }
+
+  // How many times the surface of a component goes around a point; no number on the surface, where
+  // it could be either.
+  [[nodiscard]] double turns_around(std::size_t outer, const Vector& p) const {
     double half_angle = 0;
     for (std::size_t i = first_[outer]; i < first_[outer + 1]; ++i) {
       const Halfedge first = surface_.halfedge(Face(faces_[i]));
@@ -96,12 +151,14 @@ class Nesting {
         const double la = length(a);
         const double lb = length(b);
         const double lc = length(c);
-        half_angle += std::atan2(dot(a, cross(b, c)),
-                                 la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        const double half = std::atan2(
+            dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        if (std::abs(half) > std::numbers::pi - kTouches) return std::nan("");
+        half_angle += half;
         b = c;
       }
     }
-    return std::abs(half_angle) > 3.14159;  // half of 2 pi
+    return half_angle / (2 * std::numbers::pi);
   }
 
   const Surface& surface_;

@@ -67,7 +67,7 @@ struct OrientOptions {
 /// attributes: as operations::reverse
 /// report: faces: those that were turned over
 /// cost: O(slots), nearly; with `nested` besides, for each component whose box lies in that of
-///       another, the faces of the other
+///       another, three times the faces of the other, and up to sixteen times where the two touch
 [[nodiscard]] Result<Report> orient_outward(Surface& surface, const OrientOptions& options);
 
 /// A component that is too small by one of these is dropped.
