@@ -271,8 +271,10 @@ TEST(ObjAttributes, HaveSmoothingGroups) {
   const test::MeshFile strange =
       read_mesh(triangle + "s on\nf 1 2 3\ns 1\nf 2 4 3\ns 9999999999\nf 2 1 5\ns 7x\nf 1 4 5\n");
   EXPECT_EQ(values_of(strange.mesh, ItemKind::kFace, "smoothing"), (Doubles{0, 1, 0, 0}));
-  EXPECT_EQ(strange.notes,
-            Strings{"ignored 3 smoothing groups (s) that are neither integers nor off"});
+  EXPECT_EQ(
+      strange.notes,
+      Strings{
+          "ignored 3 smoothing groups (s) that are neither integers of 32 bits, signed, nor off"});
 }
 
 TEST(ObjAttributes, KeepAnAlphaThatComesLate) {

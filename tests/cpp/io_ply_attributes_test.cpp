@@ -170,6 +170,31 @@ TEST(PlyAttributes, AreFoundInAnyOrderOfTheirProperties) {
             (Strings{"face t float32 1 interpolate", "face s float32 1 interpolate"}));
 }
 
+TEST(PlyAttributes, OfTextAreToldWhereTheirTypeDoesNotHoldThem) {
+  const auto read_values = [](const std::string& type, const std::string& values) {
+    const test::MeshFile read = read_mesh(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty " +
+        type +
+        " value\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 " +
+        values + " 1 0 0 1 0 1 0 2 3 0 1 2\n");
+    EXPECT_EQ(read.error, "");
+    const double first = values_of(read.mesh, ItemKind::kVertex, "value")[0];
+    return std::make_pair(first, read.notes);
+  };
+  const Strings told = {"took 1 number that its type does not hold for the nearest that it does"};
+  using Read = std::pair<double, Strings>;
+  EXPECT_EQ(read_values("uchar", "300"), Read(255, told));
+  EXPECT_EQ(read_values("uchar", "-1"), Read(0, told));
+  EXPECT_EQ(read_values("short", "40000.0"), Read(32767, told));
+  EXPECT_EQ(read_values("int", "3000000000"), Read(2147483647, told));
+  EXPECT_EQ(read_values("int", "2.7"), Read(3, told));
+  EXPECT_EQ(read_values("int", "nan"), Read(0, told));
+  EXPECT_EQ(read_values("int", "16777217.0"), Read(16777217, {}));
+  EXPECT_EQ(read_values("uint", "4294967295"), Read(4294967295, {}));
+  EXPECT_EQ(read_values("double", "16777217"), Read(16777217, {}));
+}
+
 TEST(PlyAttributes, HaveTheUsualNames) {
   const test::MeshFile read = read_mesh(kPlyTriangle);
   ASSERT_EQ(read.error, "");
@@ -187,8 +212,10 @@ TEST(PlyAttributes, HaveTheUsualNames) {
   EXPECT_EQ(values_of(mesh, ItemKind::kFace, "material"), Doubles{-5});
   // A corner lies where its halfedge ends.
   EXPECT_EQ(mesh.to_vertex(mesh.face_halfedge(Face(0))), Vertex(0));
-  EXPECT_EQ(read.notes, Strings{"ignored the list \"neighbours\" of \"vertex\": expected 1 to 16 "
-                                "numbers, as many in each row"});
+  EXPECT_EQ(read.notes, (Strings{"ignored the list \"neighbours\" of \"vertex\": expected 1 to 16 "
+                                 "numbers, as many in each row",
+                                 "took 3 numbers that their types do not hold for the nearest that "
+                                 "they do"}));
 }
 
 // No type of the format, but what programs make of arrays of such integers.

@@ -211,8 +211,8 @@ void ObjAttributes::note_losses(ParsedFile& file) const {
   note(unused_[0], "texture coordinate (vt) to which no face refers",
        "texture coordinates (vt) to which no face refers");
   note(unused_[1], "normal (vn) to which no face refers", "normals (vn) to which no face refers");
-  note(strange_, "smoothing group (s) that is neither an integer nor off",
-       "smoothing groups (s) that are neither integers nor off");
+  note(strange_, "smoothing group (s) that is neither an integer of 32 bits, signed, nor off",
+       "smoothing groups (s) that are neither integers of 32 bits, signed, nor off");
 }
 
 bool ObjAttributes::finish_table(Table& table, const char* name, Index width, ParsedFile& file) {

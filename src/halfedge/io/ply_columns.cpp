@@ -139,19 +139,21 @@ class ColumnChooser {
   std::vector<PlyTarget> targets_;
 };
 
+/// Or the nearest integer that the type holds; false if that is another one.
 /// pre: an integer type
-void store_integer(std::int64_t value, PlyType type, std::byte* to) {
+bool store_integer(std::int64_t value, PlyType type, std::byte* to) {
   const std::size_t bits = 8 * size_of(type);
   const bool is_signed =
       type == PlyType::kInt8 || type == PlyType::kInt16 || type == PlyType::kInt32;
   const std::int64_t most = (std::int64_t{1} << (is_signed ? bits - 1 : bits)) - 1;
-  value = std::clamp(value, is_signed ? -most - 1 : 0, most);
-  const auto word = static_cast<std::uint32_t>(value);
-  const auto half = static_cast<std::uint16_t>(value);
-  const auto byte = static_cast<std::uint8_t>(value);
+  const std::int64_t held = std::clamp(value, is_signed ? -most - 1 : 0, most);
+  const auto word = static_cast<std::uint32_t>(held);
+  const auto half = static_cast<std::uint16_t>(held);
+  const auto byte = static_cast<std::uint8_t>(held);
   if (bits == 32) std::memcpy(to, &word, sizeof(word));
   if (bits == 16) std::memcpy(to, &half, sizeof(half));
   if (bits == 8) std::memcpy(to, &byte, sizeof(byte));
+  return held == value;
 }
 
 }  // namespace
@@ -198,29 +200,32 @@ SoupAttribute texture_column(const PlyProperty& property) {
   return column;
 }
 
-bool read_number(TextScanner& text, PlyType type, std::byte* value) {
+bool read_number(TextScanner& text, PlyType type, std::byte* value, std::size_t& altered) {
   text.skip_blanks();
-  const char* const start = text.position();
-  float single = 0;
-  if (type == PlyType::kFloat64 || is_long(type)) {
-    double number = 0;
-    if (!text.read_double(number)) return false;
-    std::memcpy(value, &number, sizeof(number));
+  if (type == PlyType::kFloat32) {
+    float single = 0;
+    if (!text.read_float(single)) return false;
+    std::memcpy(value, &single, sizeof(single));
     return true;
   }
+  const char* const start = text.position();
   std::int64_t integer = 0;
-  if (is_integer(type) && text.read_integer(integer) && text.at_token_end()) {
-    store_integer(integer, type, value);
+  const bool is_short = is_integer(type) && !is_long(type);
+  if (is_short && text.read_integer(integer) && text.at_token_end()) {
+    altered += store_integer(integer, type, value) ? 0U : 1U;
     return true;
   }
   text.move_to(start);
-  if (!text.read_float(single)) return false;
-  if (is_integer(type)) {  // 255.0
-    constexpr float kFarOut = 0x1p40F;
-    single = std::isnan(single) ? 0 : std::clamp(std::nearbyint(single), -kFarOut, kFarOut);
-    store_integer(static_cast<std::int64_t>(single), type, value);
+  double number = 0;
+  if (!text.read_double(number)) return false;
+  if (is_short) {  // 255.0
+    constexpr double kFarOut = 0x1p40;
+    const double whole =
+        std::isnan(number) ? 0 : std::clamp(std::nearbyint(number), -kFarOut, kFarOut);
+    const bool fits = store_integer(static_cast<std::int64_t>(whole), type, value);
+    altered += fits && whole == number ? 0U : 1U;
   } else {
-    std::memcpy(value, &single, sizeof(single));
+    std::memcpy(value, &number, sizeof(number));
   }
   return true;
 }

@@ -39,7 +39,9 @@ struct PlyTarget {
 [[nodiscard]] SoupAttribute texture_column(const PlyProperty& property);
 
 /// Reads the next number of a text as one of this type; false, at the number, if it is none.
-/// Integers are kept in their range.
-[[nodiscard]] bool read_number(TextScanner& text, PlyType type, std::byte* value);
+/// Where that is an integer which the type doesn't hold, it is the nearest one, and `altered`
+/// counts it.
+[[nodiscard]] bool read_number(TextScanner& text, PlyType type, std::byte* value,
+                               std::size_t& altered);
 
 }  // namespace halfedge::io

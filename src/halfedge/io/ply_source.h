@@ -60,7 +60,7 @@ class PlyText {
     return !is_integer(type) && read_whole_float(value);
   }
   [[nodiscard]] bool read(PlyType type, std::byte* value) {
-    if (read_number(text_, type, value)) return true;
+    if (read_number(text_, type, value, altered_)) return true;
     return goes_on() && read(type, value);
   }
   [[nodiscard]] bool skip(PlyType, std::uint64_t count) {
@@ -105,6 +105,13 @@ class PlyText {
   /// Says what was not read, when all rows have been.
   void add_notes(std::vector<std::string>& notes) {
     end_row();
+    if (altered_ > 0) {
+      notes.push_back(altered_ == 1
+                          ? "took 1 number that its type does not hold for the nearest that it does"
+                          : sentence::of("took {} numbers that their types do not hold for the "
+                                         "nearest that they do",
+                                         altered_));
+    }
     if (long_rows_ > 0) {
       notes.push_back(
           sentence::of("ignored what {} beyond the properties of the header",
@@ -159,6 +166,7 @@ class PlyText {
   std::uint64_t rows_;
   std::uint64_t lines_ = 0;
   std::size_t long_rows_ = 0;
+  std::size_t altered_ = 0;  // numbers that their types do not hold
 };
 
 /// The values of a binary PLY file.
