@@ -12,7 +12,7 @@ import { Color, Vector3 } from 'three';
 beforeAll(() => init());
 
 const palette = new Proxy({} as Palette, { get: () => new Color() });
-const anchors = { point: () => new Vector3(), side: () => undefined };
+const anchors = { point: () => new Vector3(), side: () => undefined, line: () => undefined };
 const nothing = { selected: null, hovered: null, witness: null, first: null };
 
 describe('The trail of a walk around a vertex', () => {
