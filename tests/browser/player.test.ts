@@ -256,6 +256,33 @@ describe('The camera of the player', () => {
     },
   );
 
+  test.each([
+    ['sample=cube&select=v2', 'Cube', 'c'],
+    ['sample=icosahedron&select=v2', 'Icosahedron', '+++'],
+    ['sample=torus&select=v40', 'Torus', ''],
+  ])(
+    'turns once for a short walk, and keeps the selected item in sight: %s',
+    async (link, name, keys) => {
+      const page = await ExplorerPage.open({ link, mesh: name });
+      await page.page.focus('main.stage canvas');
+      for (const key of keys) await page.press(key);
+      const cameras = new Set<string | null>();
+      const count = Number(await page.state('count'));
+      for (let i = 1; i <= count; i++) {
+        await page.press('.');
+        await page.rest();
+        cameras.add(await page.state('camera'));
+        for (const tag of ['.tag.self', `.tag.current:text-is("${i}")`]) {
+          expect(await page.page.isVisible(`${tag}:not(.behind, .away)`)).toBe(true);
+        }
+      }
+      expect(count).toBeGreaterThan(2);
+      expect(cameras.size).toBe(1);
+      expect(page.complaints).toEqual([]);
+      await page.close();
+    },
+  );
+
   test('turns in time to what comes to lie behind the horizon', async () => {
     const page = await ExplorerPage.open();
     await page.broken('crack', 'Crack');

@@ -89,44 +89,69 @@ export class Travel {
 
   /**
    * Keeps the player in sight: comes near when a walk around `selected` begins whose numbers would lie
-   * on each other, and turns to what is out of the picture or behind the mesh: the selected item when a
-   * walk begins, the current one in any case. What a flight under way will show is waited for, and nobody's
-   * hand is led.
+   * on each other, and turns to what is out of the picture or behind the mesh: when a walk begins to the
+   * selected item and to all that a short one visits, later to the current item. Short walks keep the
+   * selected item in the middle. What a flight under way will show is waited for, and nobody's hand is led.
    */
   follow(player: CirculatorPlayer, selected: Item, begins: boolean): void {
     const { shown } = this;
     const item = player.current?.item;
     if (!shown || !item || this.#stage.held) return;
-    const near = begins ? this.#nearEnough(player, selected, shown) : null;
-    if (near !== null) {
-      this.#approach(selected, near, shown);
+    const lap = player.count < LONG_WALK ? [...player.lap()] : null;
+    const reach = lap && this.#reach(lap, selected, shown);
+    const whole = reach === null ? 0 : this.#distanceFor(selected, shown, reach);
+    if (begins && lap && this.#shouldComeNear(lap, selected, whole, shown)) {
+      this.#approach(selected, whole, shown);
       return;
     }
-    const items = begins ? [selected, item] : [item];
-    const lost = this.#hidden(items, shown);
-    if (lost) this.#turnTo(lost, shown, items);
+    const items = begins ? [item, selected, ...(lap ?? [])] : [item];
+    if (!this.#hidden(items, shown)) return;
+    const middle = this.#anchor(lap ? selected : item, shown);
+    const distance = Math.max(whole, this.#offset().length());
+    if (lap && this.#turnAround(middle, distance, [item, selected, ...lap], shown)) return;
+    const lost = this.#hidden([item], shown);
+    if (lost) this.#turnTo(lost, shown, begins ? items : [item]);
   }
 
-  /** From how far the numbers of a lap can be read, if that is nearer than the camera is and they can't be from there. */
-  #nearEnough(player: CirculatorPlayer, selected: Item, shown: Shown): number | null {
-    if (player.count >= LONG_WALK) return null;
-    const others = [...player.lap()]
-      .filter((item) => !sameItem(item, selected))
-      .map((item) => this.#anchor(item, shown));
+  /** How far from the selected item the others are, with room around them. */
+  #reach(lap: readonly Item[], selected: Item, shown: Shown): number {
     const middle = this.#anchor(selected, shown);
-    const reach = Math.max(...others.map((other) => ROOM * other.distanceTo(middle)));
-    const near = this.#distanceFor(selected, shown, reach);
+    return ROOM * Math.max(0, ...lap.map((item) => this.#anchor(item, shown).distanceTo(middle)));
+  }
+
+  /** Whether the numbers of a lap can be read from `near`, which is nearer than the camera is, but not from there. */
+  #shouldComeNear(lap: readonly Item[], selected: Item, near: number, shown: Shown): boolean {
+    const middle = this.#anchor(selected, shown);
     const camera = this.#camera();
-    if (near > MUCH_NEARER * camera.position.distanceTo(middle)) return null;
+    if (near > MUCH_NEARER * camera.position.distanceTo(middle)) return false;
     const seen = (point: Vector3) => this.#stage.project(point, new Vector3(), camera);
     const name = seen(middle);
-    const numbers = others.map(seen);
-    const areMixed = numbers.some(
+    const numbers = lap
+      .filter((item) => !sameItem(item, selected))
+      .map((item) => seen(this.#anchor(item, shown)));
+    return numbers.some(
       (one, i) =>
         apart(one, name) < NAME_PX ||
         numbers.slice(0, i).some((other) => apart(one, other) < NUMBER_PX),
     );
-    return areMixed ? near : null;
+  }
+
+  /**
+   * Flies to look at `middle` from the side from which most of the items are seen, above all the first; false
+   * where that one is seen from no side.
+   */
+  #turnAround(middle: Vector3, distance: number, items: readonly Item[], shown: Shown): boolean {
+    const seenBy = (camera: PerspectiveCamera) =>
+      items.filter((item) => this.#isSeen(item, shown, camera)).length +
+      (this.#isSeen(items[0], shown, camera) ? items.length : 0);
+    let best: Vector3 | null = null;
+    let most = seenBy(this.#camera());
+    for (const direction of this.#sides(items[0], items, shown)) {
+      const seen = seenBy(this.#stage.cameraAt(this.#stage.poseFor(middle, direction, distance)));
+      if (seen > most) [best, most] = [direction, seen];
+    }
+    if (best) this.#stage.fly(middle, best, distance);
+    return most >= items.length;
   }
 
   /** From how far an item fills the picture with what is around it, and all that is so far from it. */
@@ -150,10 +175,12 @@ export class Travel {
   /** The first of the items that can't be seen from here. */
   #hidden(items: readonly Item[], shown: Shown): Item | undefined {
     const camera = this.#camera();
-    return items.find((item) => {
-      const point = this.#anchor(item, shown);
-      return !this.#stage.inSight(point, camera) || shown.picker.hides(point, camera);
-    });
+    return items.find((item) => !this.#isSeen(item, shown, camera));
+  }
+
+  #isSeen(item: Item, shown: Shown, camera: PerspectiveCamera): boolean {
+    const point = this.#anchor(item, shown);
+    return this.#stage.inSight(point, camera) && !shown.picker.hides(point, camera);
   }
 
   /**
@@ -179,6 +206,13 @@ export class Travel {
     pose: (direction: Vector3) => Pose,
   ): Vector3 | undefined {
     const at = this.#anchor(item, shown);
+    return this.#sides(item, items, shown).find(
+      (direction) => !shown.picker.hides(at, this.#stage.cameraAt(pose(direction))),
+    );
+  }
+
+  /** Directions from which an item and those with it may be seen, the nearest to the present one first. */
+  #sides(item: Item, items: readonly Item[], shown: Shown): Vector3[] {
     const normal = normalOf([item], shown);
     // Faces that were wound the wrong way round are seen from their backs.
     const directions = [
@@ -188,10 +222,7 @@ export class Travel {
       this.#facing(normal.clone().negate()),
       normal,
     ];
-    return directions.find((direction) => {
-      if (direction.lengthSq() < 1e-9) return false;
-      return !shown.picker.hides(at, this.#stage.cameraAt(pose(direction)));
-    });
+    return directions.filter((direction) => direction.lengthSq() > 1e-9);
   }
 
   #anchor(item: Item, { surface, frames, glyphs }: Shown): Vector3 {
