@@ -55,6 +55,18 @@ describe('writeGltf', () => {
     expect(corners(again)).toEqual(corners(mesh));
   });
 
+  test.each(['uint8', 'uint16'] as const)('keeps colours of the type %s', async (type) => {
+    const mesh = HalfedgeMesh.tetrahedron();
+    const color = mesh.attributes.add('vertex', 'color', { type, components: 3 });
+    color.set([0, 1, 2, 128, 200, 255]);
+    const kept = [...color];
+    const again = (await readGltf(await writeGltf(mesh))).mesh;
+    expect(again.attributes.list()).toMatchObject([{ name: 'color', type, components: 3 }]);
+    expect([...again.attributes.get('vertex', 'color')]).toEqual(kept);
+    again.dispose();
+    mesh.dispose();
+  });
+
   test('keeps seams and colours also where making the buffers lets the memory grow', async () => {
     const mesh = HalfedgeMesh.icoSphere(5);
     const color = mesh.attributes.add('halfedge', 'color', { type: 'uint8', components: 4 });

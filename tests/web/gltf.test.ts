@@ -184,6 +184,86 @@ describe('readGltf', () => {
     );
   });
 
+  test('names the attributes that it does not read', async () => {
+    const attributes = { POSITION: 0, TEXCOORD_1: 2, _HEAT: 3 };
+    const other = { POSITION: 0, TEXCOORD_1: 2 };
+    const { mesh, report } = await read(
+      document(
+        [
+          { values: SQUARE, type: 'VEC3' },
+          { values: CORNERS, type: 'SCALAR' },
+          { values: new Float32Array(8), type: 'VEC2' },
+          { values: new Float32Array(4), type: 'SCALAR' },
+        ],
+        {
+          meshes: [
+            {
+              primitives: [
+                { attributes, indices: 1 },
+                { attributes: other, indices: 1 },
+              ],
+            },
+          ],
+          nodes: [{ mesh: 0 }],
+        },
+      ),
+    );
+    expect(mesh.attributes.list()).toEqual([]);
+    expect(report.summary).toContain(
+      'Ignored the attribute "TEXCOORD_1" of primitives (2). ' +
+        'Ignored the attribute "_HEAT" of primitives (1).',
+    );
+  });
+
+  test('keeps what some primitives have and others have not, or have in other types', async () => {
+    const moved = SQUARE.map((x, i) => (i % 3 === 2 ? 1 : x));
+    const bytes = new Uint8Array(16).map((_, i) => [255, 51, 0, 102][i % 4]);
+    const doubles = new Uint16Array(12).map((_, i) => (i % 4 === 3 ? 0 : 65535 / 5));
+    const { mesh, report } = await read(
+      document(
+        [
+          { values: SQUARE, type: 'VEC3' },
+          { values: CORNERS, type: 'SCALAR' },
+          { values: moved, type: 'VEC3' },
+          { values: bytes, type: 'VEC4', normalized: true },
+          { values: doubles.subarray(0, 12), type: 'VEC3', normalized: true },
+          { values: moved.map((x) => x + 2), type: 'VEC3' },
+          { values: new Float32Array(12).fill(1), type: 'VEC3' },
+        ],
+        {
+          meshes: [
+            {
+              primitives: [
+                { attributes: { POSITION: 0, COLOR_0: 3 }, indices: 1 },
+                { attributes: { POSITION: 2, COLOR_0: 4 }, indices: 1 },
+                { attributes: { POSITION: 5, NORMAL: 6 }, indices: 1 },
+              ],
+            },
+          ],
+          nodes: [{ mesh: 0 }],
+        },
+      ),
+    );
+    expect(mesh.vertexCount).toBe(12);
+    const rows = (name: string, components: number) => {
+      const all = [...mesh.attributes.get('vertex', name)].map((x) => Number(x.toFixed(4)));
+      return [0, 4, 8].map((v) => all.slice(v * components, (v + 1) * components));
+    };
+    expect(rows('color', 4)).toEqual([
+      [1, 0.2, 0, 0.4],
+      [0.2, 0.2, 0.2, 1],
+      [1, 1, 1, 1],
+    ]);
+    expect(rows('normal', 3).slice(0, 2)).toEqual([
+      [0, 0, 0],
+      [0, 0, 0],
+    ]);
+    expect(report.summary).toContain(
+      'Filled normal with zeros where primitives have none (2 of 3). ' +
+        'Filled color with white where primitives have none (1 of 3).',
+    );
+  });
+
   test('says how many corners are left behind the last triangle', async () => {
     const json = square();
     json.accessors[1].count = 5;

@@ -19,6 +19,8 @@ export interface Triangles {
 
 type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 
+type CornerArray = new (length: number) => CornerValues;
+
 /** How components are read, normalised integers divided, by any three.js: `getComponent` is younger. */
 export const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const;
 
@@ -80,15 +82,25 @@ function floats(attribute: AnyAttribute): Float32Array {
   return values;
 }
 
-/** As floats, or as the bytes of which 255 are one. */
+/** As floats, or as the integers of which 255 or 65535 are one. */
 function colors(attribute: AnyAttribute): CornerValues {
   const { array, normalized, count, itemSize } = attribute;
-  if (!(array instanceof Uint8Array && normalized)) return floats(attribute);
-  const values = new Uint8Array(count * itemSize);
+  const Kind = INTEGER_COLORS.find((kind) => normalized && array instanceof kind);
+  if (Kind === undefined) return floats(attribute);
+  const values = newArray('the colours', Kind, count * itemSize);
+  const one = oneOf(values);
   for (let i = 0; i < values.length; i++) {
-    values[i] = Math.round(255 * attribute[GETTERS[i % itemSize]](Math.floor(i / itemSize)));
+    values[i] = Math.round(one * attribute[GETTERS[i % itemSize]](Math.floor(i / itemSize)));
   }
   return values;
+}
+
+const INTEGER_COLORS: readonly CornerArray[] = [Uint8Array, Uint16Array];
+
+/** What stands for 1 in colours of this type. */
+function oneOf(values: CornerValues): number {
+  if (values instanceof Uint8Array) return 255;
+  return values instanceof Uint16Array ? 65535 : 1;
 }
 
 /** Applies a matrix to points, in place. The identity changes no bit. */
@@ -126,8 +138,11 @@ function turn(normals: Float32Array, matrix: Matrix4): void {
   }
 }
 
-/** All parts in one. An attribute that not all of them have is left out. */
-export function join(parts: readonly Triangles[]): Triangles {
+/**
+ * All parts in one. Vertices of parts without an attribute that others have get zeros, or white; where
+ * parts have colours of several types or with and without alpha, all become those that lose nothing.
+ */
+export function join(parts: readonly Triangles[], note: (sentence: string) => void): Triangles {
   if (parts.length === 1) return parts[0];
   const total = (size: (part: Triangles) => number) =>
     parts.reduce((sum, part) => sum + size(part), 0);
@@ -148,27 +163,60 @@ export function join(parts: readonly Triangles[]): Triangles {
     for (const index of part.indices) indices[corners++] = index + vertices;
     vertices += part.positions.length / 3;
   }
-  const names = parts.length === 0 ? [] : parts[0].attributes.map(({ name }) => name);
-  const attributes = names.flatMap((name) => joined(name, parts, vertices));
+  const names = ATTRIBUTES.map(({ name }) => name);
+  const attributes = names.flatMap((name) => joined(name, parts, vertices, note));
   return { positions, indices, attributes };
 }
 
-function joined(name: string, parts: readonly Triangles[], vertices: number): CornerAttribute[] {
+function joined(
+  name: string,
+  parts: readonly Triangles[],
+  vertices: number,
+  note: (sentence: string) => void,
+): CornerAttribute[] {
   const all = parts.map(({ attributes }) => attributes.find((found) => found.name === name));
-  const [first] = all as CornerAttribute[];
-  const areAlike = all.every(
-    (attribute) =>
-      attribute?.components === first.components &&
-      attribute.values.constructor === first.values.constructor,
-  );
-  if (!areAlike) return [];
-  const { components } = first;
-  const Kind = first.values.constructor as new (length: number) => CornerValues;
+  const found = all.filter((attribute) => attribute !== undefined);
+  if (found.length === 0) return [];
+  const components = Math.max(...found.map((attribute) => attribute.components));
+  const kinds = new Set(found.map(({ values }) => values.constructor as CornerArray));
+  const Kind = kinds.size === 1 ? [...kinds][0] : Float32Array;
   const values = newArray(`the attribute ${name}`, Kind, vertices * components);
-  let at = 0;
-  for (const attribute of all as CornerAttribute[]) {
-    values.set(attribute.values, at);
-    at += attribute.values.length;
+  const one = oneOf(values);
+  let row = 0;
+  for (const [i, part] of parts.entries()) {
+    const end = row + part.positions.length / 3;
+    const attribute = all[i];
+    if (attribute === undefined) {
+      if (name === 'color') values.fill(one, row * components, end * components);
+    } else {
+      widen(attribute, values, row, components);
+    }
+    row = end;
+  }
+  if (found.length < parts.length) {
+    const filler = name === 'color' ? 'white' : 'zeros';
+    note(
+      `Filled ${name} with ${filler} where primitives have none (${parts.length - found.length} of ${parts.length}).`,
+    );
   }
   return [{ name, components, values }];
+}
+
+/** Copies rows to those from `row` on, scaled to another type of colours, with an alpha of 1 if they have none. */
+function widen(
+  { components, values }: CornerAttribute,
+  to: CornerValues,
+  row: number,
+  toComponents: number,
+): void {
+  if (components === toComponents && values.constructor === to.constructor) {
+    to.set(values, row * components);
+    return;
+  }
+  const [one, toOne] = [oneOf(values), oneOf(to)];
+  for (let i = 0, at = row * toComponents; i < values.length; i += components) {
+    for (let k = 0; k < toComponents; k++) {
+      to[at++] = k < components ? (values[i + k] / one) * toOne : toOne;
+    }
+  }
 }

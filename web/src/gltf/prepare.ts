@@ -1,3 +1,4 @@
+import { describe } from '../arguments.js';
 import { fileError } from './container.js';
 import type { GltfDocument, GltfNode, GltfPrimitive } from './document.js';
 import { checkCompressed, knownName, MESHOPT } from './meshopt.js';
@@ -104,7 +105,11 @@ function geometryOf(
     return undefined;
   }
   if (targets !== undefined) notes.count('morph targets of primitives');
-  const kept = Object.entries(attributes).filter(([semantic]) => SEMANTICS.includes(semantic));
+  const kept: [string, number][] = [];
+  for (const [semantic, accessor] of Object.entries(attributes)) {
+    if (SEMANTICS.includes(semantic)) kept.push([semantic, accessor]);
+    else notes.count(`the attribute ${describe(semantic)} of primitives`);
+  }
   const compressed = dracoLoader === undefined ? undefined : extensions[DRACO];
   return {
     attributes: Object.fromEntries(kept),

@@ -66,7 +66,11 @@ export async function readWhole(
 ): Promise<{ mesh: HalfedgeMesh; report: GltfReport }> {
   const options = takeReadOptions(given);
   const { format, parts, notes } = await loadParts(data, options);
-  return meshOf(join(parts.map(({ triangles }) => triangles)), format, notes, options);
+  const whole = join(
+    parts.map(({ triangles }) => triangles),
+    (sentence) => notes.push(sentence),
+  );
+  return meshOf(whole, format, notes, options);
 }
 
 /** A mesh for each primitive of a file. */
