@@ -19,25 +19,6 @@ namespace {
 using namespace halfedge;
 using namespace halfedge::bindings;
 
-/// Names the lines of the file on which the faces of each witness start.
-void add_lines(std::vector<Error>& problems, std::span<const std::uint8_t> bytes, Format format) {
-  std::vector<Index> faces;
-  for (const Error& problem : problems) {
-    faces.insert(faces.end(), problem.witness.faces.begin(), problem.witness.faces.end());
-  }
-  if (faces.empty()) return;
-  const std::vector<std::size_t> lines = lines_of_faces(bytes, format, faces);
-  std::size_t at = 0;
-  for (Error& problem : problems) {
-    const std::size_t count = problem.witness.faces.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      problem.message += i == 0 ? (count == 1 ? " (Line " : " (Lines ") : ", ";
-      problem.message += std::to_string(lines[at++]);
-    }
-    if (count > 0) problem.message += ")";
-  }
-}
-
 val strings_of(const std::vector<std::string>& strings) {
   val list = val::array();
   for (const std::string& text : strings) list.call<void>("push", text);

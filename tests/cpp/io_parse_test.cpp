@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
 #include <halfedge/io/parse.h>
+#include <halfedge/mesh.h>
+#include <halfedge/repair/repair.h>
 
 #include <optional>
 #include <string>
@@ -151,6 +154,74 @@ TEST(Parse, NamesItsFormats) {
 TEST(Parse, FindsNoLinesOfNoFaces) {
   EXPECT_TRUE(lines_of_faces(bytes_of(kObj), Format::kObj, {}).empty());
   EXPECT_EQ(lines_of_faces({}, Format::kOff, std::vector<Index>{0}), std::vector<std::size_t>{0});
+}
+
+/// The sentences of what mending a file has found, with their lines.
+std::vector<std::string> findings_of(const std::string& text) {
+  Result<ParsedFile> file = parse(bytes_of(text), std::nullopt, {.for_repair = true});
+  if (!file) return {file.error().message};
+  Mesh mesh;
+  RepairReport report;
+  EXPECT_TRUE(build_from_soup(mesh, file.value().soup.view(), {}, report));
+  add_lines(report.problems, bytes_of(text), file.value().format);
+  std::vector<std::string> sentences;
+  for (const Error& problem : report.problems) sentences.push_back(problem.message);
+  return sentences;
+}
+
+std::vector<std::string> refusals_of(const std::string& text) {
+  Result<ParsedFile> file = parse(bytes_of(text));
+  if (!file) return {file.error().message};
+  Mesh mesh;
+  BuildReport report;
+  EXPECT_FALSE(build_from_polygons(mesh, file.value().soup.view(), report));
+  add_lines(report.problems, bytes_of(text), file.value().format);
+  std::vector<std::string> sentences;
+  for (const Error& problem : report.problems) sentences.push_back(problem.message);
+  return sentences;
+}
+
+using Strings = std::vector<std::string>;
+
+TEST(Parse, NamesTheLinesOfFacesAndVertices) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\n\nv 0 nan 0\nv 0 1 0\nf 1 2 4\n";
+  EXPECT_EQ(refusals_of(obj),
+            Strings{"Vertex 2 is at (0, nan, 0); expected three finite numbers. (Line 4)"});
+  const std::string off =
+      "OFF 4 1 0\n0 0 0 1 0 0\n0 1 0 # the last one is on the line below\n"
+      "0 0 inf\n3 0 1 2\n";
+  EXPECT_EQ(refusals_of(off),
+            Strings{"Vertex 3 is at (0, 0, inf); expected three finite numbers. (Line 4)"});
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\nnan 0 0\n3 0 1 2\n";
+  EXPECT_EQ(refusals_of(ply),
+            Strings{"Vertex 3 is at (nan, 0, 0); expected three finite numbers. (Line 13)"});
+  const std::string twice = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 3\n";
+  EXPECT_EQ(findings_of(twice),
+            Strings{"Face 1 has the vertices of face 0: it was left out. (Lines 4, 6)"});
+}
+
+TEST(Parse, NamesMissingVerticesOfObjAsTheyAreWritten) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const auto finding = [&vertices](const std::string& face) {
+    return findings_of(vertices + "f 1 2 3 # fine\nf  " + face + "\n");
+  };
+  const auto told = [](const std::string& what) {
+    return Strings{"Face 1 uses vertex " + what + ": it was left out. (Line 5)"};
+  };
+  EXPECT_EQ(finding("1 0 2"), told("\"0\", but vertices have the numbers 1 to 3"));
+  EXPECT_EQ(finding("1/7 99/8/9 2"), told("\"99/8/9\", but vertices have the numbers 1 to 3"));
+  EXPECT_EQ(finding("1 2 3 \\\n 99999999999999999999 1"),
+            told("\"99999999999999999999\", but vertices have the numbers 1 to 3"));
+  EXPECT_EQ(finding("-1 -2 -9"), told("\"-9\", but fewer come before it"));
+  EXPECT_EQ(findings_of("f 1 2 3\n"), Strings{"Face 0 uses vertex \"1\", but the file has no "
+                                              "vertices: it was left out. (Line 1)"});
+  // Behind a polygon, corners are no longer three by three.
+  EXPECT_EQ(findings_of(vertices + "v 1 1 0\nf 1 2 4 3\nf 4 3 7\n"),
+            Strings{"Face 1 uses vertex \"7\", but vertices have the numbers 1 to 4: it was left "
+                    "out. (Line 6)"});
 }
 
 }  // namespace

@@ -190,21 +190,31 @@ describe('parse', () => {
       });
     }
     stl.setFloat32(84 + 12, Number.NaN, true);
-    const index = (vertex: number) => [
-      RegExp(
-        `^Face 0 uses vertex ${vertex}, but the last one is 2: it was left out\\. \\(Line \\d+\\)$`,
-      ),
+    const index = (vertex: string) => [
+      RegExp(`^Face 0 uses vertex ${vertex}: it was left out\\. \\(Line \\d+\\)$`),
     ];
     const files: [code: string, data: string | ArrayBuffer, says: RegExp[]][] = [
-      ['index-out-of-range', 'v 0 0 0\nv 1 0 0\nf 1 2 9\nf 1 2 3\nv 0 1 0\n', index(8)],
-      ['index-out-of-range', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -9\nf 1 2 3\n', index(-6)],
-      ['index-out-of-range', 'OFF 3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n3 0 1 2\n', index(3)],
+      [
+        'index-out-of-range',
+        'v 0 0 0\nv 1 0 0\nf 1 2 9\nf 1 2 3\nv 0 1 0\n',
+        index('"9", but vertices have the numbers 1 to 3'),
+      ],
+      [
+        'index-out-of-range',
+        'v 0 0 0\nv 1 0 0\nv 0 1 0\nf -1 -2 -9\nf 1 2 3\n',
+        index('"-9", but fewer come before it'),
+      ],
+      [
+        'index-out-of-range',
+        'OFF 3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n3 0 1 2\n',
+        index('3, but the last one is 2'),
+      ],
       [
         'index-out-of-range',
         'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n' +
           'property float z\nelement face 2\nproperty list uchar int vertex_indices\n' +
           'end_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n3 0 1 2\n',
-        index(-1),
+        index('-1, but the last one is 2'),
       ],
       ['non-finite-position', stl.buffer, [/^Vertex 0 is at \(nan, 0, 0\), which is no position/]],
     ];
@@ -228,6 +238,9 @@ describe('parse', () => {
     const strict = (data: string) => () => HalfedgeMesh.parse(data, { repair: false });
     expect(strict(vertices + faces)).toThrow(/\(Lines 6, 8, 10\)/);
     expect(strict(`${vertices}f 1 2 2\n`)).toThrow(/\(Line 6\)/);
+    expect(strict('v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n')).toThrow(
+      /^Vertex 2 is at \(0, nan, 0\); expected three finite numbers\. \(Line 3\)/,
+    );
   });
 
   test.each([

@@ -161,6 +161,7 @@ bool ObjReader::read_statement() {
   any_known_ |= statement != Statement::kUnknown;
   switch (statement) {
     case Statement::kVertex:
+      out_.begin_vertex(start);
       return read_vertex();
     case Statement::kFace:
       out_.begin_face(start);
@@ -340,9 +341,9 @@ Error unknown_vertex(std::span<const std::uint8_t> bytes, PolygonSoup soup) {
 
   soup = {};
   const auto wanted = static_cast<Index>(face);
-  FacePositions positions({&wanted, 1});
-  (void)read_obj(bytes, {{.attributes = false, .for_repair = true}, &positions});
-  const char* const start = positions.positions()[0];
+  Places places({&wanted, 1});
+  (void)read_obj(bytes, {{.attributes = false, .for_repair = true}, {.faces = &places}});
+  const char* const start = places.positions()[0];
   if (start == nullptr) {
     return {"out-of-memory", "memory was exhausted while a wrong index was looked for"};
   }

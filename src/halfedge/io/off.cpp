@@ -143,6 +143,7 @@ bool OffReader::skip_to_value(bool is_free) {
 bool OffReader::read_vertex() {
   text_.skip_to_token();
   out_.reached(text_.position());
+  out_.begin_vertex(text_.position());
   std::array<float, 4> p{};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) {

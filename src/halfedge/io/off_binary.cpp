@@ -95,7 +95,7 @@ class BinaryReader {
   /// pre: read_counts() found nothing wrong
   BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours,
                const ParseOptions& options)
-      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_(nullptr) {
+      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_({}) {
     out_.follow({bytes.position(), bytes.left()}, options.progress);
   }
 

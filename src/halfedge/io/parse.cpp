@@ -1,10 +1,8 @@
 #include <halfedge/io/parse.h>
 #include <halfedge/io/readers.h>
 #include <halfedge/sentence.h>
-#include <halfedge/sort.h>
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -110,22 +108,22 @@ Result<Format> detect(std::span<const std::uint8_t> bytes, std::optional<Format>
   return error;
 }
 
-Result<ParsedFile> read(std::span<const std::uint8_t> bytes, Format format,
-                        const io::Request& request) {
+}  // namespace
+
+Result<ParsedFile> io::read_as(Format format, std::span<const std::uint8_t> bytes,
+                               const Request& request) {
   switch (format) {
     case Format::kObj:
-      return io::read_obj(bytes, request);
+      return read_obj(bytes, request);
     case Format::kOff:
-      return io::read_off(bytes, request);
+      return read_off(bytes, request);
     case Format::kPly:
-      return io::read_ply(bytes, request);
+      return read_ply(bytes, request);
     case Format::kStl:
-      return io::read_stl(bytes, request);
+      return read_stl(bytes, request);
   }
   return Error{"unknown-format", "the format asked for does not exist"};
 }
-
-}  // namespace
 
 const char* name_of(Format format) {
   switch (format) {
@@ -145,7 +143,7 @@ Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Form
                          const ParseOptions& options) {
   const Result<Format> format = detect(bytes, claimed);
   if (!format) return format.error();
-  Result<ParsedFile> file = read(bytes, format.value(), {options});
+  Result<ParsedFile> file = io::read_as(format.value(), bytes, {options});
   if (!file) {
     Error error = file.error();
     if (error.code != "out-of-memory") {
@@ -158,30 +156,6 @@ Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Form
                                               name_of(format.value()), name_of(*claimed)));
   }
   return file;
-}
-
-std::vector<std::size_t> lines_of_faces(std::span<const std::uint8_t> bytes, Format format,
-                                        std::span<const Index> faces) {
-  std::vector<std::size_t> order(faces.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  introsort(order, [faces](std::size_t a, std::size_t b) { return faces[a] < faces[b]; });
-  std::vector<Index> sorted;
-  sorted.reserve(faces.size());
-  for (const std::size_t i : order) sorted.push_back(faces[i]);
-
-  io::FacePositions found(sorted);
-  (void)read(bytes, format, {{.attributes = false, .for_repair = true}, &found});
-  std::vector<std::size_t> lines(faces.size(), 0);
-  const char* counted = io::TextScanner(bytes).position();
-  std::size_t line = 1;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const char* const position = found.positions()[i];
-    if (position == nullptr) break;
-    line += io::TextScanner::lines_between(counted, position);
-    counted = position;
-    lines[order[i]] = line;
-  }
-  return lines;
 }
 
 }  // namespace halfedge

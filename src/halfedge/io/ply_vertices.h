@@ -34,7 +34,7 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
     if (read_packed_vertices(element)) return true;
   }
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
-    source_.begin_row();
+    out_.begin_vertex(source_.begin_row());
     out_.reached(source_.position());
     std::array<float, 3> p{};
     for (std::size_t k = 0; k < element.properties.size(); ++k) {

@@ -11,8 +11,7 @@ namespace halfedge::io {
 /// What is asked of a reader.
 struct Request {
   ParseOptions options;
-  /// Learns where its faces start, if there is one.
-  FacePositions* wanted = nullptr;
+  WantedPlaces wanted = {};
 };
 
 /// The readers themselves.
@@ -24,6 +23,10 @@ struct Request {
                                           const Request& request);
 [[nodiscard]] Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes,
                                           const Request& request);
+
+/// That of a format.
+[[nodiscard]] Result<ParsedFile> read_as(Format format, std::span<const std::uint8_t> bytes,
+                                         const Request& request);
 
 /// The text starts with an OBJ statement that has what such a statement needs, after any number of
 /// others. Looks at the first lines only.

@@ -15,34 +15,44 @@
 
 namespace halfedge::io {
 
-/// Where some faces start in the text: filled in by a reader that is asked for them.
-class FacePositions {
+/// Where some vertices, or some faces, start in the text: filled in by a reader that is asked for
+/// them.
+class Places {
  public:
-  /// `faces` in ascending order.
-  explicit FacePositions(std::span<const Index> faces)
-      : faces_(faces), positions_(faces.size(), nullptr) {}
+  /// `items` in ascending order.
+  explicit Places(std::span<const Index> items)
+      : items_(items), positions_(items.size(), nullptr) {}
 
-  /// The next face wanted; nothing is as large as the answer when there is no more.
+  /// The next item wanted; nothing is as large as the answer when there is no more.
   [[nodiscard]] std::size_t next() const {
-    return found_ == faces_.size() ? static_cast<std::size_t>(-1) : faces_[found_];
+    return found_ == items_.size() ? static_cast<std::size_t>(-1) : items_[found_];
   }
-  /// `face` starts at `position`.
-  void found(std::size_t face, const char* position) {
-    while (next() == face) positions_[found_++] = position;
+  /// `item` starts at `position`.
+  void found(std::size_t item, const char* position) {
+    while (next() == item) positions_[found_++] = position;
   }
-  /// One for each face; null where the file has no such face.
+  /// One for each item; null where the file has no such item.
   [[nodiscard]] std::span<const char* const> positions() const { return positions_; }
 
  private:
-  std::span<const Index> faces_;
+  std::span<const Index> items_;
   std::vector<const char*> positions_;
   std::size_t found_ = 0;
+};
+
+/// What a reader is asked to find, if anything.
+struct WantedPlaces {
+  Places* vertices = nullptr;
+  Places* faces = nullptr;
 };
 
 /// Collects what a reader finds, and reads on as long as there is memory. Growth is amortised.
 class SoupWriter {
  public:
-  explicit SoupWriter(FacePositions* wanted) : wanted_(wanted) { look_for_next(); }
+  explicit SoupWriter(const WantedPlaces& wanted) : wanted_(wanted) {
+    look_for_next_vertex();
+    look_for_next_face();
+  }
 
   [[nodiscard]] std::size_t vertex_count() const { return soup_.positions.size() / 3; }
   [[nodiscard]] std::size_t face_count() const { return faces_; }
@@ -83,11 +93,17 @@ class SoupWriter {
   void reached(const void* position) {
     if (address_of(position) >= next_report_) report(position);
   }
+  /// The text of the next vertex starts at `position`.
+  void begin_vertex(const char* position) {
+    if (soup_.positions.size() != next_wanted_position_) return;
+    wanted_.vertices->found(vertex_count(), position);
+    look_for_next_vertex();
+  }
   /// The text of the next face starts at `position`.
   void begin_face(const char* position) {
-    if (faces_ != next_wanted_) return;
-    wanted_->found(faces_, position);
-    look_for_next();
+    if (faces_ != next_wanted_face_) return;
+    wanted_.faces->found(faces_, position);
+    look_for_next_face();
   }
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
@@ -129,14 +145,21 @@ class SoupWriter {
   [[nodiscard]] PolygonSoup& soup() { return soup_; }
 
  private:
+  static constexpr std::size_t kNothing = static_cast<std::size_t>(-1);
   static constexpr std::uintptr_t kReportEvery = std::uintptr_t{1} << 20;
 
   [[nodiscard]] static std::uintptr_t address_of(const void* position) {
     return reinterpret_cast<std::uintptr_t>(position);
   }
   void report(const void* position);
-  void look_for_next() {
-    if (wanted_ != nullptr) next_wanted_ = wanted_->next();
+  void look_for_next_vertex() {
+    const Places* const vertices = wanted_.vertices;
+    if (vertices == nullptr) return;
+    const std::size_t next = vertices->next();
+    next_wanted_position_ = next == kNothing ? kNothing : 3 * next;
+  }
+  void look_for_next_face() {
+    if (wanted_.faces != nullptr) next_wanted_face_ = wanted_.faces->next();
   }
   void add_size(Index size) {
     if (soup_.sizes.empty() && !soup_.sizes.resize(faces_, 3)) out_of_memory_ = true;
@@ -163,8 +186,9 @@ class SoupWriter {
   Index largest_ = 0;
   bool out_of_memory_ = false;
   bool cancelled_ = false;
-  FacePositions* wanted_;
-  std::size_t next_wanted_ = static_cast<std::size_t>(-1);
+  WantedPlaces wanted_;
+  std::size_t next_wanted_position_ = kNothing;
+  std::size_t next_wanted_face_ = kNothing;
   std::span<const std::uint8_t> bytes_;
   Progress progress_;
   std::uintptr_t next_report_ = UINTPTR_MAX;

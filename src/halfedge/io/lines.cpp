@@ -1,0 +1,142 @@
+#include <halfedge/io/parse.h>
+#include <halfedge/io/readers.h>
+#include <halfedge/sentence.h>
+#include <halfedge/sort.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace halfedge {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Where items start, in the order asked for.
+class ItemPlaces {
+ public:
+  explicit ItemPlaces(std::span<const Index> items)
+      : order_(items.size()), sorted_(in_order(items)), places_(sorted_) {}
+
+  [[nodiscard]] io::Places& wanted() { return places_; }
+
+  /// The lines, from 1, of those that were found; 0 of others.
+  [[nodiscard]] std::vector<std::size_t> lines(Bytes bytes) const {
+    std::vector<std::size_t> lines(order_.size(), 0);
+    const char* counted = io::TextScanner(bytes).position();
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const char* const position = places_.positions()[i];
+      if (position == nullptr) break;
+      line += io::TextScanner::lines_between(counted, position);
+      counted = position;
+      lines[order_[i]] = line;
+    }
+    return lines;
+  }
+  /// Null where the file has no such item.
+  [[nodiscard]] const char* position_of(Index item) const {
+    const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), item);
+    return places_.positions()[static_cast<std::size_t>(found - sorted_.begin())];
+  }
+
+ private:
+  [[nodiscard]] std::vector<Index> in_order(std::span<const Index> items) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    introsort(order_, [items](std::size_t a, std::size_t b) { return items[a] < items[b]; });
+    std::vector<Index> sorted;
+    sorted.reserve(items.size());
+    for (const std::size_t i : order_) sorted.push_back(items[i]);
+    return sorted;
+  }
+
+  std::vector<std::size_t> order_;
+  std::vector<Index> sorted_;
+  io::Places places_;
+};
+
+io::Request request_for(const io::WantedPlaces& wanted) {
+  return {{.attributes = false, .for_repair = true}, wanted};
+}
+
+/// Which corner of a face is none of the vertices: the first. pre: there is one.
+std::size_t missing_corner(const PolygonSoup& soup, Index face) {
+  std::size_t corner = 3 * std::size_t{face};
+  if (!soup.sizes.empty()) {
+    corner = std::accumulate(soup.sizes.begin(), soup.sizes.begin() + face, std::size_t{0});
+  }
+  const std::size_t first = corner;
+  while (soup.corners[corner] < soup.positions.size() / 3) ++corner;
+  return corner - first;
+}
+
+/// The sentence of a repair about a vertex that is not there, with its number as the file has it.
+/// `position`: where the face starts.
+std::string missing_vertex(Bytes bytes, const PolygonSoup& soup, Index face, const char* position) {
+  io::TextScanner text(bytes);
+  text.move_to(position);
+  for (std::size_t i = 0; i <= missing_corner(soup, face); ++i) {  // past the keyword, too
+    text.skip_token();
+    text.skip_blanks();
+  }
+  const std::size_t vertices = soup.positions.size() / 3;
+  const std::string_view token = text.token();
+  const std::string expected = vertices == 0 ? "the file has no vertices"
+                               : token.starts_with('-')
+                                   ? "fewer come before it"
+                                   : sentence::of("vertices have the numbers 1 to {}", vertices);
+  return sentence::of("Face {} uses vertex {}, but {}: it was left out.", face, io::quoted(token),
+                      expected);
+}
+
+const IndexList& located(const Error& problem) {
+  const Witness& witness = problem.witness;
+  return witness.faces.empty() ? witness.vertices : witness.faces;
+}
+
+}  // namespace
+
+std::vector<std::size_t> lines_of_faces(Bytes bytes, Format format, std::span<const Index> faces) {
+  ItemPlaces places(faces);
+  (void)io::read_as(format, bytes, request_for({.faces = &places.wanted()}));
+  return places.lines(bytes);
+}
+
+void add_lines(std::vector<Error>& problems, Bytes bytes, Format format) {
+  std::vector<Index> items[2];  // vertices, faces
+  for (const Error& problem : problems) {
+    std::vector<Index>& of_kind = items[problem.witness.faces.empty() ? 0 : 1];
+    of_kind.insert(of_kind.end(), located(problem).begin(), located(problem).end());
+  }
+  if (items[0].empty() && items[1].empty()) return;
+  ItemPlaces vertices(items[0]);
+  ItemPlaces faces(items[1]);
+  const Result<ParsedFile> file = io::read_as(
+      format, bytes, request_for({.vertices = &vertices.wanted(), .faces = &faces.wanted()}));
+  const std::vector<std::size_t> lines[2] = {vertices.lines(bytes), faces.lines(bytes)};
+  std::size_t at[2] = {0, 0};
+  for (Error& problem : problems) {
+    const bool has_faces = !problem.witness.faces.empty();
+    const char* const position = has_faces ? faces.position_of(problem.witness.faces[0]) : nullptr;
+    if (file && position != nullptr && format == Format::kObj &&
+        problem.code == "index-out-of-range") {
+      problem.message =
+          missing_vertex(bytes, file.value().soup, problem.witness.faces[0], position);
+    }
+    std::string list;
+    for (std::size_t i = 0; i < located(problem).size(); ++i) {
+      const std::size_t line = lines[has_faces ? 1 : 0][at[has_faces ? 1 : 0]++];
+      if (line == 0) continue;
+      list += list.empty() ? "" : ", ";
+      list += std::to_string(line);
+    }
+    if (list.empty()) continue;
+    problem.message += list.find(',') == std::string::npos ? " (Line " : " (Lines ";
+    problem.message += list + ")";
+  }
+}
+
+}  // namespace halfedge
