@@ -230,7 +230,7 @@ describe('A typical mistake', () => {
         return ring;
       }`,
       'starts-elsewhere',
-      /^It starts at v\d; expected v\d as the first\./,
+      /^It starts at v\d; expected v\d as the first\..* \(The circulators of the library step first /,
     ],
     [
       'going along prev',
@@ -434,7 +434,14 @@ describe('A typical mistake', () => {
       'valence',
       "import 'halfedge';\n",
       'syntax',
-      /Import and export have no place here/,
+      /Import and export have no place here\. The mesh is given to the function/,
+    ],
+    [
+      'an export',
+      'valence',
+      'export function valence(mesh, v) {}\n',
+      'syntax',
+      /^Line 1, column 1: Import and export have no place here\. Leave the word out: /,
     ],
   ])('%s, in %s, is told as such', (_why, task, code, expected, words) => {
     const failure = failureOf(task, code);

@@ -258,7 +258,7 @@ describe('the circulator player', () => {
     ]);
     const h = mesh.faceHalfedge(0); // 0→1, at the other face
     const [b, c] = [mesh.prev(h), mesh.next(h)];
-    const skipped = 'no face there: skipped';
+    const skipped = 'no face across it: skipped';
     expect(told(mesh, query('faceFaces', 0, 'cw'))).toEqual([
       `faceHalfedge h${h}: prev(h${h}) = h${b}, ${skipped}; prev(h${b}) = h${c}, ${skipped}; prev(h${c}) = h${h} → across it, face 1`,
     ]);

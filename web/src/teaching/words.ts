@@ -53,6 +53,12 @@ function showsNothing(mesh: HalfedgeMesh, { view }: Circulator, h: number): bool
   return false;
 }
 
+/** What is said of a halfedge that shows nothing. */
+function noFace(query: Query, dialect: Dialect): string {
+  const isAcross = query.circulator.view === 'faceAcross' || arrives(query, dialect);
+  return `no face ${isAcross ? 'across it' : 'there'}`;
+}
+
 /** The walk in words from one halfedge to another that it reaches, skipped ones included. */
 function walkWords(
   mesh: HalfedgeMesh,
@@ -68,7 +74,7 @@ function walkWords(
     words += `${expression} = h${cursor(mesh, query, dialect, reached)}`;
     at = reached;
     if (at === to || !showsNothing(mesh, query.circulator, at)) break;
-    words += ', no face there: skipped; ';
+    words += `, ${noFace(query, dialect)}: skipped; `;
   }
   return words + shown(mesh, query, dialect, to);
 }
@@ -86,7 +92,7 @@ export function startWords(
   if (stepsFirst(query)) return `${anchorName(query, dialect, name)}: ${walk()}`;
   const words = beginWords(query, dialect, name);
   if (begin === first) return words + shown(mesh, query, dialect, first);
-  return `${words}, no face there: skipped; ${walk()}`;
+  return `${words}, ${noFace(query, dialect)}: skipped; ${walk()}`;
 }
 
 /** The halfedge where the cursor is before the first step. */

@@ -208,7 +208,7 @@ function otherOrder({ asked, of, expected, got, anyStart }: Lists): Part {
     return {
       code: 'starts-elsewhere',
       title: `It starts at ${namesOf(of, got.slice(0, 1))}; expected ${first} as the first.`,
-      hint: 'The cycle is right. Take the item first, then step on.',
+      hint: `The cycle is right. Take the item first, then step on.${isReversedClockwise(asked, got, expected) ? REVERSED_CLOCKWISE : ''}`,
     };
   }
   if (sameCycleEitherWay(got, expected)) {
@@ -226,6 +226,18 @@ function otherOrder({ asked, of, expected, got, anyStart }: Lists): Part {
     hint: 'Walk from halfedge to halfedge, instead of looking through all of them.',
   };
 }
+
+/** Whether a list around a vertex is as the library's own walk has it: clockwise in reverse, so that it ends at the anchor. */
+function isReversedClockwise(
+  { parameters }: Asked,
+  got: readonly unknown[],
+  [first]: readonly number[],
+) {
+  return parameters[1] === 'ccw' && got.at(-1) === first;
+}
+
+const REVERSED_CLOCKWISE =
+  ' (The circulators of the library step first when they go counter-clockwise, so that both ways give the same list, one in reverse. Here both begin at vertexHalfedge(v).)';
 
 const WAYS: Readonly<Record<string, string>> = {
   vertex:

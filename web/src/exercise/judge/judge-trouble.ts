@@ -12,11 +12,11 @@ type Ended = Outcome & { readonly kind: 'endless' };
 export function judgeFault(fault: Fault, call: string): Finding {
   switch (fault.kind) {
     case 'syntax': {
-      const { message, line, column } = fault;
+      const { message, line, column, hint = UNREADABLE } = fault;
       return finding({
         code: 'syntax',
         title: `Line ${line}, column ${column}: ${message}.`,
-        hint: 'The code can’t be read from there on; often something before it is not closed: a bracket, a brace, a quote.',
+        hint,
         line,
         column,
       });
@@ -44,6 +44,9 @@ export function judgeFault(fault: Fault, call: string): Finding {
       });
   }
 }
+
+const UNREADABLE =
+  'The code can’t be read from there on; often something before it is not closed: a bracket, a brace, a quote.';
 
 /** What an error says, and what lies behind it where that is an empty link. */
 export function judgeThrown(asked: Asked, { message, line, reads }: Threw): Finding {

@@ -43,6 +43,8 @@ export type Fault =
       readonly line: number;
       /** From 1 on. */
       readonly column: number;
+      /** What to do about it, where that is known. */
+      readonly hint?: string;
     }
   | { readonly kind: 'no-function'; readonly found: readonly string[] }
   /** What stands outside of functions threw. */

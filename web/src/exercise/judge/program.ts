@@ -48,7 +48,10 @@ export function compile(code: string, call: string): Program | Fault {
   if (module) {
     const { line, column } = module.loc.start;
     const message = 'Import and export have no place here';
-    return { kind: 'syntax', message, line, column: column + 1 };
+    const hint = /^Export/.test(module.type)
+      ? `Leave the word out: the function ${call} is found by its name.`
+      : 'The mesh is given to the function; nothing else is needed.';
+    return { kind: 'syntax', message, line, column: column + 1, hint };
   }
   let make: (none: number, turn: (line: number) => void) => unknown;
   try {

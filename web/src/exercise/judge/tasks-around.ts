@@ -72,7 +72,7 @@ export const oneRing: ExerciseTask = {
   name: 'one-ring',
   title: 'Counter-clockwise, or clockwise',
   statement:
-    "Give back the neighbours of the vertex `v` counter-clockwise where `direction` is `'ccw'`, clockwise where it is `'cw'`. The first is the one that `vertexHalfedge(v)` leads to.",
+    "Give back the neighbours of the vertex `v` counter-clockwise where `direction` is `'ccw'`, clockwise where it is `'cw'`. The first is the one that `vertexHalfedge(v)` leads to, either way round.",
   call: 'oneRing',
   starter: `function oneRing(mesh, v, direction) {
   const ring = [];
