@@ -208,6 +208,8 @@ const BROKEN = [
   ['sample=bunny&camera=1,2,x,4,5,6', 'The camera in it is “1,2,x,4,5,6”; expected six numbers.'],
   ['sample=bunny&select=q3', '“q3” in it is no item: expected such as v12, h31, e15 or f7.'],
   ['sample=bunny&select=v3&query=faceFaces', 'v3 has no circulator “faceFaces”.'],
+  ['sample=cube&select=v3&at=9', 'It has at=9; expected 0 to 3, as many as that walk visits.'],
+  ['sample=cube&select=v3&around=2&at=1', 'It has around=2; of v3 only 0 is known.'],
   ['sample=bunny&edits=paint f3', 'It has the edit “paint f3”, which this page does not know.'],
   ['sample=bunny&names=latin', 'It asks for the names of “latin”, which this page does not know.'],
 ] as const;
@@ -222,8 +224,15 @@ test('A broken link is told in a sentence and leaves a mesh to work with', async
     }, link);
     await explorer.page.waitForSelector(`.notice:has-text("${why}")`);
     expect(await told()).toBe(why);
-    expect(await explorer.state('mesh')).toBe('Bunny');
+    expect(await explorer.state('mesh')).toBe(link.includes('cube') ? 'Cube' : 'Bunny');
   }
+  await closeAll(explorer);
+});
+
+test('A link may tell where a walk stands without its name: it is the first one', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=f2&at=3', mesh: 'Cube' });
+  expect(await explorer.page.isVisible('.notice')).toBe(false);
+  expect([await explorer.state('position'), await explorer.state('count')]).toEqual(['3', '4']);
   await closeAll(explorer);
 });
 
@@ -281,7 +290,7 @@ test('A link to a mesh that cannot be opened says so, and leaves the one on show
   const explorer = await ExplorerPage.open({ link });
   const title = () => explorer.page.textContent('.notice h2');
   expect(await title()).toBe('“Cut short” was not opened');
-  expect(await explorer.page.textContent('.notice .calm')).toContain('Bunny is still open.');
+  expect(await explorer.page.textContent('.notice .calm')).toContain('Bunny is open.');
   await explorer.page.evaluate(() => {
     location.hash = 'sample=icosahedron&select=e5';
   });

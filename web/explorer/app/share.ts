@@ -170,17 +170,33 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
     throw new Error(`It has the direction “${direction}”; there are ccw and cw.`);
   }
   explorer.setDirection(direction satisfies Direction);
-  const query = link.get('query');
-  if (query === null || !explorer.selected.value) return;
-  const group = Number(link.get('around') ?? 0);
+  const { value: selected } = explorer.selected;
+  if (!['query', 'around', 'at'].some((word) => link.has(word)) || !selected) return;
+  const around = link.get('around') ?? '0';
+  const group = Number(around);
   const offered = explorer.groups.value[group]?.circulators;
-  const circulator = offered?.find(({ name }) => name === query);
+  if (!offered) {
+    const last = explorer.groups.value.length - 1;
+    throw new Error(
+      `It has around=${around}; of ${itemName(selected)} ${last > 0 ? `0 to ${last} are known` : 'only 0 is known'}.`,
+    );
+  }
+  const query = link.get('query');
+  const circulator = query === null ? offered[0] : offered.find(({ name }) => name === query);
   if (!circulator) {
-    throw new Error(`${itemName(explorer.selected.value)} has no circulator “${query}”.`);
+    throw new Error(`${itemName(selected)} has no circulator “${query}”.`);
   }
   explorer.choose({ group, circulator });
-  const at = Number(link.get('at') ?? 0);
-  if (Number.isInteger(at) && at > 0) explorer.seek(at);
+  setPosition(link.get('at') ?? '0', explorer);
+}
+
+function setPosition(text: string, explorer: Explorer): void {
+  const at = Number(text);
+  const count = explorer.play.value?.player.count ?? 0;
+  if (!(Number.isInteger(at) && at >= 0 && at <= count)) {
+    throw new Error(`It has at=${text}; expected 0 to ${count}, as many as that walk visits.`);
+  }
+  if (at > 0) explorer.seek(at);
 }
 
 function setCaptions(link: URLSearchParams, explorer: Explorer): void {
