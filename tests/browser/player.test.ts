@@ -260,6 +260,7 @@ describe('The camera of the player', () => {
     ['sample=cube&select=v2', 'Cube', 'c'],
     ['sample=icosahedron&select=v2', 'Icosahedron', '+++'],
     ['sample=torus&select=v40', 'Torus', ''],
+    ['sample=torus&select=f7&query=faceFaces', 'Torus', ''],
   ])(
     'turns once for a short walk, and keeps the selected item in sight: %s',
     async (link, name, keys) => {

@@ -100,15 +100,18 @@ export class Travel {
     const lap = player.count < LONG_WALK ? [...player.lap()] : null;
     const reach = lap && this.#reach(lap, selected, shown);
     const whole = reach === null ? 0 : this.#distanceFor(selected, shown, reach);
+    const all = [item, selected, ...(lap ?? [])];
     if (begins && lap && this.#shouldComeNear(lap, selected, whole, shown)) {
-      this.#approach(selected, whole, shown);
+      this.#lookAround(selected, whole, all, -1, shown);
       return;
     }
-    const items = begins ? [item, selected, ...(lap ?? [])] : [item];
+    const items = begins ? all : [item];
     if (!this.#hidden(items, shown)) return;
-    const middle = this.#anchor(lap ? selected : item, shown);
-    const distance = Math.max(whole, this.#offset().length());
-    if (lap && this.#turnAround(middle, distance, [item, selected, ...lap], shown)) return;
+    if (lap) {
+      const seen = this.#seen(all, shown, this.#camera());
+      const distance = Math.max(whole, this.#offset().length());
+      if (this.#lookAround(selected, distance, all, seen, shown)) return;
+    }
     const lost = this.#hidden([item], shown);
     if (lost) this.#turnTo(lost, shown, begins ? items : [item]);
   }
@@ -137,21 +140,33 @@ export class Travel {
   }
 
   /**
-   * Flies to look at `middle` from the side from which most of the items are seen, above all the first; false
-   * where that one is seen from no side.
+   * Flies to look at an item from the side from which most of the others are seen, above all the first of
+   * them, where more than `least` are; false where that one is seen neither from there nor now.
    */
-  #turnAround(middle: Vector3, distance: number, items: readonly Item[], shown: Shown): boolean {
-    const seenBy = (camera: PerspectiveCamera) =>
-      items.filter((item) => this.#isSeen(item, shown, camera)).length +
-      (this.#isSeen(items[0], shown, camera) ? items.length : 0);
+  #lookAround(
+    item: Item,
+    distance: number,
+    others: readonly Item[],
+    least: number,
+    shown: Shown,
+  ): boolean {
+    const middle = this.#anchor(item, shown);
     let best: Vector3 | null = null;
-    let most = seenBy(this.#camera());
-    for (const direction of this.#sides(items[0], items, shown)) {
-      const seen = seenBy(this.#stage.cameraAt(this.#stage.poseFor(middle, direction, distance)));
+    let most = least;
+    for (const direction of [...this.#sides(item, others, shown), normalOf(others, shown)]) {
+      if (direction.lengthSq() < 1e-9) continue;
+      const pose = this.#stage.poseFor(middle, direction, distance);
+      const seen = this.#seen(others, shown, this.#stage.cameraAt(pose));
       if (seen > most) [best, most] = [direction, seen];
     }
     if (best) this.#stage.fly(middle, best, distance);
-    return most >= items.length;
+    return most >= others.length;
+  }
+
+  /** How many items a camera sees; the first of them counts for more than all others. */
+  #seen(items: readonly Item[], shown: Shown, camera: PerspectiveCamera): number {
+    const seen = items.filter((item) => this.#isSeen(item, shown, camera)).length;
+    return this.#isSeen(items[0], shown, camera) ? seen + items.length : seen;
   }
 
   /** From how far an item fills the picture with what is around it, and all that is so far from it. */
