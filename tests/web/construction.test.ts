@@ -137,6 +137,22 @@ describe('Deletion', () => {
     for (const name of ['deleteFace', 'checkDeleteFace'] as const) {
       expect(() => mesh[name](0)).toThrow('f is face 0, which was deleted; expected a live one.');
     }
+    for (const name of ['deleteVertex', 'deleteEdge', 'deleteFace'] as const) {
+      const gone = HalfedgeMesh.cube();
+      const next: HalfedgeMesh[] = []; // one of them lies where the first one lay
+      const disposing = {
+        get keepIsolatedVertices() {
+          gone.dispose();
+          for (let i = 0; i < 8; i++) next.push(HalfedgeMesh.cube());
+          return true;
+        },
+      };
+      expect(() => gone[name](0, disposing)).toThrow(/disposed/);
+      for (const cube of next) {
+        expect([...cube.toPolygons().sizes]).toEqual([4, 4, 4, 4, 4, 4]);
+        cube.dispose();
+      }
+    }
     expect(() => mesh.deleteFace(1, { keepIsolatedVertices: 1 as never })).toThrow(
       'keepIsolatedVertices is 1; expected true or false.',
     );

@@ -15,7 +15,7 @@ import {
 } from './edit.js';
 import { checkNoGroup } from './history.js';
 import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike } from './items.js';
-import { checkItem, type Links } from './links.js';
+import { checkItem } from './links.js';
 import { linksOf } from './navigation.js';
 import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
@@ -46,7 +46,7 @@ export interface CompactMaps {
  *
  * What can't be done is refused, and then nothing has changed: the operation throws a HalfedgeError with
  * a code, a sentence, and the items that make it impossible as its `witness`. `check` and the name of an
- * operation tells beforehand: null, or the refusal. Wrong arguments (an index that is out of range or
+ * operation tells beforehand, where there is one: null, or the refusal. Wrong arguments (an index that is out of range or
  * deleted, a position that is none) are a RangeError or a TypeError of both. Each may also throw
  * `out-of-memory`.
  *
@@ -126,9 +126,10 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError `same-loop` (one of the faces lies on both sides of an edge, as in a segment)
    */
   deleteVertex(v: VertexLike, options?: DeleteOptions): void {
+    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
     links.checkVertex(v);
-    done(links, links.core._delete_vertex(links.address, deletion(links, options), v));
+    done(links, links.core._delete_vertex(links.address, modeOf(links) | kept, v));
   }
 
   checkDeleteVertex(v: VertexLike): Refusal | null {
@@ -145,9 +146,10 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError that of {@link deleteFace}
    */
   deleteEdge(e: EdgeLike, options?: DeleteOptions): void {
+    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
     links.checkEdge(e);
-    done(links, links.core._delete_edge(links.address, deletion(links, options), e));
+    done(links, links.core._delete_edge(links.address, modeOf(links) | kept, e));
   }
 
   checkDeleteEdge(e: EdgeLike): Refusal | null {
@@ -166,9 +168,10 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError `same-loop` (it lies on both sides of an edge, as in a segment)
    */
   deleteFace(f: FaceLike, options?: DeleteOptions): void {
+    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
     links.checkFace(f);
-    done(links, links.core._delete_face(links.address, deletion(links, options), f));
+    done(links, links.core._delete_face(links.address, modeOf(links) | kept, f));
   }
 
   checkDeleteFace(f: FaceLike): Refusal | null {
@@ -313,9 +316,9 @@ export abstract class Construction extends Circulation {
   }
 }
 
-function deletion(links: Links, options: DeleteOptions | undefined): number {
-  if (options === undefined) return modeOf(links);
+function deletion(options: DeleteOptions | undefined): number {
+  if (options === undefined) return 0;
   const { keepIsolatedVertices = false } = checkOptions(options, DELETE_OPTIONS);
   checkFlag('keepIsolatedVertices', keepIsolatedVertices);
-  return modeOf(links) | (keepIsolatedVertices ? OPTION : 0);
+  return keepIsolatedVertices ? OPTION : 0;
 }
