@@ -46,6 +46,9 @@ test('Complexes are added to what is there, and circulators notice', () => {
   expect([...mesh.positions.slice(0, 12)]).toEqual(positions);
   expect(mesh.components()).toHaveLength(3);
   expect(codes(mesh, 3)).toEqual([]);
+  // The faces beside a loop have one corner, and no triangle.
+  using alone = HalfedgeMesh.fromPolygons(positions, faces);
+  expect(mesh.toTriangles()).toEqual(alone.toTriangles());
 });
 
 test('A disposed mesh takes none', () => {

@@ -100,7 +100,10 @@ export function polygonsOf(links: Links): { sizes: Uint32Array; corners: Uint32A
 /** The live faces cut into triangles, as fans around their first corners. */
 export function trianglesOf(links: Links): { indices: Uint32Array; faces: Uint32Array } {
   const { offsets, items } = rings(links, 'faceVertices', 'ccw');
-  const count = Math.max(0, items.length - 2 * links.faceCount);
+  let count = 0;
+  for (let f = 0; f + 1 < offsets.length; f++) {
+    count += Math.max(0, offsets[f + 1] - offsets[f] - 2); // faces of loops have one corner
+  }
   const indices = new Uint32Array(3 * count);
   const faces = new Uint32Array(count);
   let triangle = 0;
