@@ -77,6 +77,27 @@ test('A mesh that history has no room for leaves the one on show, and no memory 
   shown.dispose();
 });
 
+test('Steps that are forgotten stay edits that no file has, until one is saved', () => {
+  const explorer = new Explorer();
+  const mesh = HalfedgeMesh.cube();
+  explorer.openMesh('cube', mesh);
+  const { editor } = explorer;
+  const poke = operations.find(({ stem }) => stem === 'splitFace') as Operation;
+  const run = (index: number) => {
+    explorer.select({ kind: 'face', index });
+    editor.run(poke);
+  };
+  run(0);
+  mesh.history.limit({ steps: 1 });
+  run(1);
+  editor.undo();
+  expect([editor.past.value.undoCount, editor.isUnsaved]).toEqual([0, true]);
+  editor.markSaved();
+  expect(editor.isUnsaved).toBe(false);
+  explorer.pause();
+  mesh.dispose();
+});
+
 describe('A mesh that was made of another one', () => {
   const opened = (keptHalfedges?: number) => {
     const explorer = new Explorer(keptHalfedges);

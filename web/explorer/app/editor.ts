@@ -312,7 +312,7 @@ export class Editor {
         const after = [first, ...state.neighbours].find((it) => it && isLive(mesh, it)) ?? null;
         const edit = motionOf(operation, state, mesh);
         this.#record({ title: part, deed: operation.stem, edit, before: first, after });
-        this.#log.forgot = true; // nobody could do just that part again
+        forgetFirst(this.#log); // nobody could do just that part again
         this.#finish(`Done: ${part}.`, { ...edit }, after);
       }
       this.#refuse(title, refusalOf(error));
@@ -352,7 +352,7 @@ export class Editor {
     const count = this.#mesh?.history.undoCount ?? 0;
     while (this.#log.done.length > count) {
       this.#log.done.shift();
-      this.#log.forgot = true;
+      forgetFirst(this.#log);
     }
   }
 
@@ -419,7 +419,8 @@ export class Editor {
 
   /** The package has no such step any more: its memory is limited. */
   #forget(): void {
-    this.#log = { ...newLog(this.#log.ledBy), forgot: true };
+    const saved = hasUnsaved(this.#log) ? null : undefined;
+    this.#log = { ...newLog(this.#log.ledBy), saved, forgot: true };
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
   }
@@ -427,6 +428,12 @@ export class Editor {
 
 function newLog(ledBy = ''): Log {
   return { ledBy, done: [], undone: [], saved: undefined, forgot: false };
+}
+
+/** What the mesh was before the steps that are known is no file's any more. */
+function forgetFirst(log: Log): void {
+  log.forgot = true;
+  if (log.saved === undefined) log.saved = null;
 }
 
 /** Whether the last step is not in a file. */
