@@ -168,7 +168,8 @@ bool BinaryReader<kOrder>::read_face() {
     const std::size_t offset = bytes_.offset();
     const std::uint32_t vertex = take();
     if (vertex < header_.vertices || options_.for_repair) {
-      out_.add_corner(vertex);
+      const bool is_there = vertex < header_.vertices;
+      out_.add_corner(is_there ? vertex : out_.missing_vertex(static_cast<std::int32_t>(vertex)));
       continue;
     }
     const std::size_t face = out_.face_count();
