@@ -48,7 +48,7 @@ class Run {
   readonly #options: RunOptions;
   readonly #trials: readonly Trial[];
   readonly #failures: (Failure | null)[];
-  readonly #thread: Thread;
+  #thread: Thread | undefined;
   readonly #resolve: (ran: Ran) => void;
   readonly #reject: (error: unknown) => void;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -64,12 +64,18 @@ class Run {
     this.#reject = reject;
     this.#trials = deal(options.task, options.seed);
     this.#failures = this.#trials.map(() => null);
-    this.#thread = connect(options.worker(), {
-      message: (data) => this.#hear(data as Reply),
-      failure: (why) => this.#break(new Error(`The worker of the exercise failed: ${why}.`)),
-    });
-    this.#thread.keepAlive(true);
-    this.#thread.post(this.#job(), []);
+    try {
+      const job = this.#job();
+      this.#thread = connect(options.worker(), {
+        message: (data) => this.#hear(data as Reply),
+        failure: (why) => this.#break(new Error(`The worker of the exercise failed: ${why}.`)),
+      });
+      this.#thread.keepAlive(true);
+      this.#thread.post(job, []);
+    } catch (error) {
+      this.#break(error);
+      return;
+    }
     this.#wait(START_LIMIT);
   }
 
@@ -145,6 +151,6 @@ class Run {
   #end(): void {
     this.#ended = true;
     clearTimeout(this.#timer);
-    this.#thread.terminate();
+    this.#thread?.terminate();
   }
 }

@@ -221,14 +221,15 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
         if (signal.aborted) mesh.dispose();
         else this.#model.take(mesh);
       }
-      if (!signal.aborted) await this.#open();
+      if (!signal.aborted) await this.#open(signal);
     } catch (error) {
       if (!abort.signal.aborted) this.#fail(error, 'failed');
     }
   }
 
-  async #open(): Promise<void> {
+  async #open(signal: AbortSignal): Promise<void> {
     await this.updateComplete;
+    if (signal.aborted) return; // another source is being loaded
     const { mesh } = this.#model;
     if (!mesh) return;
     this.#makeView();
@@ -241,6 +242,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#model.player.seek(this.step);
     this.requestUpdate();
     await this.updateComplete;
+    if (signal.aborted) return;
     tell(this, 'halfedge-ready', { mesh });
     this.dispatchEvent(new Event('halfedge-settled'));
     if (this.autoplay && !prefersReducedMotion()) this.play();

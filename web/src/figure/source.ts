@@ -31,7 +31,7 @@ export async function openSource(
 
 /** The faces of the source as they are listed there, good or bad. */
 export async function openFaces(source: Source, signal: AbortSignal): Promise<FaceList> {
-  if (!source.bytes && source.src === null && source.text?.trim()) {
+  if (!source.bytes && !source.src && source.text?.trim()) {
     const { positions, faces } = HalfedgeMesh.parseSoup(source.text);
     let at = 0;
     return {
@@ -80,7 +80,7 @@ function optionOf(text: string): unknown {
   return Number.isFinite(Number(text)) ? Number(text) : text;
 }
 
-async function fetchMesh(address: URL, signal: AbortSignal): Promise<HalfedgeMesh> {
+async function fetchContent(address: URL, signal: AbortSignal): Promise<ArrayBuffer> {
   let response: Response;
   try {
     response = await fetch(address, { signal });
@@ -95,11 +95,15 @@ async function fetchMesh(address: URL, signal: AbortSignal): Promise<HalfedgeMes
   }
   const content = await response.arrayBuffer();
   signal.throwIfAborted();
+  return content;
+}
+
+async function fetchMesh(address: URL, signal: AbortSignal): Promise<HalfedgeMesh> {
+  const content = await fetchContent(address, signal);
   if (/\.(glb|gltf)$/i.test(address.pathname)) {
     // Only pages that show such a file load three.js's reader of them.
     const { readGltf } = await import('../gltf/index.js');
-    const resource = async (uri: string) =>
-      (await fetch(new URL(uri, address), { signal })).arrayBuffer();
+    const resource = (uri: string) => fetchContent(new URL(uri, address), signal);
     return (await readGltf(content, { resource })).mesh;
   }
   const extension = address.pathname.slice(address.pathname.lastIndexOf('.') + 1).toLowerCase();

@@ -199,18 +199,22 @@ export class Stage {
     const taken = document.createElement('canvas');
     taken.width = Math.round(CAPTURE_RATIO * frame.width);
     taken.height = Math.round(CAPTURE_RATIO * frame.height);
+    const context = taken.getContext('2d');
+    if (!context) throw new Error('The browser has no room for a picture of that size.');
     for (const object of without) object.visible = false;
     this.#screen.resize(this.size.x, this.size.y, CAPTURE_RATIO);
     const sized = this.#setPointRatio(CAPTURE_RATIO);
-    this.#screen.render(this.scene, this.camera);
-    const context = taken.getContext('2d') as CanvasRenderingContext2D;
-    context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--page');
-    context.fillRect(0, 0, taken.width, taken.height);
-    const [x, y] = [CAPTURE_RATIO * frame.x, CAPTURE_RATIO * frame.y];
-    context.drawImage(canvas, x, y, taken.width, taken.height, 0, 0, taken.width, taken.height);
-    for (const object of without) object.visible = true;
-    this.#setPointRatio(sized);
-    this.#resize();
+    try {
+      this.#screen.render(this.scene, this.camera);
+      context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--page');
+      context.fillRect(0, 0, taken.width, taken.height);
+      const [x, y] = [CAPTURE_RATIO * frame.x, CAPTURE_RATIO * frame.y];
+      context.drawImage(canvas, x, y, taken.width, taken.height, 0, 0, taken.width, taken.height);
+    } finally {
+      for (const object of without) object.visible = true;
+      this.#setPointRatio(sized);
+      this.#resize();
+    }
     return taken;
   }
 
