@@ -100,6 +100,10 @@ describe('A shape', () => {
   test('refuses what is none, in sentences', () => {
     const before = bytesInUse();
     const calls: [() => unknown, Error][] = [
+      [
+        () => HalfedgeMesh.prism(2 ** 31),
+        new RangeError('sides is 2147483648; expected an integer from 3 to 2147483647.'),
+      ],
       [() => HalfedgeMesh.prism(2), new RangeError('sides is 2; expected an integer from 3 on.')],
       [
         () => HalfedgeMesh.cone(3.5),

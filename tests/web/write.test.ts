@@ -108,6 +108,19 @@ describe('write', () => {
     quad.dispose();
   });
 
+  test('spells names in its notes as they are', () => {
+    const mesh = HalfedgeMesh.cube();
+    for (const name of ['Größe', '\u202eback', '\\xc3']) mesh.attributes.add('vertex', name);
+    const notes: string[] = [];
+    mesh.write('obj', { onNote: (sentence) => notes.push(sentence) });
+    expect(notes).toEqual(
+      ['Größe', '\\xe2\\x80\\xaeback', '\\xc3'].map(
+        (name) => `Left out the vertex attribute "${name}": OBJ has no place for it.`,
+      ),
+    );
+    mesh.dispose();
+  });
+
   test('notes the vertices that readers of STL join', () => {
     const notesOf = (points: number[], triangles: number[], format: FileFormat = 'stl') => {
       const notes: string[] = [];

@@ -207,12 +207,15 @@ export function newArray<T>(what: string, Kind: new (length: number) => T, lengt
   try {
     return new Kind(length);
   } catch (cause) {
-    throw new HalfedgeError(
-      'out-of-memory',
-      `A copy of ${what} needs room for ${length} numbers, more than JavaScript has.`,
-      { cause },
-    );
+    throw noRoomHere(`${what} needs room for ${length} numbers`, cause);
   }
+}
+
+/** The error where a copy in JavaScript, of what the core has, fails. */
+export function noRoomHere(what: string, cause: unknown): HalfedgeError {
+  return new HalfedgeError('out-of-memory', `A copy of ${what}, more than JavaScript has.`, {
+    cause,
+  });
 }
 
 /** The length of an array or of an object like one. Throws a sentence for anything else. */

@@ -77,6 +77,21 @@ interface FoundInFile {
 
 /** As a whole sentence: some parts of the core leave out the capital and the full stop. */
 export function sentence(text: string): string {
-  const capital = text.charAt(0).toUpperCase() + text.slice(1);
+  const readable = text.replace(/(?:\\x[89a-f][0-9a-f])+/g, lettersOf);
+  const capital = readable.charAt(0).toUpperCase() + readable.slice(1);
   return /[.!?]( \([^()]*\))?$/.test(capital) ? capital : `${capital}.`;
+}
+
+/** Bytes as the core spells them where they aren't ASCII (`\xc3\x9c`) as letters, if they are some in UTF-8. */
+function lettersOf(spelt: string): string {
+  const bytes = spelt
+    .slice(2)
+    .split('\\x')
+    .map((byte) => Number.parseInt(byte, 16));
+  try {
+    const letters = new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(bytes));
+    return /\p{C}/u.test(letters) ? spelt : letters; // what can't be seen, or turns a line around
+  } catch {
+    return spelt;
+  }
 }

@@ -245,10 +245,10 @@ function make(
 }
 
 function count(argument: string, value: unknown, least: number): number {
-  if (Number.isInteger(value) && (value as number) >= least && (value as number) < 2 ** 31) {
-    return value as number;
-  }
-  refuse(argument, value, `an integer from ${least} on`, 'number');
+  const isCount = Number.isInteger(value) && (value as number) >= least;
+  if (isCount && (value as number) < 2 ** 31) return value as number;
+  const range = isCount ? `to ${2 ** 31 - 1}` : 'on';
+  refuse(argument, value, `an integer from ${least} ${range}`, 'number');
 }
 
 function length(option: string, value: unknown): number {

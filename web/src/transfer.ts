@@ -1,10 +1,10 @@
-import { bytesOf, newArray } from './arguments.js';
+import { bytesOf, newArray, noRoomHere } from './arguments.js';
 import { refuse } from './checks.js';
 import type { RawWords } from './core.mjs';
 import { modeOf } from './edit.js';
 import { Links } from './links.js';
 import { type Core, core } from './loader.js';
-import { outOfMemory, withInputs } from './memory.js';
+import { withInputs } from './memory.js';
 import { unwrap } from './reports.js';
 import { take } from './rings.js';
 import type { OwnBytes } from './write.js';
@@ -54,8 +54,8 @@ export function bytesOfLinks({ core, address: mesh }: Links): OwnBytes {
   const { address, count } = unwrap(core.toBytes(mesh)).bytes;
   try {
     return new Uint8Array(core.memory.buffer, address, count).slice();
-  } catch {
-    throw outOfMemory(`a copy of the ${count} bytes of the mesh`);
+  } catch (cause) {
+    throw noRoomHere(`the mesh needs room for ${count} bytes`, cause);
   } finally {
     core.free(address);
   }

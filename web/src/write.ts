@@ -1,7 +1,8 @@
+import { noRoomHere } from './arguments.js';
 import { checkCallback, checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
-import { outOfMemory, withInputs } from './memory.js';
+import { withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
 import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
@@ -74,8 +75,8 @@ function takeContent(
   try {
     const bytes = new Uint8Array(core.memory.buffer, address, count);
     return encoding === 'text' ? new TextDecoder().decode(bytes) : bytes.slice();
-  } catch {
-    throw outOfMemory(`a copy of the ${count} bytes of the file`);
+  } catch (cause) {
+    throw noRoomHere(`the file needs room for ${count} bytes`, cause);
   } finally {
     core.free(address);
   }
