@@ -143,8 +143,8 @@ val parse_soup(Address address, std::size_t count, int claimed, bool welds, bool
   return result;
 }
 
-/// `format` and `encoding` are values of Format and Encoding; an encoding of -1 is left open.
-/// `names` is text as names_in() reads it. Notes are looked for if somebody wants them.
+/// `format` and `encoding` are values of Format and Encoding; `names` is text as names_in() reads
+/// it. Notes are looked for if somebody wants them.
 val write_file(Address mesh, int format, int encoding, bool attributes, bool with_notes,
                Address names, std::size_t name_count) {
   const std::vector<SoupNames> tables =
@@ -154,7 +154,7 @@ val write_file(Address mesh, int format, int encoding, bool attributes, bool wit
   options.attributes = attributes;
   if (with_notes) options.notes = &notes;
   options.names = tables;
-  if (encoding >= 0) options.encoding = static_cast<Encoding>(encoding);
+  options.encoding = static_cast<Encoding>(encoding);
   Result<Array<std::uint8_t>> bytes = write(mesh_at(mesh), static_cast<Format>(format), options);
   if (!bytes) return failure(bytes.error());
   const RoomForReport room;

@@ -113,8 +113,8 @@ export interface RawCore {
     storesPrev: boolean,
   ): { mesh: number } | RawFailure;
   /**
-   * `format` and `encoding` are values of the enums Format and Encoding in C++; an encoding of -1 is
-   * left open; `names` is UTF-8 text of tables, each ended by NUL, of lines, each ended by LF. The bytes are JavaScript's to copy and to free.
+   * `format` and `encoding` are values of the enums Format and Encoding in C++;
+   * `names` is UTF-8 text of tables, each ended by NUL, of lines, each ended by LF. The bytes are JavaScript's to copy and to free.
    */
   write(
     mesh: number,

@@ -149,8 +149,8 @@ export abstract class Mending extends Modelling {
 
   /**
    * Turns components over so that their faces, counter-clockwise, are seen from outside: the volume of each
-   * closed component becomes positive. What is open (`open-component`), or has next to no volume
-   * (`flat-component`), is left. O(slots), nearly; with `nested` besides, for each component whose box lies in
+   * closed component becomes positive, but that of cavities with `nested`. What is open (`open-component`;
+   * not with `open`), or has next to no volume (`flat-component`), is left. O(slots), nearly; with `nested` besides, for each component whose box lies in
    * that of another, three times the faces of the other, and up to sixteen times where the two touch.
    *
    * @returns `faces`: those that were turned over

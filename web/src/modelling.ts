@@ -38,7 +38,8 @@ export abstract class Modelling extends Surgery {
    * offset leads inwards. The face keeps its index, on top. New vertices, quads and sides are like those that
    * they were made of.
    *
-   * Inverse: `deleteVertex` of the new vertices, then `fillHole`.
+   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
+   * it), then `fillHole`, whose face may begin at another corner.
    *
    * @returns `f`
    * @throws HalfedgeError `degenerate-face` (it has no normal), `not-finite` (a new position would fit no 32-bit floats)
@@ -63,7 +64,8 @@ export abstract class Modelling extends Surgery {
    * ones are) to 1 (at the mean), and puts a quad between each of its sides and where that was. The face keeps
    * its index, inside. New vertices are blended as their positions are.
    *
-   * Inverse: `deleteVertex` of the new vertices, then `fillHole`.
+   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
+   * it), then `fillHole`, whose face may begin at another corner.
    *
    * @returns `f`
    * @throws HalfedgeError `out-of-range`

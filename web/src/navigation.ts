@@ -129,8 +129,9 @@ export abstract class Navigation {
    * a forgotten mesh alive; a `subarray` of it doesn't.
    *
    * Writing to them is at your own risk. No question that is asked of a mesh crashes or hangs then, and
-   * `validate()` tells whether it is still sound. Operations rely on that: on a mesh that isn't, they may
-   * do anything to it and to other meshes, or not return.
+   * `validate()` tells whether it is still sound. Operations rely on that, and so does what draws a mesh
+   * (`halfedge/three`, `halfedge/gltf`): on a mesh that isn't, they may do anything to it and to other
+   * meshes, or not return.
    */
   get connectivity(): ConnectivityViews {
     return this.#links.exactViews;

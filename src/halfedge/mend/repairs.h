@@ -58,11 +58,11 @@ struct OrientOptions {
 };
 
 /// Turns components over so that their faces, counter-clockwise, are seen from outside: the signed
-/// volume of each closed component becomes positive. (CGAL: orient; with `nested`,
-/// orient_to_bound_a_volume)
+/// volume of each closed component becomes positive, but that of cavities with `nested`. (CGAL:
+/// orient; with `nested`, orient_to_bound_a_volume)
 ///
-/// What is open (open-component), or has a volume of next to nothing or none that is finite
-/// (flat-component), is left.
+/// What is open (open-component; not with `open`), or has a volume of next to nothing or none that
+/// is finite (flat-component), is left.
 ///
 /// attributes: as operations::reverse
 /// report: faces: those that were turned over

@@ -59,7 +59,7 @@ export async function save(
   } catch (error) {
     if (!isSystemError(error)) throw error;
     if (path === '-') return notes; // main.ts tells, and ends the program
-    throw new Complaint(unwritable(path === '-' ? 'Standard output' : path, error));
+    throw new Complaint(unwritable(path, error));
   }
   return notes;
 }

@@ -61,7 +61,7 @@ export abstract class FigureAttributes extends LitElement {
   declare theme: string | null;
   /** Steps a second. */
   declare speed: number;
-  /** Whether it plays by itself when it is seen first; never where less motion is asked for. */
+  /** Whether it plays by itself once it is loaded; never where less motion is asked for. */
   declare autoplay: boolean;
   /** `eager` loads also what is far outside of the window. */
   declare loading: string | null;

@@ -4,7 +4,7 @@ import type { HalfedgeMesh, Witness } from '../api.js';
 export interface FigureEvents {
   /** The mesh is on show. */
   'halfedge-ready': { readonly mesh: HalfedgeMesh };
-  /** Another item is selected, by the reader or by a program: `v3`, or null for none. */
+  /** The reader has selected another item: `v3`, or null for none. */
   'halfedge-select': { readonly item: string | null };
   /** The player has moved on, or back. */
   'halfedge-step': {

@@ -42,7 +42,7 @@ export class TriangleTree {
     return this.#bvh !== null;
   }
 
-  /** Grows the tree. Some second for a million triangles, which `tree-thread` can take elsewhere. */
+  /** Grows the tree. About a second for a million triangles, which `picking-thread` can take elsewhere. */
   grow(): void {
     if (this.size > 0) this.#bvh = new MeshBVH(this.#geometry, GROWN);
   }
