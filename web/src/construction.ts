@@ -126,8 +126,9 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError `same-loop` (one of the faces lies on both sides of an edge, as in a segment)
    */
   deleteVertex(v: VertexLike, options?: DeleteOptions): void {
-    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
+    links.checkAlive();
+    const kept = deletion(options); // whose getters may do anything to the mesh
     links.checkVertex(v);
     done(links, links.core._delete_vertex(links.address, modeOf(links) | kept, v));
   }
@@ -146,8 +147,9 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError that of {@link deleteFace}
    */
   deleteEdge(e: EdgeLike, options?: DeleteOptions): void {
-    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
+    links.checkAlive();
+    const kept = deletion(options); // whose getters may do anything to the mesh
     links.checkEdge(e);
     done(links, links.core._delete_edge(links.address, modeOf(links) | kept, e));
   }
@@ -168,8 +170,9 @@ export abstract class Construction extends Circulation {
    * @throws HalfedgeError `same-loop` (it lies on both sides of an edge, as in a segment)
    */
   deleteFace(f: FaceLike, options?: DeleteOptions): void {
-    const kept = deletion(options); // whose getters may do anything to the mesh
     const links = linksOf(this);
+    links.checkAlive();
+    const kept = deletion(options); // whose getters may do anything to the mesh
     links.checkFace(f);
     done(links, links.core._delete_face(links.address, modeOf(links) | kept, f));
   }
