@@ -4,6 +4,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/repair/repair.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -156,29 +157,33 @@ TEST(Parse, FindsNoLinesOfNoFaces) {
   EXPECT_EQ(lines_of_faces({}, Format::kOff, std::vector<Index>{0}), std::vector<std::size_t>{0});
 }
 
-/// The sentences of what mending a file has found, with their lines.
+/// Their sentences, with the lines.
+std::vector<std::string> sentences_of(std::vector<Error> problems, const std::string& text,
+                                      Format format) {
+  add_lines(problems, bytes_of(text), format);
+  std::vector<std::string> sentences;
+  for (const Error& problem : problems) sentences.push_back(problem.message);
+  return sentences;
+}
+
+/// What mending a file has found.
 std::vector<std::string> findings_of(const std::string& text) {
   Result<ParsedFile> file = parse(bytes_of(text), std::nullopt, {.for_repair = true});
   if (!file) return {file.error().message};
   Mesh mesh;
   RepairReport report;
   EXPECT_TRUE(build_from_soup(mesh, file.value().soup.view(), {}, report));
-  add_lines(report.problems, bytes_of(text), file.value().format);
-  std::vector<std::string> sentences;
-  for (const Error& problem : report.problems) sentences.push_back(problem.message);
-  return sentences;
+  return sentences_of(report.problems, text, file.value().format);
 }
 
-std::vector<std::string> refusals_of(const std::string& text) {
-  Result<ParsedFile> file = parse(bytes_of(text));
+/// Why no mesh can be built of a file as it is.
+std::vector<std::string> refusals_of(const std::string& text, bool for_repair = false) {
+  Result<ParsedFile> file = parse(bytes_of(text), std::nullopt, {.for_repair = for_repair});
   if (!file) return {file.error().message};
   Mesh mesh;
   BuildReport report;
   EXPECT_FALSE(build_from_polygons(mesh, file.value().soup.view(), report));
-  add_lines(report.problems, bytes_of(text), file.value().format);
-  std::vector<std::string> sentences;
-  for (const Error& problem : report.problems) sentences.push_back(problem.message);
-  return sentences;
+  return sentences_of(report.problems, text, file.value().format);
 }
 
 using Strings = std::vector<std::string>;
@@ -218,6 +223,18 @@ TEST(Parse, NamesMissingVerticesOfObjAsTheyAreWritten) {
   EXPECT_EQ(finding("-1 -2 -9"), told("\"-9\", but fewer come before it"));
   EXPECT_EQ(findings_of("f 1 2 3\n"), Strings{"Face 0 uses vertex \"1\", but the file has no "
                                               "vertices: it was left out. (Line 1)"});
+  EXPECT_EQ(refusals_of(vertices + "f 1 2 9\n", true),
+            Strings{"Face 0 uses vertex \"9\", but vertices have the numbers 1 to 3. (Line 4)"});
+  // Faces and corners by the hundred thousand take no time for each other.
+  std::string many = vertices;
+  for (int i = 0; i < 100000; ++i) many += "f 1 2 3 1\n";
+  many += "f";
+  for (int i = 0; i < 100000; ++i) many += " 1 2";
+  const Strings found = findings_of(many + " 9\n");
+  EXPECT_TRUE(std::any_of(found.begin(), found.end(), [](const std::string& sentence) {
+    return sentence.starts_with(
+        "Face 100000 uses vertex \"9\", but vertices have the numbers 1 to");
+  }));
   // Behind a polygon, corners are no longer three by three.
   EXPECT_EQ(findings_of(vertices + "v 1 1 0\nf 1 2 4 3\nf 4 3 7\n"),
             Strings{"Face 1 uses vertex \"7\", but vertices have the numbers 1 to 4: it was left "
