@@ -60,7 +60,7 @@ describe('writeGltf', () => {
     const mesh = HalfedgeMesh.tetrahedron();
     const color = mesh.attributes.add('vertex', 'color', { type, components: 3 });
     color.set([0, 1, 2, 128, 200, 255]);
-    const isWide = Number.parseInt(REVISION, 10) < 166; // three.js would write rows of three wrongly
+    const isWide = Number.parseInt(REVISION, 10) < 163; // three.js would write rows of three wrongly
     const one = type === 'uint8' ? 255 : 65535;
     const components = isWide ? 4 : 3;
     const kept = Array.from({ length: 4 * components }, (_, i) => {

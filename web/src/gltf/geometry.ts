@@ -8,6 +8,7 @@ import type {
   Mesh,
 } from 'three';
 import { newArray } from '../arguments.js';
+import { oneOf, widen } from './colors.js';
 import type { CornerAttribute, CornerValues } from './corners.js';
 
 /** Triangles with attributes by vertex, as they lie in buffers. */
@@ -96,12 +97,6 @@ function colors(attribute: AnyAttribute): CornerValues {
 }
 
 const INTEGER_COLORS: readonly CornerArray[] = [Uint8Array, Uint16Array];
-
-/** What stands for 1 in colours of this type. */
-function oneOf(values: CornerValues): number {
-  if (values instanceof Uint8Array) return 255;
-  return values instanceof Uint16Array ? 65535 : 1;
-}
 
 /** Applies a matrix to points, in place. The identity changes no bit. */
 function move(points: Float32Array, { elements: m }: Matrix4): void {
@@ -200,23 +195,4 @@ function joined(
     );
   }
   return [{ name, components, values }];
-}
-
-/** Copies rows to those from `row` on, scaled to another type of colours, with an alpha of 1 if they have none. */
-function widen(
-  { components, values }: CornerAttribute,
-  to: CornerValues,
-  row: number,
-  toComponents: number,
-): void {
-  if (components === toComponents && values.constructor === to.constructor) {
-    to.set(values, row * components);
-    return;
-  }
-  const [one, toOne] = [oneOf(values), oneOf(to)];
-  for (let i = 0, at = row * toComponents; i < values.length; i += components) {
-    for (let k = 0; k < toComponents; k++) {
-      to[at++] = k < components ? (values[i + k] / one) * toOne : toOne;
-    }
-  }
 }

@@ -1,4 +1,3 @@
-import { newArray } from '../arguments.js';
 import { checkCallback, indexOfChoice, refuse } from '../checks.js';
 import { counted } from '../counted.js';
 import { HalfedgeError } from '../errors.js';
@@ -8,7 +7,8 @@ import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import { liveFaces, triangulateFaces } from '../three/triangulate.js';
 import type { OwnBytes } from '../write.js';
-import type { Buffers, CornerValues, Note } from './corners.js';
+import { withAlpha } from './colors.js';
+import type { Buffers, Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 import { checkPositions, writableBuffers } from './writable.js';
 
@@ -73,12 +73,13 @@ async function sceneOf({ positions, indices, attributes }: Buffers, note: Note) 
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   const padsRows = Number.parseInt(REVISION, 10) >= PADS_ROWS;
-  for (const { name, components, values } of attributes) {
+  for (const attribute of attributes) {
+    const { name, components, values } = attribute;
     const isInteger = !(values instanceof Float32Array);
     const isOdd = (components * values.BYTES_PER_ELEMENT) % 4 !== 0;
     if (isOdd && !padsRows) {
       note(`Wrote the attribute ${name} with an alpha of 1: three.js ${REVISION} needs it.`);
-      geometry.setAttribute(name, new BufferAttribute(withAlpha(values), 4, isInteger));
+      geometry.setAttribute(name, new BufferAttribute(withAlpha(attribute), 4, isInteger));
     } else {
       geometry.setAttribute(name, new BufferAttribute(values, components, isInteger));
     }
@@ -88,18 +89,7 @@ async function sceneOf({ positions, indices, attributes }: Buffers, note: Note) 
 }
 
 /** From this release on three.js writes rows of integers as glTF wants them, each from a multiple of four bytes on. */
-const PADS_ROWS = 166;
-
-/** Colours of three integers with a fourth, which is as large as can be. */
-function withAlpha(values: CornerValues): CornerValues {
-  const Kind = values.constructor as new (length: number) => CornerValues;
-  const wide = newArray('the colours', Kind, (values.length / 3) * 4);
-  wide.fill(values.BYTES_PER_ELEMENT === 1 ? 255 : 65535);
-  for (let row = 0; 3 * row < values.length; row++) {
-    wide.set(values.subarray(3 * row, 3 * row + 3), 4 * row);
-  }
-  return wide;
-}
+const PADS_ROWS = 163;
 
 /** Ends each call that goes on now with what its file couldn't be read for. */
 const running = new Set<(cause: unknown) => void>();
