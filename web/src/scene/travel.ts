@@ -97,6 +97,7 @@ export class Travel {
     const { shown } = this;
     const item = player.current?.item;
     if (!shown || !item || this.#stage.held) return;
+    if (!begins && this.#isSeen(item, shown, this.#camera())) return;
     const lap = player.count < LONG_WALK ? [...player.lap()] : null;
     const reach = lap && this.#reach(lap, selected, shown);
     const whole = reach === null ? 0 : this.#distanceFor(selected, shown, reach);
@@ -105,15 +106,14 @@ export class Travel {
       this.#lookAround(selected, whole, all, -1, shown);
       return;
     }
-    const items = begins ? all : [item];
-    if (!this.#hidden(items, shown)) return;
+    if (begins && !this.#hidden(all, shown)) return;
     if (lap) {
       const seen = this.#seen(all, shown, this.#camera());
       const distance = Math.max(whole, this.#offset().length());
       if (this.#lookAround(selected, distance, all, seen, shown)) return;
     }
-    const lost = this.#hidden([item], shown);
-    if (lost) this.#turnTo(lost, shown, begins ? items : [item]);
+    if (this.#isSeen(item, shown, this.#camera())) return;
+    this.#turnTo(item, shown, begins ? all : [item]);
   }
 
   /** How far from the selected item the others are, with room around them. */
