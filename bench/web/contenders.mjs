@@ -231,6 +231,27 @@ function faceFacesForOf(mesh) {
   return sum;
 }
 
+/** What other parts of a program do: several kinds, both directions, a boundary, options, an isolated vertex. */
+export function goAroundOthers(mesh) {
+  mesh.addVertex([0, 0, 0]);
+  for (let round = 0; round < 20; round++) {
+    for (let v = 0; v < mesh.vertexSlots; v++) {
+      walkOnce(mesh.circulate('vertexVertices', v));
+      walkOnce(mesh.circulate('vertexFaces', v, 'cw'));
+      walkOnce(mesh.circulate('vertexOutgoingHalfedges', v, { direction: 'cw' }));
+      for (const f of mesh.vertexFaces(v)) if (f === NONE) throw new Error('A face that is none.');
+    }
+    for (let f = 0; f < mesh.faceSlots; f++) walkOnce(mesh.circulate('faceVertices', f));
+  }
+}
+
+function walkOnce(circulator) {
+  const first = circulator.halfedge;
+  if (first === NONE) return;
+  do circulator.next();
+  while (circulator.halfedge !== first);
+}
+
 function sumOfRows({ offsets, items }) {
   let sum = 0;
   for (let row = 0; row + 1 < offsets.length; row++) {

@@ -45,7 +45,42 @@ export async function runSuite(
     for (const [who, built] of Object.entries(made)) builds.forget(who, built);
     globalThis.gc?.();
   }
+  say(AFTER_OTHERS);
+  results.push(await afterOtherKinds(libraries, sizes, rounds, warm));
   return results;
+}
+
+const AFTER_OTHERS = 'sphere, after other kinds of circulators';
+
+/**
+ * The loops once more, in a program that has gone around other things, other ways and past boundaries before:
+ * what V8 compiles a loop to depends on that. Compiled anew, so from a module of its own.
+ */
+async function afterOtherKinds(libraries, [side, splits], rounds, warm) {
+  const { rowsFor, goAroundOthers } = await import('./contenders.mjs?after-other-kinds');
+  const { HalfedgeMesh } = libraries;
+  const open = grid(side >> 3);
+  const other = HalfedgeMesh.fromTriangles(open.positions, open.triangles);
+  goAroundOthers(other);
+  other.dispose();
+
+  const input = icosphere(splits);
+  const { passes, made } = rowsFor(libraries, input);
+  made.halfedge = HalfedgeMesh.fromTriangles(input.positions, input.triangles);
+  const rows = [];
+  for (const { run, ...row } of passes) {
+    const { halfedge, hand } = run;
+    rows.push(await measure({ ...row, run: { halfedge, hand } }, rounds, warm));
+  }
+  const bytes = bytesPerVertex({ halfedge: made.halfedge, flat: {} }, input);
+  made.halfedge.dispose();
+  return {
+    mesh: AFTER_OTHERS,
+    vertices: input.positions.length / 3,
+    faces: input.triangles.length / 3,
+    rows,
+    bytes: { halfedge: bytes.halfedge },
+  };
 }
 
 /** Medians of rounds in which one contender comes after the other. */

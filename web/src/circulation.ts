@@ -153,7 +153,8 @@ export abstract class Circulation extends BulkRings {
 
   /**
    * An endless circulator around one item; `kind` is the name of one of the methods above. It begins
-   * where a lap of that method does.
+   * where a lap of that method does. For a lap, `for...of` over that method takes less time in a program
+   * that goes around several kinds of items.
    *
    * @param options or a direction alone, which takes less time in a loop that makes many
    */
