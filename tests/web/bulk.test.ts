@@ -1,4 +1,4 @@
-import { HalfedgeError, HalfedgeMesh, init, type Rows } from 'halfedge';
+import { HalfedgeMesh, init, type Rows } from 'halfedge';
 import { quadGrid, randomPolygons, triangleAndIsolatedVertex } from './support/meshes.js';
 import { random, shuffle } from './support/random.js';
 import { Reference } from './support/reference.js';
@@ -139,14 +139,32 @@ describe('Rings of a list of items', () => {
 
   test('refuse an item that is not there, and say where it was named', () => {
     const ask = (list: ArrayLike<number>) => () => mesh.allVertexVertices('ccw', list);
-    expect(ask([0, 16])).toThrow(HalfedgeError);
-    expect(ask([0, 16])).toThrow(/Vertex 16 at position 1/);
-    expect(ask(Int32Array.of(3, -1))).toThrow(
-      new RangeError('vertices[1] is -1; expected an index, an integer from 0.'),
+    expect(ask([0, 16])).toThrow(
+      new RangeError('vertices[1] is 16; expected a vertex from 0 to 15.'),
     );
+    expect(ask(Int32Array.of(3, -1))).toThrow(
+      new RangeError('vertices[1] is -1; expected a vertex from 0 to 15.'),
+    );
+    using holed = mesh.clone();
+    holed.deleteFace(4);
+    expect(() => holed.allFaceVertices('cw', [0, 4])).toThrow(
+      new RangeError('faces[1] is face 4, which was deleted; expected a live one.'),
+    );
+    holed.deleteEdge(0);
+    expect(() => holed.allEdgeFaces('ccw', Uint8Array.of(0))).toThrow('edges[0] is edge 0, which');
     expect(ask([0.5])).toThrow('vertices[0] is 0.5');
     expect(ask(['1'] as unknown as number[])).toThrow(TypeError);
     expect(ask('01' as unknown as number[])).toThrow(TypeError);
+  });
+
+  test('take a direction for edges, too, which have one order in both', () => {
+    const expected = rowsOf(mesh.allEdgeVertices());
+    for (const direction of ['ccw', 'cw'] as const) {
+      expect(rowsOf(mesh.allEdgeVertices(direction))).toEqual(expected);
+      expect(rowsOf(mesh.allEdgeVertices(direction, [3, 2]))).toEqual([expected[3], expected[2]]);
+    }
+    expect(() => mesh.allEdgeFaces('up' as 'cw')).toThrow(RangeError);
+    expect(() => mesh.allEdgeFaces(null as never)).toThrow(TypeError);
   });
 
   test('refuse a direction that is none', () => {

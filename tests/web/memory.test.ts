@@ -5,6 +5,7 @@ import {
   growSilently,
   isDetached,
   memorySize,
+  withFullHeap,
   withTaken,
 } from './support/core.js';
 import { quadGrid, randomPolygons } from './support/meshes.js';
@@ -209,6 +210,31 @@ describe('Views', () => {
     expect([mesh, other].map(isDetached)).toEqual([true, true]);
   });
 
+  test('can be given several at once, where room for the first detaches the others', () => {
+    using mesh = HalfedgeMesh.grid(200, 200, { triangles: true });
+    const corners = mesh.attributes.add('face', 'corners', { type: 'uint32', components: 3 });
+    corners.set(mesh.toTriangles().indices);
+    using copy = withFullHeap(() =>
+      HalfedgeMesh.fromTriangles(mesh.positions, mesh.attributes.get('face', 'corners')),
+    );
+    expect(copy.faceCount).toBe(mesh.faceCount);
+    expect(copy.positions).toEqual(mesh.positions);
+    const { mesh: mended } = withFullHeap(() =>
+      HalfedgeMesh.fromSoup(mesh.positions, mesh.attributes.get('face', 'corners')),
+    );
+    expect(mended.faceCount).toBe(mesh.faceCount);
+    mended.dispose();
+    const ids = mesh.attributes.add('face', 'id', { type: 'uint32' });
+    ids.forEach((_, f) => {
+      ids[f] = f;
+    });
+    const vertices = Uint32Array.from({ length: mesh.vertexSlots }, (_, v) => v);
+    const star = withFullHeap(() =>
+      mesh.star({ vertices, faces: mesh.attributes.get('face', 'id') }),
+    );
+    expect(star.faces).toHaveLength(mesh.faceCount);
+  });
+
   test('can be replaced while an operation is at work on their mesh', () => {
     using mesh = HalfedgeMesh.icoSphere(5);
     using twin = mesh.clone();
@@ -282,7 +308,7 @@ describe('Beyond 2 GiB', () => {
       expect(mesh.allVertexVertices('cw', [1])).toBeDefined();
       expect(mesh.components().length).toBeGreaterThan(0);
       expect(() => HalfedgeMesh.parse('v 0 0 0\nf 1 2 x\n')).toThrow('Line 2');
-      expect(() => mesh.allVertexVertices('cw', [9999])).toThrow('Vertex 9999');
+      expect(() => mesh.allVertexVertices('cw', [9999])).toThrow('vertices[0] is 9999');
       for (const made of [...high, ...meshes]) made.dispose();
       expect(bytesInUse()).toBe(before);
     });

@@ -53,9 +53,7 @@ describe('kRing', () => {
     expect(() => mesh.kRing(8, 1)).toThrow(
       new RangeError('vertices is 8; expected a vertex from 0 to 7.'),
     );
-    expect(() => mesh.kRing([0, 9], 1)).toThrow(
-      expect.objectContaining({ code: 'index-out-of-range' }),
-    );
+    expect(() => mesh.kRing([0, 9], 1)).toThrow('vertices[1] is 9; expected a vertex from 0 to 7.');
     expect(() => mesh.kRing([-1], 1)).toThrow(RangeError);
     expect(() => mesh.kRing('0' as never, 1)).toThrow(TypeError);
     for (const k of [-1, 1.5, Number.NaN]) {
@@ -117,11 +115,9 @@ describe('Star, closure and link', () => {
       /^items.vertices is 3; expected an array/,
     );
     expect(() => mesh.link({ edges: [12] })).toThrow(
-      expect.objectContaining({
-        code: 'index-out-of-range',
-        message: 'Edge 12 at position 0 does not exist, expected less than 12.',
-      }),
+      new RangeError('items.edges[0] is 12; expected an edge from 0 to 11.'),
     );
+    expect(() => mesh.kRing([0, 8], 1)).toThrow('vertices[1] is 8; expected a vertex from 0 to 7.');
     expect(() => mesh.closure({ faces: [-1] })).toThrow(RangeError);
     mesh.connectivity.next[3] = 3;
     mesh.connectivity.toVertex.fill(77);

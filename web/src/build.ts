@@ -181,6 +181,7 @@ function build(
   builder: (points: Block, lengths: Block, vertices: Block) => { mesh: number } | RawFailure,
 ): number {
   const raw = withInputs(core(), (inputs) => {
+    inputs.hold(positions, sizes, corners);
     const points = inputs.floats('positions', positions);
     const lengths = sizes === undefined ? NOTHING : inputs.indices('sizes', sizes);
     return builder(points, lengths, inputs.indices(name, corners));

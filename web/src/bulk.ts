@@ -7,7 +7,7 @@ import { type Rows, rings } from './rings.js';
  * item i, in exactly the order of the circulator; it is empty for deleted slots and isolated
  * vertices. Faster than any loop in JavaScript.
  *
- * With a list of items, row i is the ring around the i-th of them.
+ * With a list of items, row i is the ring around the i-th of them. Edges have one order in both directions.
  */
 export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */
@@ -47,15 +47,27 @@ export abstract class BulkRings extends Navigation {
     return rings(linksOf(this), 'faceFaces', direction, faces);
   }
   /** Row e: the two ends of edge e. Side 0 comes first. */
-  allEdgeVertices(edges?: ArrayLike<number>): Rows {
-    return rings(linksOf(this), 'edgeVertices', 'ccw', edges);
+  allEdgeVertices(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+    return ringsOfEdges(this, 'edgeVertices', direction, edges);
   }
   /** Row e: the two halfedges of edge e. Side 0 comes first. */
-  allEdgeHalfedges(edges?: ArrayLike<number>): Rows {
-    return rings(linksOf(this), 'edgeHalfedges', 'ccw', edges);
+  allEdgeHalfedges(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+    return ringsOfEdges(this, 'edgeHalfedges', direction, edges);
   }
   /** Row e: the one or two faces of edge e. Side 0 comes first. */
-  allEdgeFaces(edges?: ArrayLike<number>): Rows {
-    return rings(linksOf(this), 'edgeFaces', 'ccw', edges);
+  allEdgeFaces(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+    return ringsOfEdges(this, 'edgeFaces', direction, edges);
   }
+}
+
+/** An edge has one order in both directions, so that its list may also come first. */
+function ringsOfEdges(
+  mesh: BulkRings,
+  kind: 'edgeVertices' | 'edgeHalfedges' | 'edgeFaces',
+  direction: Direction | ArrayLike<number> = 'ccw',
+  edges?: ArrayLike<number>,
+): Rows {
+  const isList = typeof direction === 'object' && direction !== null && edges === undefined;
+  const [way, list] = isList ? (['ccw', direction] as const) : [direction as Direction, edges];
+  return rings(linksOf(mesh), kind, way, list);
 }

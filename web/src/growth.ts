@@ -7,22 +7,27 @@ export interface Viewer {
   renewViews(): void;
 }
 
+/** A weak reference to a viewer; not by its name, which the types of an older `lib` have not. */
+export interface Watch {
+  deref(): Viewer | undefined;
+}
+
 /** All that there are. Weakly, so that forgotten meshes can be freed. */
-const viewers = new Set<WeakRef<Viewer>>();
-const forgotten = new FinalizationRegistry<WeakRef<Viewer>>(unwatchGrowth);
+const viewers = new Set<Watch>();
+const forgotten = new FinalizationRegistry<Watch>(unwatchGrowth);
 
 /**
  * Has `viewer` told of each growth from now on, until `unwatchGrowth` of what this returns, or until it is
  * forgotten.
  */
-export function watchGrowth(viewer: Viewer): WeakRef<Viewer> {
-  const watch = new WeakRef(viewer);
+export function watchGrowth(viewer: Viewer): Watch {
+  const watch: Watch = new WeakRef(viewer);
   viewers.add(watch);
   forgotten.register(viewer, watch);
   return watch;
 }
 
-export function unwatchGrowth(watch: WeakRef<Viewer>): void {
+export function unwatchGrowth(watch: Watch): void {
   viewers.delete(watch);
 }
 

@@ -1,6 +1,6 @@
 import { describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
-import { unwatchGrowth, type Viewer, watchGrowth } from './growth.js';
+import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
 import { type ItemKind, NONE } from './items.js';
 import type { Core } from './loader.js';
 
@@ -103,7 +103,7 @@ export class Links implements Viewer {
 
   readonly #core: Core;
   readonly #address: number;
-  readonly #watch: WeakRef<Viewer>;
+  readonly #watch: Watch;
   #version = 0;
   /** What `layout` wrote, in place; and the addresses and rooms among it for which the views were made. */
   #words = NO_WORDS;
@@ -404,11 +404,26 @@ export function slotCount(links: Links, kind: ItemKind): number {
 }
 
 /** Throws a sentence unless `item` is a live item of the kind. */
-export function checkItem(links: Links, kind: ItemKind, item: number): void {
-  if (kind === 'vertex') links.checkVertex(item, 'item');
-  else if (kind === 'halfedge') links.checkHalfedge(item, 'item');
-  else if (kind === 'edge') links.checkEdge(item, 'item');
-  else links.checkFace(item, 'item');
+export function checkItem(links: Links, kind: ItemKind, item: number, argument = 'item'): void {
+  if (kind === 'vertex') links.checkVertex(item, argument);
+  else if (kind === 'halfedge') links.checkHalfedge(item, argument);
+  else if (kind === 'edge') links.checkEdge(item, argument);
+  else links.checkFace(item, argument);
+}
+
+/** Throws a sentence for the first of a list that is no live item of the kind. */
+export function checkItems(
+  links: Links,
+  kind: 'vertex' | 'edge' | 'face',
+  list: ArrayLike<number>,
+  argument: string,
+): void {
+  links.revive();
+  const starts = { vertex: links.vertexHalfedge, edge: links.next, face: links.faceHalfedge }[kind];
+  const stride = kind === 'edge' ? 2 : 1;
+  for (let i = 0; i < list.length; i++) {
+    if (!(starts[stride * list[i]] >= NONE)) checkItem(links, kind, list[i], `${argument}[${i}]`);
+  }
 }
 
 /** Whether there is such an item, and it was not deleted. Mends detached views on the way. */

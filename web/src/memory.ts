@@ -36,12 +36,33 @@ export function withInputs<T>(core: Core, use: (inputs: Inputs) => T): T {
   }
 }
 
+/** Where the numbers of a live view lie, whose memory may grow and leave the view empty. */
+interface Place {
+  readonly name: keyof typeof KINDS;
+  readonly byteOffset: number;
+  readonly count: number;
+}
+
 export class Inputs {
   #core: Core;
   #addresses: number[] = [];
+  #held = new Map<NumberArray, Place>();
 
   constructor(core: Core) {
     this.#core = core;
+  }
+
+  /**
+   * Notes where those lie that are live views of some mesh: to allocate room for one can detach the
+   * others. Needed before the first of several is copied.
+   */
+  hold(...sources: readonly (NumberArray | undefined)[]): void {
+    const { buffer } = this.#core.memory;
+    for (const source of sources) {
+      if (source?.buffer !== buffer) continue;
+      const name = typedArrayName(source) as keyof typeof KINDS;
+      this.#held.set(source, { name, byteOffset: source.byteOffset, count: lengthOf(source) });
+    }
   }
 
   floats(what: string, source: NumberArray): Block {
@@ -73,16 +94,12 @@ export class Inputs {
       | Uint32ArrayConstructor
       | Uint8ArrayConstructor,
   ): Block {
-    const count = lengthOf(source);
+    if (!this.#held.has(source)) this.hold(source);
+    const place = this.#held.get(source);
+    const count = place?.count ?? lengthOf(source);
     const { memory } = this.#core;
-    // The source may be a live view of another mesh: allocating can detach it.
-    const inMemory = source.buffer === memory.buffer;
-    const { byteOffset } = source;
     const address = this.#allocate(what, count * Kind.BYTES_PER_ELEMENT);
-    const detached = inMemory && source.buffer !== memory.buffer;
-    const from = detached
-      ? new KINDS[typedArrayName(source) as keyof typeof KINDS](memory.buffer, byteOffset, count)
-      : source;
+    const from = place ? new KINDS[place.name](memory.buffer, place.byteOffset, count) : source;
     // A view of exactly this block: nothing can be written outside it.
     new Kind(memory.buffer, address, count).set(from);
     return { address, count };

@@ -1,8 +1,8 @@
-import { checkNotNegative, describe, indices, type NumberArray } from './arguments.js';
+import { describe, indices, type NumberArray } from './arguments.js';
 import { refuse } from './checks.js';
 import { Editing } from './editing.js';
 import type { VertexLike } from './items.js';
-import type { Links } from './links.js';
+import { checkItems, type Links } from './links.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
 import { checkObject } from './options.js';
@@ -59,7 +59,12 @@ export abstract class Neighbourhoods extends Editing {
     const links = linksOf(this);
     const { core } = links;
     if (typeof vertices === 'number') links.checkVertex(vertices, 'vertices');
-    const list = itemList('vertices', typeof vertices === 'number' ? [vertices] : vertices);
+    const list = itemList(
+      links,
+      'vertex',
+      'vertices',
+      typeof vertices === 'number' ? [vertices] : vertices,
+    );
     const most = checkDistance(k);
     const { offsets, items } = withInputs(core, (inputs) => {
       const block = inputs.indices('vertices', list);
@@ -94,10 +99,16 @@ export abstract class Neighbourhoods extends Editing {
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
   links.checkAlive();
   const { core } = links;
-  const lists = listsOf(checkObject(items, 'items'));
+  const { vertices, edges, faces } = listsOf(checkObject(items, 'items'));
+  const lists = {
+    vertices: itemList(links, 'vertex', 'items.vertices', vertices),
+    edges: itemList(links, 'edge', 'items.edges', edges),
+    faces: itemList(links, 'face', 'items.faces', faces),
+  };
   const raw = withInputs(core, (inputs) => {
+    inputs.hold(...Object.values(lists));
     const blocks = Object.entries(lists).flatMap(([name, list]) => {
-      const { address, count } = inputs.indices(`items.${name}`, itemList(`items.${name}`, list));
+      const { address, count } = inputs.indices(`items.${name}`, list);
       return [address, count];
     }) as [number, number, number, number, number, number];
     return unwrap(core.surroundings(links.address, SURROUNDINGS.indexOf(which), ...blocks));
@@ -117,9 +128,14 @@ function listsOf(items: Items): Required<Items> {
   );
 }
 
-function itemList(argument: string, items: unknown): NumberArray {
+function itemList(
+  links: Links,
+  kind: 'vertex' | 'edge' | 'face',
+  argument: string,
+  items: unknown,
+): NumberArray {
   const list = indices(argument, items);
-  checkNotNegative(argument, list);
+  checkItems(links, kind, list, argument);
   return list;
 }
 

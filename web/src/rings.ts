@@ -1,8 +1,8 @@
-import { checkNotNegative, indices, newArray } from './arguments.js';
+import { indices, newArray } from './arguments.js';
 import { indexOfChoice } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
 import type { Direction } from './items.js';
-import type { Links } from './links.js';
+import { checkItems, type Links } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { unwrap } from './reports.js';
@@ -26,6 +26,9 @@ export const RING_KINDS = [
 /** A kind of ring: what one item is surrounded by. */
 export type RingKind = (typeof RING_KINDS)[number];
 
+/** What a list of such items is called. */
+const LISTS = { vertex: 'vertices', edge: 'edges', face: 'faces' } as const;
+
 /** Rows of items, compressed: row i is `items.subarray(offsets[i], offsets[i + 1])`. */
 export interface Rows {
   /** One more than there are rows. */
@@ -44,9 +47,10 @@ export function rings(
   const ring = RING_KINDS.indexOf(kind);
   const way = directionIndex(direction);
   if (centres === undefined) return takeRows(core, core.allRings(address, ring, way));
-  const argument = `${kind.startsWith('v') ? 'vertices' : kind.startsWith('f') ? 'faces' : 'edges'}`;
+  const centre = kind.startsWith('v') ? 'vertex' : kind.startsWith('f') ? 'face' : 'edge';
+  const argument = LISTS[centre];
   const list = indices(argument, centres);
-  checkNotNegative(argument, list);
+  checkItems(links, centre, list, argument);
   return withInputs(core, (inputs) => {
     const block = inputs.indices(argument, list);
     return takeRows(core, core.someRings(links.address, ring, way, block.address, block.count));
