@@ -10,6 +10,33 @@ const grid = () => {
   return HalfedgeMesh.fromPolygons(positions, faces);
 };
 
+describe('The positions', () => {
+  test('are the attribute "position" of vertices', () => {
+    using mesh = grid();
+    mesh.history.enabled = true;
+    const { attributes } = mesh;
+    expect(attributes.has('vertex', 'position')).toBe(true);
+    expect(attributes.has('face', 'position')).toBe(false);
+    expect(attributes.get('vertex', 'position')).toBe(mesh.positions);
+    expect(attributes.values('vertex', 'position', 1)).toEqual(mesh.position(1));
+    const before = mesh.position(2);
+    attributes.set('vertex', 'position', 2, [7, 8, 9]);
+    expect(mesh.position(2)).toEqual([7, 8, 9]);
+    expect(mesh.history.undo()).toBe(true);
+    expect(mesh.position(2)).toEqual(before);
+    expect(attributes.list()).toEqual([]);
+    expectRefused(
+      () => attributes.add('vertex', 'position', { components: 3 }),
+      'attribute-exists',
+    );
+    expect(() => attributes.remove('vertex', 'position')).toThrow(RangeError);
+    expect(() => attributes.set('vertex', 'position', 99, [0, 0, 0])).toThrow('item is 99');
+    expect(() => attributes.set('vertex', 'position', 0, [0, 0])).toThrow(RangeError);
+    attributes.add('face', 'position');
+    expect(attributes.get('face', 'position')).toHaveLength(mesh.faceSlots);
+  });
+});
+
 describe('An attribute', () => {
   test.each([
     ['float32', Float32Array],

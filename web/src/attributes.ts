@@ -1,6 +1,7 @@
 import { describe, lengthOfArrayLike } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
-import { done, KINDS, kindIndex, modeOf } from './edit.js';
+import { checkGivenPosition, done, KINDS, kindIndex, modeOf } from './edit.js';
+import { HalfedgeError } from './errors.js';
 import type { ItemKind } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import type { Core } from './loader.js';
@@ -87,6 +88,8 @@ interface Column {
  * With 'interpolate' and 'normalize' a value of a halfedge is that of the corner where it ends, in its
  * face: texture coordinates with seams. With the others it is the halfedge's own.
  *
+ * The positions are the attribute `position` of vertices, which is always there and not listed.
+ *
  * ```ts
  * const colors = mesh.attributes.add('vertex', 'color', { components: 3, default: 1 });
  * colors[3 * v] = 0.5;
@@ -121,6 +124,12 @@ export class Attributes {
     const { type, components, onSplit, defaults } = settingsOf(options);
     const { core } = this.#links;
     const columns = this.#all();
+    if (column === POSITION) {
+      throw new HalfedgeError(
+        'attribute-exists',
+        'Every mesh has the attribute "position" of vertices: its positions.',
+      );
+    }
     const { attribute } = withInputs(core, (inputs) => {
       const text = inputs.bytes('name', new TextEncoder().encode(name));
       const values = inputs.doubles('default', defaults);
@@ -154,16 +163,21 @@ export class Attributes {
     kind: ItemKind,
     name: string,
   ): AttributeView<Type> {
+    if (this.#isPosition(kind, name))
+      return this.#links.positions as AttributeView as AttributeView<Type>;
     return this.#view(this.#find(kind, name)) as AttributeView<Type>;
   }
 
   /** Whether there is such an attribute. */
   has(kind: ItemKind, name: string): boolean {
-    return this.#all().has(checkColumn(kind, name));
+    return this.#isPosition(kind, name) || this.#all().has(checkColumn(kind, name));
   }
 
   /** Removes an attribute; its views are stale then. Returns false if there is none. */
   remove(kind: ItemKind, name: string): boolean {
+    if (this.#isPosition(kind, name)) {
+      refuse('name', name, 'an attribute that was added, as a mesh keeps its positions', 'string');
+    }
     const column = checkColumn(kind, name);
     const columns = this.#all();
     if (!columns.has(column)) return false;
@@ -175,7 +189,7 @@ export class Attributes {
     return columns.delete(column);
   }
 
-  /** All attributes: those of vertices first, then of halfedges, edges and faces, in the order added. */
+  /** All attributes that were added: those of vertices first, then of halfedges, edges and faces, in the order added. */
   list(): AttributeInfo[] {
     const columns = [...this.#all().values()].map(({ info }) => info);
     return KINDS.flatMap((kind) => columns.filter((info) => info.kind === kind));
@@ -187,6 +201,15 @@ export class Attributes {
    */
   set(kind: ItemKind, name: string, item: number, values: number | ArrayLike<number>): void {
     const links = this.#links;
+    if (this.#isPosition(kind, name)) {
+      const [x, y, z] = checkGivenPosition(
+        typeof values === 'number' ? [values, values, values] : values,
+        'values',
+      );
+      links.checkVertex(item, 'item');
+      done(links, links.core._set_position(links.address, modeOf(links), item, x, y, z));
+      return;
+    }
     const { components, type } = this.#find(kind, name).info;
     const numbers = numbersOf('values', values, components, type);
     const { address } = this.#find(kind, name); // again: reading the values may have removed it
@@ -206,10 +229,19 @@ export class Attributes {
 
   /** A copy of the values of one item. */
   values(kind: ItemKind, name: string, item: number): number[] {
+    if (this.#isPosition(kind, name)) {
+      this.#links.checkVertex(item, 'item');
+      return Array.from(this.#links.positions.subarray(3 * item, 3 * item + 3));
+    }
     const column = this.#find(kind, name);
     checkItem(this.#links, kind, item);
     const { components } = column.info;
     return Array.from(this.#view(column).subarray(components * item, components * (item + 1)));
+  }
+
+  /** Whether it is the positions that are asked for: no column, unless one of a file has that name. */
+  #isPosition(kind: ItemKind, name: string): boolean {
+    return checkColumn(kind, name) === POSITION && !this.#all().has(POSITION);
   }
 
   #all(): Map<string, Column> {
@@ -273,6 +305,9 @@ function newColumn(core: Core, info: Omit<AttributeInfo, 'default'>, address: nu
 }
 
 const keyOf = (kind: ItemKind, name: string) => `${kind} ${name}`;
+
+/** What the positions are called among the attributes. */
+const POSITION = keyOf('vertex', 'position');
 
 /** The key of a column. Throws a sentence for what is no kind or no name. */
 function checkColumn(kind: unknown, name: unknown): string {
