@@ -71,6 +71,20 @@ describe('init', () => {
     expectWorking(api);
   });
 
+  test('tries in its own way where another one fails that was there before', async () => {
+    const api = await fresh();
+    const [wrong, missing, right] = await Promise.allSettled([
+      api.init({ wasm: 5 as never }),
+      api.init({ wasm: 'http://localhost:1/nothing' }),
+      api.init({ wasm: bytes }),
+    ]);
+    expect(wrong).toMatchObject({ status: 'rejected', reason: expect.any(TypeError) });
+    expect(missing).toMatchObject({ status: 'rejected', reason: { code: 'init-failed' } });
+    expect(right.status).toBe('fulfilled');
+    expectWorking(api);
+    await expect(api.init({ wasm: null as never })).rejects.toThrow('wasm is null; expected a URL');
+  });
+
   const sources: [string, () => unknown][] = [
     ['a URL', () => address],
     ['the string of a URL', () => address.href],

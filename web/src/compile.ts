@@ -22,28 +22,36 @@ export interface InitOptions {
   wasm?: URL | string | ArrayBuffer | Uint8Array | WebAssembly.Module | undefined;
 }
 
-/** The `wasm` of the options, whatever was passed as options. */
-export function wasmOption(options: InitOptions): InitOptions['wasm'] {
+/** What a module can be compiled from. */
+type Source = URL | string | Uint8Array | WebAssembly.Module;
+
+/** The `wasm` of the options, whatever was passed as options; undefined where it is left out. */
+export function wasmOption(options: InitOptions): Source | undefined {
   if (options === null || typeof options !== 'object') {
     throw new TypeError(`options is ${describe(options)}; expected an object such as { wasm }.`);
   }
-  return checkOptions<InitOptions>(options, { wasm: true }).wasm;
+  const { wasm } = checkOptions<InitOptions>(options, { wasm: true });
+  if (wasm === undefined || typeof wasm === 'string' || isModule(wasm)) return wasm;
+  if (Object.prototype.toString.call(wasm) === '[object URL]') return wasm as URL;
+  const bytes = bytesOf('wasm', wasm);
+  if (bytes !== undefined) return bytes;
+  throw new TypeError(
+    `wasm is ${describe(wasm)}; expected a URL, a string, an ArrayBuffer, a Uint8Array or a WebAssembly.Module.`,
+  );
+}
+
+/** Also of a module of another realm. */
+function isModule(source: unknown): source is WebAssembly.Module {
+  const tag = Object.prototype.toString.call(source);
+  return source instanceof WebAssembly.Module || tag === '[object WebAssembly.Module]';
 }
 
 /** Compiles what `init` was given. */
-export async function moduleFrom(
-  source: Exclude<InitOptions['wasm'], undefined>,
-): Promise<WebAssembly.Module> {
-  if (source instanceof WebAssembly.Module) return source;
+export async function moduleFrom(source: Source): Promise<WebAssembly.Module> {
+  if (isModule(source)) return source;
   if (typeof source === 'string') return fromAddress(resolve(source));
   const bytes = bytesOf('wasm', source);
-  if (bytes !== undefined) return fromBytes(bytes, 'wasm');
-  const tag = Object.prototype.toString.call(source);
-  if (tag === '[object WebAssembly.Module]') return source as WebAssembly.Module; // another realm's
-  if (tag === '[object URL]') return fromAddress(source as URL);
-  throw new TypeError(
-    `wasm is ${describe(source)}; expected a URL, a string, an ArrayBuffer, a Uint8Array or a WebAssembly.Module.`,
-  );
+  return bytes === undefined ? fromAddress(source as URL) : fromBytes(bytes, 'wasm');
 }
 
 /** Node's modules without a `node:` import, which a bundler would follow (webpack fails on it). */

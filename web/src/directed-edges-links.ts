@@ -1,5 +1,5 @@
 import { HalfedgeError } from './errors.js';
-import { unwatchGrowth, type Viewer, watchGrowth } from './growth.js';
+import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
 import { NONE } from './items.js';
 import { checkIndex, disposedError } from './links.js';
 import type { Core } from './loader.js';
@@ -44,7 +44,7 @@ export class DirectedLinks implements Viewer {
 
   readonly #core: Core;
   readonly #address: number;
-  readonly #watch: WeakRef<Viewer>;
+  readonly #watch: Watch;
   /** Where the views lie. */
   readonly #addresses = new Uint32Array(6);
 

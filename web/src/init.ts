@@ -7,13 +7,15 @@ import { load } from './loader.js';
  * in Node, in a browser, in a worker, or behind a bundler.
  *
  * Idempotent: later calls, also concurrent ones, resolve as soon as the first has loaded the module,
- * whatever their options. After a failure it can be called again.
+ * wherever theirs would have come from. If the first fails, they try it in their own way; and it can be
+ * called again.
  *
  * @throws HalfedgeError `not-webassembly` if the bytes are something else (an HTML page, the usual
  * accident), `init-failed` if they can't be had or started; TypeError for a wrong argument.
  */
 export async function init(options: InitOptions = {}): Promise<void> {
-  await load(() => moduleFrom(wasmOption(options) ?? besideThisFile()));
+  const wasm = wasmOption(options);
+  await load(() => moduleFrom(wasm ?? besideThisFile()));
 }
 
 function besideThisFile(): URL {

@@ -10,7 +10,8 @@ export type { InitOptions } from './compile.js';
  * fetched. A third larger; for single-file pages and places without a server.
  */
 export async function init(options: InitOptions = {}): Promise<void> {
-  await load(() => moduleFrom(wasmOption(options) ?? decode(coreBase64)));
+  const wasm = wasmOption(options);
+  await load(() => moduleFrom(wasm ?? decode(coreBase64)));
 }
 
 function decode(base64: string): Uint8Array {

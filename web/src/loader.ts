@@ -28,10 +28,14 @@ export function compiledModule(): WebAssembly.Module {
   return compiled as WebAssembly.Module;
 }
 
-/** Loads the module that `compile` makes, unless one is loaded or being loaded. A failure is not kept. */
-export function load(compile: () => Promise<WebAssembly.Module>): Promise<void> {
-  if (loaded !== undefined) return Promise.resolve();
-  loading ??= compile()
+/**
+ * Loads the module that `compile` makes, unless one is loaded. Who comes while another one is being loaded
+ * waits for that, and tries in its own way if that fails. A failure is not kept.
+ */
+export async function load(compile: () => Promise<WebAssembly.Module>): Promise<void> {
+  while (loading !== undefined) await loading.catch(() => {});
+  if (loaded !== undefined) return;
+  loading = compile()
     .then(async (module) => {
       loaded = await instantiate(module);
       compiled = module;
@@ -39,7 +43,7 @@ export function load(compile: () => Promise<WebAssembly.Module>): Promise<void> 
     .finally(() => {
       loading = undefined;
     });
-  return loading;
+  await loading;
 }
 
 /**
