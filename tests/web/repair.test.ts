@@ -159,6 +159,58 @@ describe('fromSoup', () => {
     mesh.dispose();
   });
 
+  test('names each edge of two faces that it cuts, and cuts no more than it has to', () => {
+    const positions = [
+      0.04, 0.97, 0.12, 0.14, 0.25, 0.55, 1, 0.77, 0.53, 0.47, 0.55, 0.29, 0.93, 0.82, 0.6,
+    ];
+    const faces = [
+      [3, 1, 2],
+      [4, 2, 3],
+      [2, 4, 0],
+      [2, 4, 1],
+      [4, 1, 0],
+      [0, 2, 3],
+      [3, 0, 4],
+    ];
+    const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces);
+    const crowded = report.problems.filter(({ code }) => code === 'edge-with-many-faces');
+    const cut = report.problems.filter(({ code }) => code === 'neighbours-cut');
+    expect(cut.length).toBe(report.counts['neighbours-cut']);
+    expect(report.summary).toContain(
+      `${cut.length} edge${cut.length === 1 ? '' : 's'} beside such`,
+    );
+    const named = [...crowded, ...cut].map(({ witness }) => witness?.vertices.join());
+    // Sides of faces that are joined in the mesh, by the edge of the input that they were.
+    const open = new Set<string>();
+    for (const h of mesh.halfedges()) {
+      if (!mesh.isBoundaryHalfedge(h)) continue;
+      const ends = [mesh.fromVertex(h), mesh.toVertex(h)].map((v) => report.vertexOrigin[v]);
+      open.add(ends.sort((a, b) => a - b).join());
+    }
+    const count = (edge: string) =>
+      faces.filter((face) =>
+        face.some((v, i) => [v, face[(i + 1) % 3]].sort((a, b) => a - b).join() === edge),
+      ).length;
+    for (const edge of open) if (count(edge) > 1) expect(named).toContain(edge);
+    for (const { witness } of cut) {
+      for (const face of witness?.faces ?? []) {
+        const verdict = report.verdicts.find((it) => it.face === face);
+        expect(verdict?.codes).toContain('neighbours-cut');
+      }
+    }
+    mesh.dispose();
+  });
+
+  test('takes a number that is too large for a position as one that is none, in any array', () => {
+    const positions = [1e39, 0, 0, 1, 0, 0, 0, 1, 0];
+    for (const given of [positions, Float64Array.from(positions)]) {
+      const { mesh, report } = HalfedgeMesh.fromSoup(given, [0, 1, 2]);
+      expect(report.counts).toEqual({ 'non-finite-position': 1, 'isolated-vertex': 2 });
+      mesh.dispose();
+    }
+    expect(() => HalfedgeMesh.fromSoup(['1'] as never, [0, 1, 2])).toThrow('positions[0] is "1"');
+  });
+
   test('doubles a pinched vertex', () => {
     const faces = [...TETRAHEDRON, ...TETRAHEDRON.map((face) => face.map((v) => v && v + 3))];
     const { mesh, report } = HalfedgeMesh.fromSoup(points(7), faces);

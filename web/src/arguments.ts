@@ -83,6 +83,16 @@ export function numbers(argument: string, source: unknown): NumberArray {
   return numberArray(argument, source) ?? convert(argument, source, Float32Array, float);
 }
 
+/** As {@link numbers}, where what is too large for a 32-bit float is somebody else's to mend. */
+export function anyNumbers(argument: string, source: unknown): NumberArray {
+  return (
+    numberArray(argument, source) ??
+    convert(argument, source, Float32Array, (value, i) =>
+      typeof value === 'number' ? value : refuseElement(argument, i, value),
+    )
+  );
+}
+
 /**
  * As {@link numbers}, of indices: integers from 0. Signed arrays are passed on unchecked: see
  * `checkNotNegative`.
@@ -122,11 +132,15 @@ export function checkFloats(argument: string, array: NumberArray): void {
 
 /** `value` as an element of positions; infinities and NaN are the builder's to refuse, with their vertex. */
 function float(value: unknown, i: number, argument: string): number {
-  if (typeof value !== 'number') throw wrongElement(argument, i, value, 'a number');
+  if (typeof value !== 'number') refuseElement(argument, i, value);
   if (Number.isFinite(value) && !Number.isFinite(Math.fround(value))) {
     throw wrongElement(argument, i, value, 'a number that fits a 32-bit float');
   }
   return value;
+}
+
+function refuseElement(argument: string, i: number, value: unknown): never {
+  throw wrongElement(argument, i, value, 'a number');
 }
 
 function wrongElement(argument: string, i: number, value: unknown, expected: string): Error {

@@ -1,11 +1,11 @@
 import {
+  anyNumbers,
   checkNotNegative,
   indices,
   lengthOf,
   lengthOfArrayLike,
   type NumberArray,
   newArray,
-  numbers,
   refuseIndex,
   typedArrayName,
 } from './arguments.js';
@@ -32,6 +32,7 @@ const CODES = [
   'edge-with-many-faces',
   'opposite-orientation',
   'non-orientable',
+  'neighbours-cut',
   'pinched-vertex',
   'isolated-vertex',
 ] as const;
@@ -99,6 +100,7 @@ export function soupLinks(
   const { points, sizes, corners } = soupArrays(positions, faces);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
+    inputs.hold(points, sizes, corners);
     const at = inputs.floats('positions', points);
     const lengths = sizes === undefined ? { address: 0, count: 0 } : inputs.indices('sizes', sizes);
     const vertices = inputs.indices('faces', corners);
@@ -132,7 +134,7 @@ export interface SoupArrays {
 
 /** Checks a soup as far as that doesn't take the core. */
 export function soupArrays(positions: unknown, faces: unknown): SoupArrays {
-  const points = numbers('positions', positions);
+  const points = anyNumbers('positions', positions);
   if (lengthOf(points) % 3 !== 0) {
     throw new RangeError(
       `positions has ${counted(lengthOf(points), 'element')}; expected a multiple of 3, x, y and z of each vertex.`,

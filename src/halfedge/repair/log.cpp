@@ -26,6 +26,8 @@ const char* name_of(RepairCode code) {
       return "opposite-orientation";
     case RepairCode::kNonOrientable:
       return "non-orientable";
+    case RepairCode::kNeighboursCut:
+      return "neighbours-cut";
     case RepairCode::kPinchedVertex:
       return "pinched-vertex";
     case RepairCode::kIsolatedVertex:
@@ -67,6 +69,7 @@ std::string summary_of(const RepairReport& report, const RepairOptions& options,
       "that used a vertex twice simplified");
   say(count(RepairCode::kDuplicateFace), "duplicate face", "left out");
   say(count(RepairCode::kEdgeWithManyFaces), "edge", "with more than two faces cut");
+  say(count(RepairCode::kNeighboursCut), "edge", "beside such edges cut");
   say(count(RepairCode::kOppositeOrientation), "face", "turned over");
   say(count(RepairCode::kNonOrientable), "edge", "of one-sided surfaces cut");
   say(count(RepairCode::kPinchedVertex), "pinched vertex", "split");

@@ -28,10 +28,11 @@ enum class RepairCode : std::uint8_t {
   kEdgeWithManyFaces,    // an edge was doubled, so that each copy has one face or two
   kOppositeOrientation,  // a face was turned over
   kNonOrientable,        // an edge was cut: no choice of sides makes its two faces agree
+  kNeighboursCut,        // an edge of two faces was cut, for copies of another edge to differ
   kPinchedVertex,        // a vertex was doubled, so that each copy has one closed fan
   kIsolatedVertex,       // a vertex has no face
 };
-inline constexpr std::size_t kRepairCodeCount = 11;
+inline constexpr std::size_t kRepairCodeCount = 12;
 
 /// "non-finite-position", ...
 [[nodiscard]] const char* name_of(RepairCode code);
@@ -123,8 +124,13 @@ template <Storage kStored>
                                    const RepairOptions& options, RepairReport& report) {
   Mesh whole;
   mesh.clear();
-  if (!build_from_soup(whole, polygons, options, report)) return false;
-  return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
+  LinkConversion::exchange_attributes(mesh, whole);
+  // Where it was built, there is nothing to derive: converting can't fail.
+  if (build_from_soup(whole, polygons, options, report) && convert(std::move(whole), mesh))
+    return true;
+  whole.clear();
+  LinkConversion::exchange_attributes(mesh, whole);
+  return false;
 }
 
 }  // namespace halfedge

@@ -13,9 +13,9 @@ namespace {
 // Gives the fans of a vertex vertices of their own, where they can't share one.
 //
 // Copies of an edge must differ in a vertex, or they would be one edge again. They do, if their
-// fans differ at one end. Where the fans are the same at both ends, all copies but one are torn
-// out: their faces are separated from their neighbours. That makes fans only smaller, so nothing
-// else becomes wrong.
+// fans differ at one end. Where the fans are the same at both ends, each copy but one gets a fan of
+// its own at one of them: its faces are cut from their neighbours there. That makes fans only
+// smaller, so nothing else becomes wrong.
 class Splitter {
  public:
   Splitter(Surface& surface, const Crowds& crowds, const Faces& input, Log& log)
@@ -96,9 +96,7 @@ class Splitter {
           continue;
         }
         torn = true;
-        const Index mate = surface_.mate[copies[i].side];
-        tear_out(surface_.face_of[copies[i].side]);
-        if (mate != kNone) tear_out(surface_.face_of[mate]);
+        set_apart(copies[i].side);
       }
     }
     return true;
@@ -109,11 +107,61 @@ class Splitter {
     const bool up = surface_.from(side) < surface_.to(side);
     return {up ? a : b, up ? b : a, surface_.mate[side] == kNone, side};
   }
-  void tear_out(Index f) {
-    for (Index c = surface_.faces.first[f]; c < surface_.faces.first[f + 1]; ++c) {
-      surface_.cut(c);
-      surface_.split[surface_.faces.corners[c]] = true;
+
+  // Gives the copy of an edge that has this side a fan of its own at one end, the one where that
+  // takes fewer cuts; where none are left to be made there, all of its faces are cut out.
+  void set_apart(Index side) {
+    const Index low = std::min(surface_.from(side), surface_.to(side));
+    const Index high = std::max(surface_.from(side), surface_.to(side));
+    const Index cuts_at_low = cuts_to_make(side, low);
+    const Index cuts_at_high = cuts_to_make(side, high);
+    const bool at_low = cuts_at_high == 0 || (cuts_at_low > 0 && cuts_at_low <= cuts_at_high);
+    if (cuts_at_low + cuts_at_high > 0) {
+      const Index mate = surface_.mate[side];
+      const Index vertex = at_low ? low : high;
+      cut(side_beside(side, vertex));
+      if (mate != kNone) cut(side_beside(mate, vertex));
+      return;
     }
+    const Index mate = surface_.mate[side];
+    cut_out(surface_.face_of[side]);
+    if (mate != kNone) cut_out(surface_.face_of[mate]);
+  }
+  [[nodiscard]] Index side_beside(Index side, Index vertex) const {
+    return surface_.other_side(surface_.corner_at(side, vertex), side);
+  }
+  [[nodiscard]] Index cuts_to_make(Index side, Index vertex) const {
+    const Index mate = surface_.mate[side];
+    const Index cuts = surface_.mate[side_beside(side, vertex)] != kNone ? 1 : 0;
+    if (mate == kNone) return cuts;
+    return cuts + (surface_.mate[side_beside(mate, vertex)] != kNone ? 1 : 0);
+  }
+  void cut_out(Index f) {
+    for (Index c = surface_.faces.first[f]; c < surface_.faces.first[f + 1]; ++c) {
+      cut(c);
+      surface_.split[surface_.faces.corners[c]] = true;  // also where there was nothing to cut
+    }
+  }
+  void cut(Index side) {
+    const Index mate = surface_.mate[side];
+    if (mate == kNone) return;
+    const auto [a, b] =
+        std::minmax({surface_.origin[surface_.from(side)], surface_.origin[surface_.to(side)]});
+    const auto [f, g] = std::minmax({face_in_input(side), face_in_input(mate)});
+    log_.mark(f, RepairCode::kNeighboursCut);
+    log_.mark(g, RepairCode::kNeighboursCut);
+    log_.add(RepairCode::kNeighboursCut, [a = a, b = b, f = f, g = g] {
+      return Error{{},
+                   sentence::of("Edge {}-{} of faces {} and {} was cut: the copies of an edge with "
+                                "more than two faces beside it could not be told apart otherwise.",
+                                a, b, f, g),
+                   {.vertices = {a, b}, .faces = {f, g}}};
+    });
+    surface_.split[surface_.from(side)] = surface_.split[surface_.to(side)] = true;
+    surface_.cut(side);
+  }
+  [[nodiscard]] Index face_in_input(Index corner) const {
+    return input_.source[surface_.faces.source[surface_.face_of[corner]]];
   }
 
   // ---- numbers
@@ -153,8 +201,7 @@ class Splitter {
       Error error{{}, {}, {.vertices = {surface_.origin[v]}}};
       for (const Fan& fan : fans_) {
         if (fan.vertex != v) continue;
-        error.witness.faces.push_back(
-            input_.source[surface_.faces.source[surface_.face_of[fan.first]]]);
+        error.witness.faces.push_back(face_in_input(fan.first));
       }
       error.message = sentence::of(
           "Vertex {} joins {} separate fans of faces (beginning with faces {}): it was doubled.",

@@ -93,6 +93,12 @@ const WORDS: Record<RepairCode, Words> = {
     'Cut open: the surface has one side only.',
     'cut',
   ],
+  'neighbours-cut': [
+    'edge beside such an edge had to be cut',
+    'edges beside such edges had to be cut',
+    'Cut open: two copies of one edge would have been the same.',
+    'cut',
+  ],
   'pinched-vertex': [
     'vertex joins parts that share no edge',
     'vertices join parts that share no edge',
