@@ -85,7 +85,7 @@ describe('stitchBoundaries', () => {
   test('checks its options', () => {
     using mesh = HalfedgeMesh.cube();
     expect(() => mesh.stitchBoundaries({ tolerance: -1 })).toThrow(
-      'options.tolerance is -1; expected a number from 0.',
+      'options.tolerance is -1; expected a finite number from 0.',
     );
     expect(() => mesh.stitchBoundaries({ tolerance: Number.NaN })).toThrow(RangeError);
     expect(() => mesh.stitchBoundaries({ tolerance: '1' as never })).toThrow(TypeError);
@@ -309,3 +309,28 @@ nasty.test(
   },
   120_000,
 );
+
+test('orientOutward turns what is not flat over once, and not again', () => {
+  const next = random(5);
+  for (let trial = 0; trial < 200; trial++) {
+    const positions = Array.from({ length: 12 }, next);
+    using quad = HalfedgeMesh.fromPolygons(positions, [[0, 1, 2, 3]]);
+    quad.orientOutward({ open: true });
+    expect(quad.orientOutward({ open: true }).summary).toBe('Nothing to repair.');
+    using pillow = HalfedgeMesh.fromPolygons(positions, [
+      [0, 1, 2, 3],
+      [3, 2, 1, 0],
+    ]);
+    pillow.orientOutward();
+    expect(pillow.orientOutward().summary).not.toContain('turned over');
+  }
+});
+
+test('A tolerance is finite', () => {
+  using mesh = HalfedgeMesh.cube();
+  for (const repair of ['stitchBoundaries', 'removeDegenerateFaces'] as const) {
+    expect(() => mesh[repair]({ tolerance: Infinity })).toThrow(
+      new RangeError('options.tolerance is Infinity; expected a finite number from 0.'),
+    );
+  }
+});

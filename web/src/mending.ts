@@ -246,10 +246,10 @@ function mend(mesh: Mending, repair: number, a = 0, b = 0, c = 0): MendReport {
 /** As the core takes it: no mesh has more. */
 const upTo32Bits = (count: number) => Math.min(count, 2 ** 32 - 1);
 
-/** Throws unless it is a number from 0 on, which may be infinite. */
+/** Throws unless it is a finite number from 0 on. */
 function checkFrom0(argument: string, value: unknown): void {
-  if (!(typeof value === 'number' && value >= 0))
-    refuse(argument, value, 'a number from 0', 'number');
+  if (!(Number.isFinite(value) && (value as number) >= 0))
+    refuse(argument, value, 'a finite number from 0', 'number');
 }
 
 /** Throws unless it is a number of items, or Infinity for all. */

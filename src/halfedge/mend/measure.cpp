@@ -27,6 +27,18 @@ void add_triangle(const Vector& a, const Vector& b, const Vector& c, Extent& ext
   }
 }
 
+// The halfedge of a face that leads to its smallest vertex. From there polygons are cut into
+// triangles, so that a face that isn't flat has the same volume, but for its sign, when turned
+// over.
+Halfedge smallest_corner(const Surface& surface, Face f) {
+  const Halfedge begin = surface.halfedge(f);
+  Halfedge smallest = begin;
+  for (Halfedge h = surface.next(begin); h != begin; h = surface.next(h)) {
+    if (surface.to_vertex(h) < surface.to_vertex(smallest)) smallest = h;
+  }
+  return smallest;
+}
+
 }  // namespace
 
 double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
@@ -46,7 +58,7 @@ bool measure(const Surface& surface, const Components& components, Array<Extent>
     if (components.of_face[f] == kNone) continue;
     Extent& extent = extents[components.of_face[f]];
     Sums& sums = all[components.of_face[f]];
-    const Halfedge first = surface.halfedge(Face(f));
+    const Halfedge first = smallest_corner(surface, Face(f));
     const Vector corner = point_of(surface, surface.to_vertex(first));
     if (extent.first_face == kNone) {
       extent.first_face = f;
