@@ -194,6 +194,26 @@ TEST(Off, NotesWhatFollowsTheLastFace) {
       (std::vector<std::string>{"ignored what follows the last face, from line 8 on: \"3\""}));
 }
 
+TEST(Off, NotesWordsThatItPassesOver) {
+  const Parsed vertices = parse_off("OFF\n3 1 3\n0 0 0 abc\n1 0 0 foo\n0 1 0\n3 0 1 2\n");
+  EXPECT_EQ(vertices.notes,
+            (std::vector<std::string>{
+                "Of 2 vertices: ignored words behind the position, expected numbers"}));
+  const std::vector<std::string> note = {
+      "Of 1 face: ignored what follows the vertices and is no colour of 3 or 4 numbers"};
+  EXPECT_EQ(parse_off("OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 baz\n").notes, note);
+  EXPECT_EQ(parse_off("OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 0 0 1 foo\n").notes, note);
+  EXPECT_TRUE(parse_off("OFF\n3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 9 0 0 1 # foo\n").notes.empty());
+}
+
+TEST(Off, RefusesANumberTooManyBehindTheCounts) {
+  for (const std::string more : {"7", "7 8"}) {
+    EXPECT_EQ(off_error("OFF\n3 1 3 " + more + "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+              "parse-error: line 2: expected the end of the line behind the counts, found \"7\"");
+  }
+  EXPECT_EQ(parse_off("OFF 3 1 3 0 0 0 1 0 0 0 1 0 3 0 1 2").faces, (Faces{{0, 1, 2}}));
+}
+
 TEST(Off, RefusesAMalformedHead) {
   EXPECT_EQ(off_error(""),
             "truncated: line 1: expected the number of vertices (after the header word OFF, if "

@@ -95,6 +95,9 @@ class OffReader {
   Layout vertices_ = Layout::kUnknown;
   Layout faces_ = Layout::kUnknown;
   std::optional<std::uint64_t> data_lines_;
+  // Of how many something was passed over that can't be read.
+  std::uint64_t vertices_with_words_ = 0;
+  std::uint64_t faces_with_more_ = 0;
 };
 
 std::optional<Error> OffReader::read() {
@@ -202,6 +205,7 @@ void OffReader::read_values_of_vertex() {
     if (!text_.read_float(numbers[count])) break;
   }
   if (!options_.attributes) return;
+  if (count < most && !is_free && !text_.at_line_end()) ++vertices_with_words_;
   const std::size_t color = header_.normals ? 3 : 0;
   const std::size_t behind = color + (header_.texture ? 2 : 0);
   for (std::size_t i = color; header_.colors && i + behind < count + color && i < color + 4; ++i) {
@@ -266,6 +270,7 @@ void OffReader::read_color_of_face() {
     tokens[count] = text_.token();
     if (!text_.read_float(color[count])) break;
   }
+  if (!text_.at_line_end()) ++faces_with_more_;
   if (count == 0) return;
   for (std::size_t i = 0; count >= 3 && i < count; ++i) attributes_.face_colors().see(tokens[i]);
   if (!attributes_.add_face(out_.face_count(), {color.data(), count})) out_.set_out_of_memory();
@@ -297,10 +302,22 @@ bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
 }
 
 std::vector<std::string> OffReader::notes() {
+  std::vector<std::string> notes;
+  if (vertices_with_words_ > 0) {
+    notes.push_back(sentence::of("Of {}: ignored words behind the position, expected numbers",
+                                 sentence::count_of(vertices_with_words_, "vertex")));
+  }
+  if (faces_with_more_ > 0) {
+    notes.push_back(
+        sentence::of("Of {}: ignored what follows the vertices and is no colour of 3 or 4 numbers",
+                     sentence::count_of(faces_with_more_, "face")));
+  }
   text_.skip_to_token();
-  if (text_.at_end()) return {};
-  return {sentence::of("ignored what follows the last face, from line {} on: {}", text_.line(),
-                       text_.found())};
+  if (!text_.at_end()) {
+    notes.push_back(sentence::of("ignored what follows the last face, from line {} on: {}",
+                                 text_.line(), text_.found()));
+  }
+  return notes;
 }
 
 }  // namespace

@@ -134,6 +134,12 @@ Result<OffHeader> read_off_header(TextScanner& text) {
   }
   if (auto error = read_count(text, header.faces, "the number of faces")) return *error;
   if (auto error = skip_edge_count(text)) return *error;
+  // A file may be on one line; but fewer numbers than a vertex has are none of its.
+  text.skip_blanks();
+  const std::size_t more = text.columns_of_line();
+  if (more > 0 && header.vertices > 0 && more < static_cast<std::size_t>(header.coordinates)) {
+    return unexpected(text, "the end of the line behind the counts");
+  }
   if (auto error = check_counts(text, header)) return *error;
   return header;
 }
