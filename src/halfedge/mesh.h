@@ -22,6 +22,9 @@ struct Point {
 
 /// A connectivity whose vertices have positions: three floats for each vertex slot, xyz
 /// interleaved. `Mesh` stores all links; others leave some out (see Storage).
+///
+/// A reference to its connectivity is for reading: what is new or undone through that one gets no
+/// positions.
 template <Storage kStored>
 class BasicMesh : public BasicConnectivity<kStored> {
   using Base = BasicConnectivity<kStored>;

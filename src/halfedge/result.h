@@ -108,7 +108,9 @@ class [[nodiscard]] Result {
     assert(ok());
     return value_;
   }
-  [[nodiscard]] T&& value() && {
+  /// Not a reference, so that `for (const Item& item : make().value())` goes over something that
+  /// lives.
+  [[nodiscard]] T value() && {
     assert(ok());
     return std::move(value_);
   }

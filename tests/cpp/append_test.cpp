@@ -30,7 +30,7 @@ TEST(Append, CopiesLiveItemsAndLeavesTheOthersAlone) {
     Mesh mesh = with_gaps(random_polygons(seed), seed + 100);
     const Mesh other = with_gaps(shape, seed++);
     const Mesh before = copy_of(mesh);
-    const CompactMaps maps = std::move(append(mesh, other).value());
+    const CompactMaps maps = append(mesh, other).value();
     EXPECT_FALSE(has_errors(validate(mesh, 2)));
     EXPECT_EQ(mesh.vertex_count(), before.vertex_count() + other.vertex_count());
     EXPECT_EQ(mesh.edge_count(), before.edge_count() + other.edge_count());
@@ -56,7 +56,7 @@ TEST(Append, OfAMeshToItselfDoublesIt) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Mesh mesh = with_gaps(torus(5, 4, 1), seed);
     const Mesh before = copy_of(mesh);
-    const CompactMaps maps = std::move(append(mesh, mesh).value());
+    const CompactMaps maps = append(mesh, mesh).value();
     EXPECT_FALSE(has_errors(validate(mesh, 2)));
     EXPECT_EQ(mesh.edge_count(), 2 * before.edge_count());
     EXPECT_EQ(mesh.vertex_count(), 2 * before.vertex_count());
@@ -78,10 +78,10 @@ TEST(Append, OfAMeshToItselfDoublesIt) {
 TEST(Append, WorksAcrossStorageOptions) {
   const Mesh whole = with_gaps(cube(), 3);
   BasicMesh<kWithoutPrev> lean;
-  const CompactMaps maps = std::move(append(lean, whole).value());
+  const CompactMaps maps = append(lean, whole).value();
   expect_copy(lean, whole, maps);
   Mesh again;
-  expect_copy(again, lean, [&] { return std::move(append(again, lean).value()); }());
+  expect_copy(again, lean, [&] { return append(again, lean).value(); }());
 }
 
 TEST(Append, IsOneStepOfHistoryAndIsTakenBackExactly) {
@@ -131,7 +131,7 @@ TEST(Append, CopiesTheAttributesThatBothHave) {
   for (const Face f : other.faces()) other.set_attribute(*other_label, f, 0, 7 + f.index());
   for (const Edge e : other.edges()) other.set_attribute(*other_weight, e, 0, 0.1 + e.index());
 
-  const CompactMaps maps = std::move(append(mesh, other).value());
+  const CompactMaps maps = append(mesh, other).value();
   for (const Halfedge h : other.halfedges()) {
     EXPECT_EQ(uv->get(maps(h).index(), 0), h.index());
     EXPECT_EQ(uv->get(maps(h).index(), 1), 100 + h.index());

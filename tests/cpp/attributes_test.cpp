@@ -265,6 +265,58 @@ TEST(Attributes, OfCornersFollowAnEdgeThatTheDecoratorFlips) {
   }
 }
 
+TEST(Attributes, KeepTheLengthOfAMeshWhoseFacesAreDerived) {
+  Mesh mesh = reference_build(tetrahedron());
+  BasicMesh<kWithoutFaces> bare;
+  ASSERT_TRUE(convert(std::move(mesh), bare));
+  ASSERT_TRUE(bare.add_attribute(ItemKind::kFace, "area"));
+  ASSERT_TRUE(bare.add_attribute(ItemKind::kVertex, "weight"));
+  Mesh back;
+  ASSERT_TRUE(convert(std::move(bare), back));
+  ASSERT_EQ(back.face_slots(), 4U);
+  Attribute* const area = back.find_attribute(ItemKind::kFace, "area");
+  ASSERT_NE(area, nullptr);
+  EXPECT_EQ(area->slots(), 4U);
+  back.set_attribute(*area, Face(3), 0, 5);
+  EXPECT_EQ(area->get(3, 0), 5);
+  BasicMesh<kWithoutFaces> again;
+  ASSERT_TRUE(convert(std::move(back), again));
+  EXPECT_EQ(again.find_attribute(ItemKind::kFace, "area")->slots(), 0U);
+  EXPECT_EQ(again.find_attribute(ItemKind::kVertex, "weight")->slots(), 4U);
+}
+
+template <Storage kStored>
+void expect_builds_to_keep_columns() {
+  BasicMesh<kStored> mesh;
+  Attribute* const weight = mesh.add_attribute(ItemKind::kVertex, "weight").value();
+  ASSERT_TRUE(mesh.enable_generations());
+  constexpr float kPositions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  constexpr Index kCorners[] = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+  const Polygons closed{kPositions, {}, kCorners};
+  BuildReport built;
+  ASSERT_TRUE(build_from_polygons(mesh, closed, built));
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kVertex, "weight"), weight);
+  EXPECT_EQ(weight->slots(), mesh.vertex_slots());
+  const Index before = mesh.generation(Vertex(0));
+  RepairReport repaired;
+  ASSERT_TRUE(build_from_soup(mesh, closed, {}, repaired));
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kVertex, "weight"), weight);
+  EXPECT_EQ(weight->slots(), mesh.vertex_slots());
+  EXPECT_NE(mesh.generation(Vertex(0)), before);
+  const Index nowhere[] = {0, 1, 9};
+  const Polygons broken{kPositions, {}, nowhere};
+  EXPECT_FALSE(build_from_polygons(mesh, broken, built));
+  EXPECT_EQ(mesh.find_attribute(ItemKind::kVertex, "weight"), weight);
+  EXPECT_EQ(weight->slots(), 0U);
+}
+
+TEST(Attributes, StayWhereAMeshIsBuiltAnew) {
+  expect_builds_to_keep_columns<Mesh::kStorage>();
+  expect_builds_to_keep_columns<kWithoutPrev>();
+  expect_builds_to_keep_columns<kWithoutFaces>();
+  expect_builds_to_keep_columns<Storage{.vertex_halfedge = false}>();
+}
+
 // ---- generations ----------------------------------------------------------------------------
 
 TEST(Generations, TellTheItemsOfOneSlotApart) {
@@ -350,6 +402,21 @@ TEST(Generations, EndWhenTheMeshIsCompacted) {
   ASSERT_TRUE(compact(mesh));
   EXPECT_NE(mesh.generation(Face(0)), before);
   EXPECT_EQ(mesh.generation(Vertex(1)), mesh.generation(Edge(1)));
+}
+
+TEST(Generations, EndWhereEdgesAreRenumbered) {
+  Mesh mesh = reference_build(quad_grid(3, 3));
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index before = mesh.generation(Edge(0));
+  ASSERT_TRUE(decorator::normalize_boundary(mesh));
+  EXPECT_NE(mesh.generation(Edge(0)), before);
+}
+
+TEST(Result, HandsOverWhatALoopCanGoOver) {
+  const Mesh mesh = reference_build(quad_grid(3, 3));
+  std::size_t loops = 0;
+  for (const Halfedge h : boundary_loops(mesh).value()) loops += mesh.is_boundary(h) ? 1 : 0;
+  EXPECT_EQ(loops, 1U);
 }
 
 }  // namespace

@@ -35,9 +35,7 @@ Mesh dual_of(const Mesh& mesh) {
   return out;
 }
 
-Mesh shape(const Result<PolygonSoup>& polygons) {
-  return std::move(shapes::mesh_of(polygons).value());
-}
+Mesh shape(const Result<PolygonSoup>& polygons) { return shapes::mesh_of(polygons).value(); }
 
 struct Numbers {
   Index vertices, edges, faces, degree;
@@ -78,7 +76,7 @@ TEST(Dual, OfTheDualOfAClosedMeshIsTheMesh) {
 TEST(Dual, HasItsVerticesInTheCentroidsAndItsFacesAroundTheVertices) {
   const Mesh mesh = shape(shapes::grid(3, 3, shapes::Faces::kQuads, 3, 3));
   Mesh out;
-  const DualMaps maps = std::move(dual(mesh, out).value());
+  const DualMaps maps = dual(mesh, out).value();
   EXPECT_EQ(out.vertex_count(), 9U);
   EXPECT_EQ(out.face_count(), 4U);
   EXPECT_EQ(out.position(Vertex(0)), (Point{-1, -1, 0}));
@@ -97,7 +95,7 @@ TEST(Dual, LeavesOutWhatIsDeleted) {
   ASSERT_TRUE(append(mesh, shape(shapes::cube())).ok());
   mesh.release(lost);
   Mesh out;
-  const DualMaps maps = std::move(dual(mesh, out).value());
+  const DualMaps maps = dual(mesh, out).value();
   EXPECT_EQ(out.vertex_count(), 14U);
   EXPECT_EQ(maps.vertices[lost.index()], kNone);
   EXPECT_EQ(maps.vertices[lost.index() + 1], 6U);

@@ -52,7 +52,7 @@ TEST(Reorder, LeavesTheSameMeshInOtherSlots) {
     scatter_positions(mesh, random);
     add_attributes_of_all_kinds(mesh);
     const Mesh before = copy_of(mesh);
-    const CompactMaps maps = std::move(reorder(mesh).value());
+    const CompactMaps maps = reorder(mesh).value();
     expect_valid_complex(mesh);
     expect_renumbered(mesh, before, maps);
     expect_grouped(mesh);
@@ -72,14 +72,14 @@ TEST(Reorder, LeavesPolygonMeshesValid) {
     }
     add_attributes_of_all_kinds(mesh);
     const Mesh before = copy_of(mesh);
-    const CompactMaps maps = std::move(reorder(mesh).value());
+    const CompactMaps maps = reorder(mesh).value();
     EXPECT_FALSE(has_errors(validate(mesh, kMaxValidationLevel)));
     EXPECT_TRUE(mesh.halfedge_slots() > 160 || Invariants(mesh).hold());
     expect_renumbered(mesh, before, maps);
     expect_grouped(mesh);
 
     Mesh by_links = copy_of(before);
-    const CompactMaps other_maps = std::move(reorder_breadth_first(by_links).value());
+    const CompactMaps other_maps = reorder_breadth_first(by_links).value();
     expect_renumbered(by_links, before, other_maps);
     expect_grouped(by_links);
   }
@@ -89,11 +89,11 @@ TEST(Reorder, NumbersVerticesInTheirOrder) {
   Mesh mesh = reference_build(torus(6, 5));
   std::mt19937 random(1);
   scatter_positions(mesh, random);
-  const Array<Index> order = std::move(morton_order(mesh.positions(), mesh.links()).value());
-  const Array<Index> by_links = std::move(breadth_first_order(mesh.links()).value());
+  const Array<Index> order = morton_order(mesh.positions(), mesh.links()).value();
+  const Array<Index> by_links = breadth_first_order(mesh.links()).value();
   Mesh other = copy_of(mesh);
-  const CompactMaps maps = std::move(reorder(mesh).value());
-  const CompactMaps other_maps = std::move(reorder_breadth_first(other).value());
+  const CompactMaps maps = reorder(mesh).value();
+  const CompactMaps other_maps = reorder_breadth_first(other).value();
   for (Index v = 0; v < order.size(); ++v) {
     EXPECT_EQ(maps.vertices[order[v]], v);
     EXPECT_EQ(other_maps.vertices[by_links[v]], v);
@@ -149,7 +149,7 @@ TEST(Reorder, OfAMeshInOrderChangesNothingAndIsNoStep) {
     ASSERT_TRUE(mesh.enable_history());
     const Snapshot before(mesh);
     const std::uint64_t version = mesh.version();
-    const CompactMaps maps = std::move(reorder(mesh).value());
+    const CompactMaps maps = reorder(mesh).value();
     EXPECT_TRUE(Snapshot(mesh) == before);
     EXPECT_EQ(mesh.version(), version);
     EXPECT_FALSE(mesh.history()->has_open_step());
@@ -165,7 +165,7 @@ TEST(Reorder, OfFewOrNoItemsIsNothingSpecial) {
   ASSERT_TRUE(reorder_breadth_first(mesh));
   EXPECT_EQ(mesh.version(), 0U);
   for (const float x : {2.0F, 0.0F, 1.0F}) ASSERT_TRUE(mesh.add_vertex({x, 0, 0}).valid());
-  const CompactMaps maps = std::move(reorder(mesh).value());
+  const CompactMaps maps = reorder(mesh).value();
   EXPECT_EQ((std::vector<Index>(maps.vertices.begin(), maps.vertices.end())),
             (std::vector<Index>{2, 0, 1}));
   for (Index v = 0; v < 3; ++v) {
@@ -187,7 +187,7 @@ TEST(Reorder, KeepsPositionsThatAreNoNumbers) {
   std::size_t i = 0;
   for (float& p : mesh.mutable_positions()) p = values[i++ * 7 % 5];
   const Mesh before = copy_of(mesh);
-  const CompactMaps maps = std::move(reorder(mesh).value());
+  const CompactMaps maps = reorder(mesh).value();
   EXPECT_FALSE(has_errors(validate(mesh, 3)));
   for (const Vertex v : before.vertices()) {
     EXPECT_EQ(std::memcmp(&mesh.positions()[3 * maps(v).index()],
@@ -208,7 +208,7 @@ TEST(Reorder, IsUndoneAndRedoneExactly) {
     mesh.end_step();
     scatter_positions(mesh, random);
     const Snapshot before(mesh);
-    const CompactMaps maps = std::move(reorder(mesh).value());
+    const CompactMaps maps = reorder(mesh).value();
     const Vertex moved = maps(late);
     mesh.set_position(moved, {5, 5, 5});
     const Snapshot after(mesh);
@@ -253,7 +253,7 @@ TEST(Reorder, BreadthFirstNeedsNoPositions) {
   const Mesh mesh = reference_build(random_polygons(5));
   Connectivity links;
   ASSERT_TRUE(links.assign(mesh));
-  const CompactMaps maps = std::move(reorder_breadth_first(links).value());
+  const CompactMaps maps = reorder_breadth_first(links).value();
   EXPECT_EQ(links.edge_count(), mesh.edge_count());
   for (const Halfedge h : mesh.halfedges()) {
     EXPECT_EQ(links.next(maps(h)), maps(mesh.next(h)));
@@ -273,7 +273,7 @@ TEST(Reorder, DoesNotFollowLinksOutOfTheArrays) {
       Index& link = (*array)[random() % array->size()];
       link = Index(random() % 2 == 0 ? random() % 60 : random());
     }
-    const CompactMaps maps = std::move(reorder(mesh).value());
+    const CompactMaps maps = reorder(mesh).value();
     EXPECT_EQ(maps.vertices.size(), 12U);
     EXPECT_LE(mesh.edge_slots(), 24U);
     EXPECT_LE(mesh.face_slots(), 11U);

@@ -58,8 +58,12 @@ template <Storage kStored>
                                        BuildReport& report) {
   Mesh whole;
   mesh.clear();
-  if (!build_from_polygons(whole, polygons, report)) return false;
-  return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
+  LinkConversion::exchange_attributes(mesh, whole);
+  // Where it was built, there is nothing to derive: converting can't fail.
+  if (build_from_polygons(whole, polygons, report) && convert(std::move(whole), mesh)) return true;
+  whole.clear();
+  LinkConversion::exchange_attributes(mesh, whole);
+  return false;
 }
 
 }  // namespace halfedge

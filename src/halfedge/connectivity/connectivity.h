@@ -353,6 +353,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   template <class Item>
   void set_attribute(Attribute& attribute, Item item, Index component, double value) {
     assert(attribute.kind() == kind_of(item) && is_live(item));
+    assert(component < attribute.components());
     attribute.set(item.index(), component, value, journal_.get());
   }
   /// The values of an item become those of another, of a mean of two, (1 - t) a + t b, or of the
@@ -416,6 +417,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] Index generation(Halfedge h) const { return generation_of(edge(h)); }
   [[nodiscard]] Index generation(Edge e) const { return generation_of(e); }
   [[nodiscard]] Index generation(Face f) const { return generation_of(f); }
+  /// Gives all items other stamps than they had, if they have any: for code that renumbers them.
+  void end_generations() { attributes_.end_all_generations(); }
   /// Gives the columns as many slots as the mesh has, after code that wrote whole arrays. False
   /// when memory is exhausted.
   [[nodiscard]] bool fit_attributes();

@@ -33,6 +33,10 @@ class LinkConversion {
         !done) {
       return done.error();
     }
+    // So that nothing can fail once links have moved.
+    if (kTo.face && !from.attributes_.reserve(ItemKind::kFace, faces)) {
+      return Error{"out-of-memory", "There is not enough memory for attributes of faces."};
+    }
     const auto take = [](bool wanted, bool stored, Array<Index>& link, Array<Index>& made) {
       return wanted ? std::move(stored ? link : made) : Array<Index>{};
     };
@@ -51,11 +55,18 @@ class LinkConversion {
     to.bare_vertices_ = kTo.vertex_halfedge ? 0 : vertices;
     to.bare_faces_ = kTo.face_halfedge || !kTo.face ? 0 : faces;
     to.attributes_ = std::exchange(from.attributes_, {});
+    (void)to.fit_attributes();
     to.forget_history();
     ++to.version_;
     links = Links{};
     from.clear();
     return {};
+  }
+
+  /// Exchanges the columns of two meshes without items.
+  template <Storage kOne, Storage kOther>
+  static void exchange_attributes(BasicConnectivity<kOne>& one, BasicConnectivity<kOther>& other) {
+    std::swap(one.attributes_, other.attributes_);
   }
 
  private:
@@ -65,7 +76,7 @@ class LinkConversion {
 /// Moves a mesh into a type that stores other links. Those that `to` doesn't store are freed, those
 /// that only `to` stores are derived; the others are handed over, not copied. Vertices, edges and
 /// faces keep their indices, deleted ones included; `from` is empty afterwards. After an error
-/// both are as before.
+/// both are as before. Attributes come along, those of faces where `to` has slots for faces.
 ///
 /// What is derived: prev from next. Anchors as the builder chooses them, as far as faces are known
 /// (a boundary halfedge, the one to the smallest vertex; else that in the face of highest index;

@@ -102,7 +102,10 @@ class Circulator {
   }
 
   [[nodiscard]] bool valid() const { return at_.valid(); }
-  [[nodiscard]] Halfedge halfedge() const { return at_; }
+  [[nodiscard]] Halfedge halfedge() const {
+    if (valid()) stamp_.check(*mesh_);
+    return at_;
+  }
   [[nodiscard]] reference operator*() const {
     check();
     return View::of(*mesh_, at_);
@@ -187,7 +190,10 @@ class Orbit {
       if (may_skip() && !at_end_ && shows_nothing()) ++*this;
     }
 
-    [[nodiscard]] Halfedge halfedge() const { return at_; }
+    [[nodiscard]] Halfedge halfedge() const {
+      stamp_.check(*mesh_);
+      return at_;
+    }
     [[nodiscard]] reference operator*() const {
       stamp_.check(*mesh_);
       return View::of(*mesh_, at_);

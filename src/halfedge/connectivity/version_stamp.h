@@ -17,6 +17,14 @@
 #endif
 #endif
 
+/// A namespace within those of the dialects, for the linker: a program that is compiled for
+/// debugging may use a library that isn't, and what their functions return differs in size.
+#if HALFEDGE_CHECKED
+#define HALFEDGE_CHECKS checked
+#else
+#define HALFEDGE_CHECKS unchecked
+#endif
+
 namespace halfedge {
 
 inline constexpr bool kCheckedCirculators = HALFEDGE_CHECKED != 0;

@@ -109,7 +109,7 @@ requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
       Component component{.edge = e};
       for (const Edge joined : walk.edges_of(e)) {
         for (const Vertex v : mesh.edge_vertices(joined)) {
-          component.vertices += counted[v.index()] ? 0 : 1;
+          component.vertices += counted[v.index()] ? 0U : 1U;
           counted[v.index()] = true;
         }
       }

@@ -16,7 +16,11 @@ namespace halfedge::decorator {
 
 /// A mesh type whose faces, if it knows any, are known to its halfedges; not a const one.
 template <class Mesh>
-concept Editable = (StoresFaces<Mesh> || !StoresFaceHalfedges<Mesh>)&&!std::is_const_v<Mesh>;
+concept Editable =
+    !std::is_const_v<Mesh> &&
+    (StoresFaces<Mesh> || !StoresFaceHalfedges<Mesh>)&&requires(Mesh & mesh, Halfedge h) {
+  mesh.link(h, h);
+};
 /// A mesh type that can delete faces: one that stores a halfedge of each, or none at all.
 template <class Mesh>
 concept DeletesFaces = !StoresFaces<Mesh> || StoresFaceHalfedges<Mesh>;
@@ -24,9 +28,12 @@ concept DeletesFaces = !StoresFaces<Mesh> || StoresFaceHalfedges<Mesh>;
 template <class Mesh>
 concept DeletesVertices = StoresAnchors<Mesh>;
 
+/// A mesh type with positions that the operations look after: ours. One that is built on a
+/// connectivity, and has another geometry, looks after that itself.
 template <class Mesh>
-concept HasPositions = requires(const Mesh& mesh, Vertex v) {
+concept HasPositions = requires(const Mesh& mesh, std::remove_const_t<Mesh>& changed, Vertex v) {
   mesh.position(v);
+  changed.mutable_positions();
 };
 
 /// The steps of which the operations consist. A link that the mesh type doesn't store is empty when

@@ -156,7 +156,7 @@ void renumber_attributes(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>
 ///
 /// Handles of edges and halfedges, and what is stored by edge or halfedge outside the mesh, change
 /// as `new_halfedge` says; vertices and faces keep theirs. History is forgotten.
-/// attributes: those of edges and halfedges move with them
+/// attributes: those of edges and halfedges move with them; generations end
 /// post: is_boundary_normalized(mesh)
 /// cost: O(slots), 8 bytes a halfedge of scratch memory. inverse: none; the same again changes
 ///       nothing
@@ -184,13 +184,14 @@ requires StoresFaces<Mesh>
         if (!order.first_boundary_edge.valid()) order.first_boundary_edge = *slot;
         ++order.boundary_edges;
         order.boundary_halfedges +=
-            mesh.is_boundary(h) && mesh.is_boundary(mesh.opposite(h)) ? 2 : 1;
+            mesh.is_boundary(h) && mesh.is_boundary(mesh.opposite(h)) ? 2U : 1U;
       }
       ++slot;
     }
   }
   renumber_halfedges(mesh, order.new_halfedge, scratch);
   renumber_attributes(mesh, order.new_halfedge, scratch);
+  mesh.end_generations();
   return order;
 }
 

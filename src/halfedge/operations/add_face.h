@@ -79,7 +79,7 @@ template <class Mesh>
   for (std::size_t i = 0; i < degree; ++i) {
     const Halfedge out = i + 1 == degree ? last : mesh.find_halfedge(corners[i], corners[i + 1]);
     if (out.valid() && !mesh.is_boundary(out)) return side_is_taken(mesh, out, corners, i);
-    new_edges += out.valid() ? 0 : 1;
+    new_edges += out.valid() ? 0U : 1U;
     if (Result<void> can = check_corner(mesh, corners[i], in, out); !can) return can.error();
     in = out;
   }

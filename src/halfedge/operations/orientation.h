@@ -48,7 +48,7 @@ template <EditableSurface Mesh>
 ///
 /// attributes: as reverse
 /// returns: the number of edges in the component
-/// cost: O(component), seven bytes for each edge slot. inverse: itself, exactly
+/// cost: O(component), seven bytes for each edge slot, which are cleared. inverse: itself, exactly
 /// errors: not-a-halfedge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> reverse_component(Mesh& mesh, Halfedge h) {

@@ -10,7 +10,7 @@
 namespace halfedge::operations {
 
 template <class Mesh>
-concept EditableSurface = StoresSurface<Mesh> && !std::is_const_v<Mesh>;
+concept EditableSurface = StoresSurface<Mesh> && decorator::Editable<Mesh>;
 
 using decorator::HasPositions;
 using decorator::internal::check_live;
