@@ -16,7 +16,7 @@
 /// A halfedge is incident to the vertex it points to, so circulators around a vertex visit the
 /// halfedges that arrive there, clockwise; those around a facet go counter-clockwise. Orders are
 /// compared with CGAL 5.5 by the tests.
-namespace halfedge::dialects::cgal {
+namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
 
 /// One mesh of ours (`Mesh`, any of its storage variants, ...) read through CGAL's names. It is a
 /// reference: nothing is stored or copied, and both names can be used at the same time. Handles and
@@ -70,7 +70,7 @@ class Polyhedron {
   /// Counted anew each time, O(halfedges); there is no need for normalize_border().
   [[nodiscard]] size_type size_of_border_halfedges() const {
     size_type count = 0;
-    for (const halfedge::Halfedge h : mesh_->halfedges()) count += mesh_->is_boundary(h) ? 1 : 0;
+    for (const halfedge::Halfedge h : mesh_->halfedges()) count += mesh_->is_boundary(h) ? 1U : 0U;
     return count;
   }
   /// An edge has a facet on at least one side.
@@ -102,4 +102,4 @@ class Polyhedron {
   const Mesh* mesh_;
 };
 
-}  // namespace halfedge::dialects::cgal
+}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS

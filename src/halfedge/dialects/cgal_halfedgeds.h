@@ -16,7 +16,7 @@
 ///   Decorator decorator(hds);
 ///   decorator.create_loop();
 ///   assert(decorator.is_valid());
-namespace halfedge::dialects::cgal {
+namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
 
 /// A combinatorial structure: of the traits CGAL asks only for the type of points, and it has none.
 template <class Traits>
@@ -81,4 +81,4 @@ class HalfedgeDS_decorator {
   HDS* hds_;
 };
 
-}  // namespace halfedge::dialects::cgal
+}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS

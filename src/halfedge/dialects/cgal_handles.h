@@ -9,7 +9,7 @@
 #include <type_traits>
 
 /// Handles, circulators and iterators as CGAL's programs use them; see cgal.h.
-namespace halfedge::dialects::cgal {
+namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
 
 /// An item of a mesh that knows its mesh: handle and record in one, so that `h->next()`,
 /// `(*h).next()` and `h.next()` all work. Converts to our handle. Default-constructed it is empty,
@@ -138,6 +138,12 @@ class HalfedgeCirculator : public HalfedgeOf<Mesh> {
   explicit HalfedgeCirculator(const HalfedgeOf<Mesh>& start) : HalfedgeOf<Mesh>(start) {
     if (start != nullptr) stamp_ = VersionStamp<kCheckedCirculators>(this->mesh());
   }
+
+  [[nodiscard]] reference operator*() const {
+    if (*this != nullptr) stamp_.check(this->mesh());
+    return *this;
+  }
+  [[nodiscard]] pointer operator->() const { return &**this; }
 
   Self& operator++() { return move_to(Self::after(*this)); }
   Self& operator--() { return move_to(Self::before(*this)); }
@@ -276,4 +282,4 @@ class ItemIterator : public NamedItem {
   Index at_ = 0;
 };
 
-}  // namespace halfedge::dialects::cgal
+}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS

@@ -17,7 +17,7 @@
 /// around a vertex clockwise, around a face counter-clockwise, and `cw` and `ccw` ranges are the
 /// reverse of each other. Where OpenMesh 9 reads out of bounds, around an isolated vertex, ranges
 /// are empty. Not here: adding faces, properties and smart handles; our own API has its own way.
-namespace halfedge::dialects::openmesh {
+namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS {
 
 /// One mesh of ours (`Mesh`, any of its storage variants, a `Connectivity`, ...; const or not) with
 /// OpenMesh's functions. It is a reference: nothing is stored or copied, and both names can be used
@@ -34,6 +34,7 @@ class PolyMesh {
   using Point = halfedge::Point;
 
   explicit PolyMesh(M& mesh) : mesh_(&mesh) {}
+  explicit PolyMesh(const M&& mesh) = delete;  // it would be gone
 
   // ---- counts and items ---------------------------------------------------------------------
 
@@ -250,4 +251,4 @@ class PolyMesh {
   M* mesh_;
 };
 
-}  // namespace halfedge::dialects::openmesh
+}  // namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS

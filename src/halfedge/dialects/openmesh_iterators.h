@@ -4,11 +4,12 @@
 #include <halfedge/connectivity/handle.h>
 
 #include <cstddef>
+#include <functional>
 #include <iosfwd>
 #include <iterator>
 
 /// Handles, circulators and iterators as OpenMesh's programs use them; see openmesh.h.
-namespace halfedge::dialects::openmesh {
+namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS {
 
 /// One of our handles with the members of OpenMesh's. Converts silently from and to ours.
 template <class Item>
@@ -119,7 +120,8 @@ class LapIter {
   [[no_unique_address]] VersionStamp<kCheckedCirculators> stamp_;
 };
 
-/// `VertexIter` and its kin: the live items of one kind, in index order.
+/// `VertexIter` and its kin: the live items of one kind, in index order. Checked builds assert on
+/// use after there were more or fewer slots.
 template <class Mesh, class Item>
 class ItemIter {
  public:
@@ -132,12 +134,18 @@ class ItemIter {
 
   ItemIter() = default;
   /// At the first live item from slot `at` on.
-  ItemIter(const Mesh& mesh, Index at) : mesh_(&mesh), at_(at) { skip_deleted(); }
+  ItemIter(const Mesh& mesh, Index at) : mesh_(&mesh), at_(at), stamp_(mesh.slots(Item{})) {
+    skip_deleted();
+  }
 
-  [[nodiscard]] reference operator*() const { return Item(at_); }
+  [[nodiscard]] reference operator*() const {
+    stamp_.check(mesh_->slots(Item{}));
+    return Item(at_);
+  }
   [[nodiscard]] pointer operator->() const { return pointer(**this); }
 
   ItemIter& operator++() {
+    stamp_.check(mesh_->slots(Item{}));
     ++at_;
     skip_deleted();
     return *this;
@@ -169,6 +177,7 @@ class ItemIter {
 
   const Mesh* mesh_ = nullptr;
   Index at_ = 0;
+  [[no_unique_address]] SlotsStamp<kCheckedCirculators> stamp_;
 };
 
 /// What a range-based for loop asks for.
@@ -184,4 +193,7 @@ class IterRange {
   Iter end_;
 };
 
-}  // namespace halfedge::dialects::openmesh
+}  // namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS
+
+template <class Item>
+struct std::hash<halfedge::dialects::openmesh::NamedHandle<Item>> : std::hash<Item> {};
