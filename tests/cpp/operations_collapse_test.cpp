@@ -374,7 +374,7 @@ TEST(SplitVertex, RefusesWithAWitness) {
   EXPECT_EQ(error_of(h01, h12, "different-vertices").witness,
             (Witness{.vertices = {0, 1}, .halfedges = {h01.index(), h12.index()}}));
   EXPECT_EQ(error_of(h01, h01, "same-vertex", kTriangles).witness,
-            (Witness{.vertices = {1}, .edges = {mesh.edge(h01).index()}}));
+            (Witness{.vertices = {1}, .halfedges = {h01.index()}}));
   // From 0-1 counter-clockwise to 0-2 lies the triangle 0 1 2.
   EXPECT_EQ(error_of(h01, h02, "nothing-between", kCorners).witness,
             (Witness{.vertices = {}, .halfedges = {h01.index(), h02.index()}}));

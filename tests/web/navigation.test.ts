@@ -273,7 +273,7 @@ describe('A wrong index', () => {
   test('for a side of an edge names the sides', () => {
     using mesh = build(quadGrid());
     expect(() => mesh.edgeHalfedge(0, 2 as 1)).toThrow('side is 2; expected 0 or 1.');
-    expect(() => mesh.edgeHalfedge(0, '1' as unknown as 1)).toThrow(RangeError);
+    expect(() => mesh.edgeHalfedge(0, '1' as unknown as 1)).toThrow(TypeError);
   });
 
   test('in an empty mesh says that there is none', () => {

@@ -133,6 +133,48 @@ describe('collapse and splitVertex', () => {
     expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
   });
 
+  test.each([
+    ['an open grid', () => HalfedgeMesh.grid(3, 3, { triangles: true })],
+    ['a cube', () => HalfedgeMesh.cube()],
+    ['two triangles', () => HalfedgeMesh.grid(1, 1, { triangles: true })],
+    ['an octahedron', () => HalfedgeMesh.octahedron()],
+    ['open quads', () => HalfedgeMesh.grid(3, 2)],
+  ])('splitVertex takes back every collapse of %s, told what has vanished', (_, make) => {
+    using mesh = make();
+    const sidesOf = (h: number) => {
+      const isTriangle = (side: number) =>
+        !mesh.isBoundaryHalfedge(side) && mesh.degree(mesh.face(side)) === 3;
+      return {
+        left: isTriangle(h) ? 'triangle' : 'corner',
+        right: isTriangle(h ^ 1) ? 'triangle' : 'corner',
+      } as const;
+    };
+    /** Corners of faces, by position: the vertex may come back with another number. */
+    const facesOf = (it: HalfedgeMesh) =>
+      [...it.faces()]
+        .map((f) => {
+          const corners = [...it.faceVertices(f)].map((v) => it.position(v).join(' '));
+          const first = corners.indexOf([...corners].sort()[0]);
+          return [...corners.slice(first), ...corners.slice(0, first)].join(', ');
+        })
+        .sort();
+    const before = facesOf(mesh);
+    let tried = 0;
+    for (const h of mesh.halfedges().toArray()) {
+      using copy = mesh.clone();
+      if (copy.checkCollapse(h) !== null) continue;
+      const position = copy.position(copy.fromVertex(h));
+      const [hl, hr] = [copy.next(h), copy.opposite(copy.prev(copy.opposite(h)))];
+      const sides = sidesOf(h);
+      copy.collapse(h);
+      copy.splitVertex(hl, hr, position, sides);
+      expect(facesOf(copy)).toEqual(before);
+      expect(copy.validate()).toEqual([]);
+      tried++;
+    }
+    expect(tried).toBeGreaterThan(0);
+  });
+
   test('refusals name what is in the way', () => {
     using mesh = build(tetrahedron());
     const refusal = expectRefused(() => mesh.collapse(0), 'leaves-pillow');
@@ -141,7 +183,14 @@ describe('collapse and splitVertex', () => {
     expectRefused(() => disk.collapse(disk.findHalfedge(0, 2)), 'boundary-vertices');
     using eight = octahedron();
     const h = eight.vertexHalfedge(0);
-    expectRefused(() => eight.splitVertex(h, h), 'same-vertex');
+    const twice = expectRefused(() => eight.splitVertex(h, h), 'same-vertex');
+    expect(twice.message).toContain(`Halfedge ${h} is given for both sides`);
+    expect(twice.witness).toMatchObject({
+      vertices: [eight.toVertex(h)],
+      halfedges: [h],
+      edges: [],
+    });
+    expect(() => eight.checkDeleteVertex(0, { keepIsolated: true } as never)).toThrow(TypeError);
     expectRefused(() => eight.splitVertex(h, eight.next(h)), 'different-vertices');
     expect(eight.checkSplitVertex(h, h, undefined, { left: 'corner' })).toBe(null);
     expect(() => eight.splitVertex(h, h, undefined, { right: 'hole' as never })).toThrow(

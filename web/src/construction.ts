@@ -133,8 +133,10 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_vertex(links.address, modeOf(links) | kept, v));
   }
 
-  checkDeleteVertex(v: VertexLike): Refusal | null {
+  checkDeleteVertex(v: VertexLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
+    links.checkAlive();
+    deletion(options);
     links.checkVertex(v);
     return answer(links, links.core._delete_vertex(links.address, CHECK_ONLY, v));
   }
@@ -154,8 +156,10 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_edge(links.address, modeOf(links) | kept, e));
   }
 
-  checkDeleteEdge(e: EdgeLike): Refusal | null {
+  checkDeleteEdge(e: EdgeLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
+    links.checkAlive();
+    deletion(options);
     links.checkEdge(e);
     return answer(links, links.core._delete_edge(links.address, CHECK_ONLY, e));
   }
@@ -177,8 +181,10 @@ export abstract class Construction extends Circulation {
     done(links, links.core._delete_face(links.address, modeOf(links) | kept, f));
   }
 
-  checkDeleteFace(f: FaceLike): Refusal | null {
+  checkDeleteFace(f: FaceLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
+    links.checkAlive();
+    deletion(options);
     links.checkFace(f);
     return answer(links, links.core._delete_face(links.address, CHECK_ONLY, f));
   }

@@ -124,7 +124,8 @@ export abstract class EulerOperations extends Construction {
    * As {@link insertVertexOnEdge}, and cuts each triangle beside the edge in two, of which the one at the
    * end of its side 0 keeps the face. Larger faces gain the corner.
    *
-   * Inverse: `collapse` of a halfedge from the new vertex to one of the ends.
+   * Inverse: `collapse` of a halfedge from the new vertex to one of the ends, permissive where that leaves a
+   * pillow.
    *
    * @throws HalfedgeError `same-vertex` (both triangles have the same corners)
    */
@@ -151,7 +152,9 @@ export abstract class EulerOperations extends Construction {
    *
    * Refused where the surface would change its kind (the link condition): see `checkCollapse`.
    *
-   * Inverse: `splitVertex(next(h), opposite(prev(opposite(h))))`, both taken before.
+   * Inverse: `splitVertex(hl, hr, position, { left, right })` with `next(h)` and `opposite(prev(opposite(h)))`
+   * of before; `left` is 'triangle' if the face of `h` was one and vanished, else 'corner', and `right` the
+   * same of the face of `opposite(h)`.
    *
    * @returns `toVertex(h)`
    * @throws HalfedgeError `same-loop` (one face lies on both sides of the edge, as in a segment),
@@ -181,7 +184,8 @@ export abstract class EulerOperations extends Construction {
    * them, counter-clockwise from `hl` to `hr`, go to the new vertex, and two new triangles fill the gap; on
    * the boundary there is none. The new vertex is like the old one, and lies there by default.
    *
-   * Inverse: `collapse` of the halfedge from the new vertex to the old.
+   * Inverse: `collapse` of the halfedge from the new vertex to the old, unless that has taken a pinched vertex
+   * apart.
    *
    * @returns the new vertex
    * @throws HalfedgeError `different-vertices`, `loop-edge`, `same-vertex` (`hl` is `hr`), `nothing-between`,
@@ -220,7 +224,8 @@ export abstract class EulerOperations extends Construction {
   /**
    * Adds an edge from `toVertex(h0)` to `toVertex(h1)`, two corners of one face, which is cut in two: the
    * part after `h0`, up to `h1`, becomes a new face like it. Of a boundary loop that part is covered by a new
-   * face, with default attributes, and the rest stays open.
+   * face, with default attributes, and the rest stays open; side 0 of the edge lies in the new face then, and
+   * leads from `toVertex(h1)` to `toVertex(h0)`.
    *
    * Inverse: `removeEdge(returned)`.
    *
@@ -246,7 +251,8 @@ export abstract class EulerOperations extends Construction {
    * Removes an edge, and makes one face of the two beside it: that of its side 0 stays. Of an edge on the
    * boundary the face goes, and the boundary runs along the rest of it.
    *
-   * Inverse: `insertEdge` from the halfedges before the two of the edge.
+   * Inverse: `insertEdge` from the halfedges before the two of the edge: first the one before side 0, or, of an
+   * edge on the boundary, the one before its side without a face.
    *
    * @returns the face that stays; `NONE` of an edge on the boundary
    * @throws HalfedgeError `faces-share-edges`, `faces-share-vertex` (if the two faces have more in common),

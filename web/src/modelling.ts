@@ -14,7 +14,8 @@ export abstract class Modelling extends Surgery {
    * Inverse: `removeEdge` of the new edges, in reverse order.
    *
    * @returns the number of new faces
-   * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already)
+   * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already, of all faces
+   * also those that the diagonals of faces before it join)
    */
   triangulate(f?: FaceLike): number {
     const links = linksOf(this);
@@ -39,7 +40,7 @@ export abstract class Modelling extends Surgery {
    * they were made of.
    *
    * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
-   * it), then `fillHole`, whose face may begin at another corner.
+   * it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the boundary.
    *
    * @returns `f`
    * @throws HalfedgeError `degenerate-face` (it has no normal), `not-finite` (a new position would fit no 32-bit floats)
@@ -65,7 +66,7 @@ export abstract class Modelling extends Surgery {
    * its index, inside. New vertices are blended as their positions are.
    *
    * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
-   * it), then `fillHole`, whose face may begin at another corner.
+   * it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the boundary.
    *
    * @returns `f`
    * @throws HalfedgeError `out-of-range`

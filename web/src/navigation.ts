@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { refuse } from './checks.js';
 import type { HalfedgeError } from './errors.js';
 import {
   type Edge,
@@ -237,7 +237,7 @@ export abstract class Navigation {
   /** The halfedge on `side` 0 or 1 of `e`: `2 * e + side`. */
   edgeHalfedge(e: EdgeLike, side: 0 | 1 = 0): Halfedge {
     if (side !== 0 && side !== 1) {
-      throw new RangeError(`side is ${describe(side)}; expected 0 or 1.`);
+      refuse('side', side, '0 or 1', 'number');
     }
     const r = isInteger(e) ? this.nextView[2 * e] : -1;
     if (this.nextView[r] === undefined) this.#links.checkEdge(e);

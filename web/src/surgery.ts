@@ -14,7 +14,7 @@ export abstract class Surgery extends EulerOperations {
    * its ends stay, with positions and attributes; those of `g` go. With `next(h) === g` it closes a gap like a
    * zipper.
    *
-   * Inverse: `cut(opposite(h))`.
+   * Inverse: `cut(opposite(h))`, where none of its ends is pinched.
    *
    * @returns the edge of `h`
    * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex`, `edge-exists`, `duplicate-edge`,

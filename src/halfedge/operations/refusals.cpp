@@ -29,6 +29,15 @@ Failure same_vertex(Edge e, Vertex v) {
       {.vertices = {v.index()}, .edges = {e.index()}});
 }
 
+Failure same_side_twice(Halfedge h, Vertex v) {
+  return refusal(
+      "same-vertex",
+      sentence::of("{} is given for both sides, and with a triangle on each the new vertex would "
+                   "have two edges to {}, expected two halfedges or a corner on one side",
+                   h, v),
+      {.vertices = {v.index()}, .halfedges = {h.index()}});
+}
+
 Failure edge_exists(Vertex a, Vertex b, Edge existing) {
   return refusal(
       "edge-exists",

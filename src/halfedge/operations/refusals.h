@@ -13,6 +13,8 @@ namespace halfedge::operations {
 [[nodiscard]] Failure is_boundary_edge(Edge e, Halfedge side);
 /// not-a-triangle
 [[nodiscard]] Failure not_a_triangle(Face f, Index degree);
+/// same-vertex: `h` is given for both sides of a vertex to be split, and leads to `v`.
+[[nodiscard]] Failure same_side_twice(Halfedge h, Vertex v);
 /// same-vertex: both corners opposite to `e` are `v`.
 [[nodiscard]] Failure same_vertex(Edge e, Vertex v);
 /// edge-exists: `a` and `b` would be joined a second time.

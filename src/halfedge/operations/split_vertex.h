@@ -59,7 +59,7 @@ template <EditableSurface Mesh>
   const bool left = internal::gets_triangle(mesh, sides.left, hl);
   const bool right = internal::gets_triangle(mesh, sides.right, mesh.opposite(hr));
   if (left && right) {
-    if (hl == hr) return same_vertex(mesh.edge(hl), mesh.to_vertex(hl));
+    if (hl == hr) return same_side_twice(hl, mesh.to_vertex(hl));
     return {};
   }
   if (!left && !right && mesh.rotate_cw(hr) == hl) return nothing_between(hl, hr);
