@@ -1,5 +1,5 @@
 import { spawn } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh, init } from 'halfedge';
 import { readGltf } from 'halfedge/gltf';
@@ -10,6 +10,26 @@ const { QUAD } = texts;
 beforeAll(() => init());
 
 describe('halfedge convert', () => {
+  test('leaves a file as it was where it fails to write it anew', async () => {
+    const mesh = HalfedgeMesh.icoSphere(4);
+    const before = mesh.write('obj');
+    writeFileSync(join(folder, 'ball.obj'), before);
+    const child = spawn(
+      'sh',
+      ['-c', `ulimit -f 20; exec "${process.execPath}" "${program}" convert ball.obj ball.obj`],
+      {
+        cwd: folder,
+        stdio: 'ignore',
+      },
+    );
+    const status = await new Promise((resolve) => child.on('close', resolve));
+    expect(status).toBe(2);
+    expect(readFileSync(join(folder, 'ball.obj'), 'utf8')).toBe(before);
+    expect(readdirSync(folder).filter((name) => name.includes('.part'))).toEqual([]);
+    expect(await run(['convert', 'ball.obj', 'ball.obj'])).toMatchObject({ status: 0, err: '' });
+    expect(written('ball.obj').mesh.faceCount).toBe(mesh.faceCount);
+  });
+
   test.each(['obj', 'off', 'ply', 'stl'] as const)(
     'writes %s by the name of the output',
     async (format) => {

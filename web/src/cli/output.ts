@@ -1,4 +1,5 @@
-import { writeFile } from 'node:fs/promises';
+import { access, constants, open, realpath, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { basename, dirname, join } from 'node:path';
 import { writeGltf } from '../gltf/index.js';
 import type { AttributeNames, FileEncoding, HalfedgeMesh, WriteOptions } from '../index.js';
 import type { Arguments } from './arguments.js';
@@ -50,7 +51,7 @@ export async function save(
   }
   try {
     if (path !== '-') {
-      await writeFile(path, content);
+      await replaceFile(path, content);
       return notes;
     }
     await new Promise<void>((resolve, reject) => {
@@ -62,6 +63,30 @@ export async function save(
     throw new Complaint(unwritable(path, error));
   }
   return notes;
+}
+
+/**
+ * Writes a file under another name first, so that what was there is lost only to the whole of the new one:
+ * `repair scan.ply scan.ply` on a full disk. What is no file (a pipe, a device), and what lies in a folder that
+ * takes no new file, is written to as it is.
+ */
+async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {
+  const known = await stat(path).catch(() => undefined);
+  if (known !== undefined && !known.isFile()) return writeFile(path, content);
+  if (known !== undefined) await access(path, constants.W_OK);
+  const target = known === undefined ? path : await realpath(path);
+  const draft = join(dirname(target), `.${basename(target)}.${process.pid}.part`);
+  const file = await open(draft, 'wx', known?.mode).catch(() => undefined);
+  if (file === undefined) return writeFile(path, content);
+  try {
+    await file.writeFile(content);
+    await file.close();
+    await rename(draft, target);
+  } catch (error) {
+    await file.close().catch(() => {});
+    await rm(draft, { force: true });
+    throw error;
+  }
 }
 
 /** What a file to write is called in messages. */
