@@ -139,6 +139,58 @@ describe('An exercise', () => {
     expect((await run(page)).failure?.mesh).toBe('cone');
   });
 
+  test('takes no answer for right that it could not judge, and none that only says so', async () => {
+    const page = await exercise('task="flip-edge"');
+    await type(page, 'function flipEdge(links, e) { links.next = undefined; }');
+    const { passed, failure } = await run(page);
+    expect([passed, failure?.code]).toEqual([false, 'links-replaced']);
+
+    await page.page.evaluate(() => {
+      const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+      element.task = 'valence';
+    });
+    const rejected = (code: string) =>
+      page.page.evaluate(async (code) => {
+        const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+        await element.updateComplete;
+        element.code = code;
+        return element.run().then(
+          ({ passed }) => `passed: ${passed}`,
+          (error) => String(error.message),
+        );
+      }, code);
+    expect(
+      await rejected("function valence() { return 3; }\nself.postMessage({ kind: 'done' });"),
+    ).toContain('before all calls were made');
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('keeps code that it is given before it is in a page', async () => {
+    const page = await exercise('task="valence"');
+    const code = await page.page.evaluate(async () => {
+      const element = document.createElement('halfedge-exercise') as HalfedgeExercise;
+      element.setAttribute('task', 'valence');
+      element.code = 'function valence() { return 6; }';
+      document.querySelector('main')?.append(element);
+      await element.updateComplete;
+      return element.code;
+    });
+    expect(code).toBe('function valence() { return 6; }');
+  });
+
+  test('says nothing of a run that was reset', async () => {
+    const page = await exercise('task="valence"');
+    await type(page, `function valence() { return /^(a+)+$/.test('a'.repeat(50) + 'b') ? 1 : 2; }`);
+    await page.page.focus('halfedge-exercise .cm-content');
+    await page.page.keyboard.press('Control+Enter');
+    await page.page.waitForSelector('halfedge-exercise[state=running]');
+    await page.page.evaluate(() =>
+      (document.querySelector('halfedge-exercise') as HalfedgeExercise).reset(),
+    );
+    await page.page.waitForSelector('halfedge-exercise[state=ready]');
+    expect(await page.page.$('halfedge-exercise [part=error]')).toBe(null);
+  });
+
   test('tells a mistake of syntax with its place', async () => {
     const page = await exercise('task="valence"');
     await type(page, 'function valence(mesh, v) {\n  return 3 +;\n}');

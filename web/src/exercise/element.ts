@@ -26,6 +26,9 @@ export function runWith(make: () => WorkerLike): void {
   makeWorker ??= make;
 }
 
+/** Why a run ended that nobody waits for any more: nothing to be told. */
+class Cancelled extends Error {}
+
 /**
  * An exercise: readers write a function, which runs in a worker on several meshes, and are told what is wrong.
  *
@@ -74,6 +77,8 @@ export class HalfedgeExercise extends LitElement {
 
   #editor: CodeEditor | null = null;
   #code: string | null = null;
+  /** Whether the code was set before there was a task to begin with. */
+  #isGiven = false;
   #trials: readonly Trial[] = [];
   #picture: Picture | null = null;
   #running: AbortController | null = null;
@@ -100,6 +105,7 @@ export class HalfedgeExercise extends LitElement {
 
   set code(code: string) {
     this.#code = code;
+    this.#isGiven = this.#asked === undefined;
     if (this.#editor) this.#editor.code = code;
     this.#changed(code);
   }
@@ -120,6 +126,7 @@ export class HalfedgeExercise extends LitElement {
     const abort = new AbortController();
     this.#running = abort;
     this.state = 'running';
+    this.failure = null;
     try {
       await started();
       const { code, seed, limit } = this;
@@ -144,7 +151,7 @@ export class HalfedgeExercise extends LitElement {
 
   /** Puts the code back that was there at first. */
   reset(): void {
-    this.#running?.abort(new Error('The exercise was reset.'));
+    this.#running?.abort(new Cancelled('The exercise was reset.'));
     this.#forget();
     this.code = this.#starter();
     this.#memory.forget();
@@ -186,7 +193,8 @@ export class HalfedgeExercise extends LitElement {
       const behavior = prefersReducedMotion() ? 'auto' : 'smooth';
       this.renderRoot.querySelector('.verdict')?.scrollIntoView({ block: 'nearest', behavior });
     } catch (error) {
-      if (this.state !== 'running') this.failure = messageOf(error);
+      if (this.state !== 'running' && !(error instanceof Cancelled))
+        this.failure = messageOf(error);
     }
   }
 
@@ -197,7 +205,7 @@ export class HalfedgeExercise extends LitElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#running?.abort(new Error('The exercise was taken out of its page.'));
+    this.#running?.abort(new Cancelled('The exercise was taken out of its page.'));
     this.#closeEditor();
   }
 
@@ -211,7 +219,8 @@ export class HalfedgeExercise extends LitElement {
     this.#forget();
     try {
       this.#needed();
-      this.#code = this.#memory.code ?? this.#starter();
+      if (!this.#isGiven) this.#code = this.#memory.code ?? this.#starter();
+      this.#isGiven = false;
       void this.#begin();
     } catch (error) {
       this.failure = messageOf(error);

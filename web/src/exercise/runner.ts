@@ -1,5 +1,5 @@
 import { connect, type Thread, type WorkerLike } from '../connection.js';
-import { compiledModule } from '../loader.js';
+import { compiledModule, messageOf } from '../loader.js';
 import { deal, type Trial } from './judge/deal.js';
 import { failureIn, meshResult } from './judge/grade.js';
 import { judgeFault, judgeSilence } from './judge/judge-trouble.js';
@@ -95,6 +95,17 @@ class Run {
 
   #hear(reply: Reply): void {
     if (this.#ended) return;
+    try {
+      this.#take(reply);
+    } catch (error) {
+      // What judges it is at fault: an exercise of somebody else's, most likely. No answer is right by that.
+      this.#break(
+        new Error(`The exercise can't judge this answer: ${messageOf(error)}.`, { cause: error }),
+      );
+    }
+  }
+
+  #take(reply: Reply): void {
     const { task, limit } = this.#options;
     this.#wait(limit);
     if (reply.kind === 'fault') {
@@ -106,6 +117,10 @@ class Run {
       const last = call + 1 >= this.#trials[trial].calls.length || outcome.kind !== 'returned';
       this.#at = last ? { trial: trial + 1, call: 0 } : { trial, call: call + 1 };
     } else if (reply.kind === 'done') {
+      // A program may say so, too.
+      if (!this.#fault && this.#at.trial < this.#trials.length) {
+        throw new Error('it is said to be done before all calls were made');
+      }
       this.#finish(this.#trials.length);
     }
   }

@@ -152,7 +152,7 @@ function told(failure: Failure, stale: string, actions: Actions): TemplateResult
             ? html`<dl part="facts">${known.map(([name, value]) => html`<dt>${name}</dt><dd><code>${value}</code></dd>`)}</dl>`
             : nothing
         }
-        ${hint ? html`<p class="hint" part="hint">${hint}</p>` : nothing}
+        ${hint ? html`<p class="hint" part="hint">${withCode(hint)}</p>` : nothing}
         ${
           line === null
             ? nothing

@@ -1,6 +1,7 @@
 // Answers that are changed arrays of links: first whether they are sound, then whether they are the right ones.
 
 import type { HalfedgeMesh } from '../../api.js';
+import { typedArrayName } from '../../arguments.js';
 import type { Item } from '../../teaching/items.js';
 import { type Asked, type Finding, finding, namesOf } from './finding.js';
 import type { LinkArrays } from './outcome.js';
@@ -12,14 +13,25 @@ export function judgeLinks(asked: Asked, got: LinkArrays): Finding | null {
   const result = mesh.clone();
   try {
     task.reference(right, ...parameters);
-    for (const [name, links] of Object.entries(got) as [keyof LinkArrays, Int32Array][]) {
-      result.connectivity[name].set(links);
+    for (const name of Object.keys(mesh.connectivity) as (keyof LinkArrays)[]) {
+      const [links, own] = [got?.[name], result.connectivity[name]];
+      const isWhole = typedArrayName(links) === 'Int32Array' && links.length === own.length;
+      if (!isWhole) return replaced(name);
+      own.set(links);
     }
     return unsound(result, mesh) ?? otherSurface(result, right, mesh);
   } finally {
     right.dispose();
     result.dispose();
   }
+}
+
+function replaced(name: string): Finding {
+  return finding({
+    code: 'links-replaced',
+    title: `links.${name} is no longer the array that it was.`,
+    hint: `Write to its elements: links.${name}[h] = …`,
+  });
 }
 
 function unsound(result: HalfedgeMesh, mesh: HalfedgeMesh): Finding | null {

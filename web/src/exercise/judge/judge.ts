@@ -25,7 +25,13 @@ function judgeValue(
   const { task, mesh, parameters } = asked;
   const { answer, check } = task;
   if (check) {
-    const sentence = check(mesh, value, ...parameters);
+    let sentence: string | null;
+    try {
+      sentence = check(mesh, value, ...parameters);
+    } catch (error) {
+      if (value === undefined || value === null) return nothingBack(value);
+      throw error;
+    }
     return sentence === null ? null : finding({ code: 'refused', title: sentence });
   }
   if (answer.kind === 'links') return judgeLinks(asked, value as LinkArrays);
