@@ -1,3 +1,4 @@
+import type { HalfedgeFigure } from 'halfedge/figure';
 import { STRICT_POLICY } from '../package/support/server.js';
 import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
 
@@ -85,6 +86,32 @@ describe('A figure', () => {
     await page.page.focus('halfedge-figure canvas');
     await page.page.keyboard.press('h');
     expect(await page.events('halfedge-select')).toEqual([{ item: expect.stringMatching(/^h\d/) }]);
+  });
+
+  test('pauses by the button by which it plays', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.page.click('halfedge-figure .play');
+    expect(await page.figure(({ playing }) => playing)).toBe(true);
+    await page.page.click('halfedge-figure .play');
+    expect(await page.figure(({ playing }) => playing)).toBe(false);
+  });
+
+  test('is ready with the mesh that it was asked for last, or not at all', async () => {
+    const page = await figures('<halfedge-figure src="shape:cube"></halfedge-figure>');
+    await page.ready();
+    const faces = await page.page.evaluate(async () => {
+      const figure = document.querySelector('halfedge-figure') as HalfedgeFigure;
+      figure.src = 'shape:torus(8,6)';
+      const { faceCount } = await figure.ready();
+      figure.src = 'shape:nothing';
+      const missing = await figure.ready().then(
+        () => 'ready',
+        (error) => error.message,
+      );
+      return [faceCount, missing];
+    });
+    expect(faces).toEqual([48, expect.stringContaining('nothing')]);
   });
 
   test('lights the line that runs, in the names of the library that is chosen', async () => {

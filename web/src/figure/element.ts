@@ -59,6 +59,10 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   /** Loads the mesh, also where it is out of sight, and resolves once it is on show. */
   async ready(): Promise<HalfedgeMesh> {
     do {
+      if (this.isConnected && this.isUpdatePending) {
+        await this.updateComplete; // which begins to load
+        if (!this.isConnected) break;
+      }
       if (this.state === 'waiting') await this.#load();
       while (this.state === 'loading') {
         await new Promise((done) =>
@@ -66,7 +70,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
         );
       }
     } while (this.state === 'waiting' && this.isConnected); // it was moved meanwhile
-    if (this.#model.mesh) return this.#model.mesh;
+    if (this.#model.mesh && this.state !== 'failed') return this.#model.mesh;
     throw new Error(this.failure ?? 'The figure is not in a page.');
   }
 

@@ -7,7 +7,7 @@ import { type Story, WalkStory } from './story.js';
 
 /** What the controls of a figure do. */
 export interface Controls {
-  play(): void;
+  toggle(): void;
   seek(position: number): void;
   turn(): void;
   setDialect(id: DialectId): void;
@@ -36,7 +36,7 @@ export function playerBar(story: Story, playing: boolean, controls: Controls): T
           title=${`${playing ? 'Pause' : 'Play'} (space)`}
           aria-label=${playing ? 'Pause' : 'Play'}
           ?disabled=${empty}
-          @click=${controls.play}
+          @click=${controls.toggle}
         >
           ${icon(playing ? 'pause' : 'play')}
         </button>
