@@ -179,10 +179,10 @@ export function fileOfText(text: string): File | null {
   const line = text.split(/\r?\n/).find((each) => /^\s*[^\s#]/.test(each)) ?? '';
   const beginnings: [RegExp, string][] = [
     [/^\s*ply\b/i, 'ply'],
-    [/^\s*(ST)?(C)?(N)?(4)?n?OFF\b/, 'off'],
-    [/^\s*solid\b/, 'stl'],
-    [/^\s*\{\s*"/, 'gltf'],
-    [/^\s*(v|vt|vn|f|o|g|mtllib|usemtl|s)\s/, 'obj'],
+    [/^\s*(ST)?(C)?(N)?(4)?n?OFF\b/i, 'off'],
+    [/^\s*solid\b/i, 'stl'],
+    [/^\s*\{\s*("|$)/, 'gltf'],
+    [/^\s*(v|vt|vn|vp|f|l|p|o|g|mtllib|usemtl|s)\s/, 'obj'],
   ];
   const extension = beginnings.find(([beginning]) => beginning.test(line))?.[1];
   return extension ? new File([text], `Pasted mesh.${extension}`) : null;

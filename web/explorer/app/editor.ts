@@ -386,6 +386,7 @@ export class Editor {
     const mesh = this.#mesh;
     const items = witnessItems(refusal.witness);
     const witness = mesh ? items.filter((found) => isLive(mesh, found)) : [];
+    this.#wait(null); // its card would lie upon this one
     this.outcome.value = '';
     this.report.value = '';
     this.refused.value = { title, refusal, witness };

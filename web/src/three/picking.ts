@@ -46,6 +46,9 @@ export class MeshPicker extends ItemPicker {
     if (!(geometry instanceof MeshGeometry)) {
       throw new TypeError(`object is ${describe(object)}; expected a Mesh with a MeshGeometry.`);
     }
+    if ((object as { isInstancedMesh?: boolean }).isInstancedMesh === true) {
+      throw new TypeError('object is an InstancedMesh; expected a Mesh, which has one place.');
+    }
     const shown = new GeometryFaces(geometry);
     const { worker = newPickingWorker, ...rest } = checkOptions(options, FACE_TREE_OPTIONS);
     const tree = new FaceTree(shown, { worker, ...rest });
