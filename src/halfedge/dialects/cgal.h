@@ -16,7 +16,8 @@
 /// A halfedge is incident to the vertex it points to, so circulators around a vertex visit the
 /// halfedges that arrive there, clockwise; those around a facet go counter-clockwise. Orders are
 /// compared with CGAL 5.5 by the tests.
-namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
+namespace halfedge::dialects::cgal {
+inline namespace HALFEDGE_CHECKS {
 
 /// One mesh of ours (`Mesh`, any of its storage variants, ...) read through CGAL's names. It is a
 /// reference: nothing is stored or copied, and both names can be used at the same time. Handles and
@@ -102,4 +103,5 @@ class Polyhedron {
   const Mesh* mesh_;
 };
 
-}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS
+}  // namespace HALFEDGE_CHECKS
+}  // namespace halfedge::dialects::cgal

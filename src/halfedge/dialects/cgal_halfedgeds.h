@@ -16,7 +16,8 @@
 ///   Decorator decorator(hds);
 ///   decorator.create_loop();
 ///   assert(decorator.is_valid());
-namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
+namespace halfedge::dialects::cgal {
+inline namespace HALFEDGE_CHECKS {
 
 /// A combinatorial structure: of the traits CGAL asks only for the type of points, and it has none.
 template <class Traits>
@@ -81,4 +82,5 @@ class HalfedgeDS_decorator {
   HDS* hds_;
 };
 
-}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS
+}  // namespace HALFEDGE_CHECKS
+}  // namespace halfedge::dialects::cgal

@@ -9,7 +9,8 @@
 #include <type_traits>
 
 /// Handles, circulators and iterators as CGAL's programs use them; see cgal.h.
-namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS {
+namespace halfedge::dialects::cgal {
+inline namespace HALFEDGE_CHECKS {
 
 /// An item of a mesh that knows its mesh: handle and record in one, so that `h->next()`,
 /// `(*h).next()` and `h.next()` all work. Converts to our handle. Default-constructed it is empty,
@@ -282,4 +283,5 @@ class ItemIterator : public NamedItem {
   Index at_ = 0;
 };
 
-}  // namespace halfedge::dialects::cgal::inline HALFEDGE_CHECKS
+}  // namespace HALFEDGE_CHECKS
+}  // namespace halfedge::dialects::cgal

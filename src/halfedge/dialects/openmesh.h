@@ -17,7 +17,8 @@
 /// around a vertex clockwise, around a face counter-clockwise, and `cw` and `ccw` ranges are the
 /// reverse of each other. Where OpenMesh 9 reads out of bounds, around an isolated vertex, ranges
 /// are empty. Not here: adding faces, properties and smart handles; our own API has its own way.
-namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS {
+namespace halfedge::dialects::openmesh {
+inline namespace HALFEDGE_CHECKS {
 
 /// One mesh of ours (`Mesh`, any of its storage variants, a `Connectivity`, ...; const or not) with
 /// OpenMesh's functions. It is a reference: nothing is stored or copied, and both names can be used
@@ -251,4 +252,5 @@ class PolyMesh {
   M* mesh_;
 };
 
-}  // namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS
+}  // namespace HALFEDGE_CHECKS
+}  // namespace halfedge::dialects::openmesh

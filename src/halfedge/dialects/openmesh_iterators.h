@@ -9,7 +9,8 @@
 #include <iterator>
 
 /// Handles, circulators and iterators as OpenMesh's programs use them; see openmesh.h.
-namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS {
+namespace halfedge::dialects::openmesh {
+inline namespace HALFEDGE_CHECKS {
 
 /// One of our handles with the members of OpenMesh's. Converts silently from and to ours.
 template <class Item>
@@ -193,7 +194,8 @@ class IterRange {
   Iter end_;
 };
 
-}  // namespace halfedge::dialects::openmesh::inline HALFEDGE_CHECKS
+}  // namespace HALFEDGE_CHECKS
+}  // namespace halfedge::dialects::openmesh
 
 template <class Item>
 struct std::hash<halfedge::dialects::openmesh::NamedHandle<Item>> : std::hash<Item> {};

@@ -125,10 +125,9 @@ template <Storage kStored>
   Mesh whole;
   mesh.clear();
   LinkConversion::exchange_attributes(mesh, whole);
-  // Where it was built, there is nothing to derive: converting can't fail.
-  if (build_from_soup(whole, polygons, options, report) && convert(std::move(whole), mesh))
-    return true;
-  whole.clear();
+  if (build_from_soup(whole, polygons, options, report)) {
+    return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
+  }
   LinkConversion::exchange_attributes(mesh, whole);
   return false;
 }
