@@ -39,8 +39,9 @@ template <EditableSurface Mesh, class Item>
 ///
 /// attributes: all of what stays stay
 /// returns: the number of faces deleted
-/// cost: O(component), and five bytes for each edge slot, of which one is cleared. inverse: none;
-/// undo errors: those of check_delete_component, out-of-memory
+/// cost: O(component), and five bytes for each edge slot, of which one is cleared
+/// inverse: none; undo
+/// errors: those of check_delete_component, out-of-memory
 template <EditableSurface Mesh, class Item>
 [[nodiscard]] Result<Index> delete_component(Mesh& mesh, Item item) {
   if (Result<void> can = check_delete_component(mesh, item); !can) return can.error();

@@ -116,14 +116,13 @@ class Splitter {
     const Index cuts_at_low = cuts_to_make(side, low);
     const Index cuts_at_high = cuts_to_make(side, high);
     const bool at_low = cuts_at_high == 0 || (cuts_at_low > 0 && cuts_at_low <= cuts_at_high);
+    const Index mate = surface_.mate[side];
     if (cuts_at_low + cuts_at_high > 0) {
-      const Index mate = surface_.mate[side];
       const Index vertex = at_low ? low : high;
       cut(side_beside(side, vertex));
       if (mate != kNone) cut(side_beside(mate, vertex));
       return;
     }
-    const Index mate = surface_.mate[side];
     cut_out(surface_.face_of[side]);
     if (mate != kNone) cut_out(surface_.face_of[mate]);
   }
