@@ -165,6 +165,22 @@ describe('An exercise', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test('leaves the cursor where it is when it is given the same code again, whatever ends its lines', async () => {
+    const page = await exercise('task="valence"');
+    const give = () =>
+      page.page.$eval('halfedge-exercise', (element) => {
+        (element as HalfedgeExercise).code = 'let a = 1;\r\nlet b = 2;';
+      });
+    await give();
+    await page.page.click('halfedge-exercise .cm-content');
+    await page.page.keyboard.press('Control+End');
+    await give();
+    await page.page.keyboard.type('3');
+    const code = await page.page.$eval('halfedge-exercise', (it) => (it as HalfedgeExercise).code);
+    expect(code).toBe('let a = 1;\nlet b = 2;3');
+    expect(page.complaints).toEqual([]);
+  });
+
   test('keeps code that it is given before it is in a page', async () => {
     const page = await exercise('task="valence"');
     const code = await page.page.evaluate(async () => {

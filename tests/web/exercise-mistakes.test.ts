@@ -174,6 +174,100 @@ describe('A typical mistake', () => {
       /^Line 2: the function calls itself without end\./,
     ],
     [
+      'taking the face 0 for none',
+      'vertex-faces',
+      around('vertexFaces', 'if (mesh.face(h)) ring.push(mesh.face(h))', CCW),
+      'zero-is-false',
+      /^It leaves out f0, which it has been given\..* 0 counts as false: compare with NONE\.$/,
+    ],
+    [
+      'taking only indices above 0',
+      'vertex-vertices',
+      around('vertexVertices', 'if (mesh.toVertex(h) > 0) ring.push(mesh.toVertex(h))', CCW),
+      'zero-is-false',
+      /^It leaves out v0, which it has been given\. .*, as in if \(mesh\.toVertex\(h\)\)\?/,
+    ],
+    [
+      'taking the halfedge 0 for none',
+      'valence',
+      taskNamed('valence').solution.replace('first === NONE', '!(first > 0)'),
+      'numbering',
+      /wrong with others\. It gives back 0; expected 3\. .* vertexHalfedge gave h0\. h0 is one like any other, but 0 counts as false/,
+    ],
+    [
+      'taking the face 0 for the boundary',
+      'is-boundary-vertex',
+      taskNamed('is-boundary-vertex').solution.replace('mesh.face(h) === NONE', '!mesh.face(h)'),
+      'wrong-true',
+      /^It says true of v\d; expected false\..* Every halfedge that leaves it has a face\. face gave f0\. /,
+    ],
+    [
+      'making the list outside of the function',
+      'vertex-vertices',
+      `const ring = [];\n${around('vertexVertices', TAKE, CCW).replace('const ring = [];', '')}`,
+      'keeps-list',
+      /^Its list still holds what the call before put into it: (v\d(, )?){3}\. On the tetrahedron, /,
+    ],
+    [
+      'counting outside of the function',
+      'valence',
+      `let count = 0;\n${taskNamed('valence').solution.replace('let count = 0;', '')}`,
+      'keeps-count',
+      /^It goes on counting from 3, where the call before ended\. On the tetrahedron, .*: it gave 6; expected 3\./,
+    ],
+    [
+      'counting on from mesh to mesh',
+      'count-boundary-loops',
+      `let loops = 0;\n${taskNamed('count-boundary-loops').solution.replace('let loops = 0;', '')}`,
+      'keeps-count',
+      /^It goes on counting from 1, where the call before ended\. On the ring, /,
+    ],
+    [
+      'counting around the other end',
+      'valence',
+      taskNamed('valence').solution.replace(
+        'mesh.next(mesh.opposite(h))',
+        'mesh.opposite(mesh.next(h))',
+      ),
+      'turns-elsewhere',
+      /^It turns around v11, not around v12\. On the cone, .* opposite\(next\(h\)\) turns around the vertex that h leads to\./,
+    ],
+    [
+      'turning around a corner in place of walking around the face',
+      'face-vertices',
+      around('faceVertices', TAKE, 'h = mesh.opposite(mesh.next(h))', 'mesh.faceHalfedge(v)'),
+      'turns-elsewhere',
+      /^It turns around v\d, not around the face\. .* next alone stays in it\.$/,
+    ],
+    [
+      'making texts of indices',
+      'vertex-vertices',
+      around('vertexVertices', 'ring.push(String(mesh.toVertex(h)))', CCW),
+      'not-an-item',
+      /^The 1st in its list is the text “\d”, which is no vertex\. .*: it gave “\d”, “\d”, “\d”; expected v\d, v\d, v\d\. Items are numbers\./,
+    ],
+    [
+      'a generator that goes on and on',
+      'vertex-vertices',
+      'function* vertexVertices(mesh, v) {\n  let h = mesh.vertexHalfedge(v);\n  while (true) {\n    yield mesh.toVertex(h);\n    h = mesh.next(mesh.opposite(h));\n  }\n}',
+      'endless',
+      /^The loop in line 3 does not end\./,
+    ],
+    [
+      'an async function',
+      'valence',
+      'async function valence(mesh, v) { return 3; }',
+      'wrong-type',
+      /^It gives back a promise; expected a number\. .* leave the words async and await out\.$/,
+    ],
+    [
+      'going to and fro in place of back',
+      'previous',
+      'function previous(mesh, h) {\n  let before = mesh.next(h);\n  while (mesh.next(before) !== h) before = mesh.opposite(before);\n  return before;\n}',
+      'endless',
+      /never comes back to h0, where it began/,
+    ],
+    [
       'giving nothing back',
       'vertex-vertices',
       around('vertexVertices', TAKE, CCW).replace('return ring;\n}', '}'),
@@ -455,6 +549,20 @@ describe('A typical mistake', () => {
     expect(failure.message).toMatch(
       /^It is right as long as the numbers are tidy, and wrong with others\. It says \w+ of v\d; expected \w+\. On the sheet, shuffled, /,
     );
+  });
+
+  test('says “have” of several halfedges', () => {
+    const bowTie: ExerciseTask = { ...taskNamed('is-boundary-vertex'), meshes: ['bow-tie'] };
+    const code = 'function isBoundaryVertex(mesh, v) { return mesh.toVertex(0) < 0; }';
+    const pinched: ExerciseTask = {
+      ...bowTie,
+      *asks(mesh) {
+        for (const index of mesh.vertices()) {
+          if (!mesh.isManifoldVertex(index)) yield [{ kind: 'vertex', index }];
+        }
+      },
+    };
+    expect(failureOf(pinched, code).hint).toMatch(/^h\d+ and h\d+ leave it and have no face\.$/);
   });
 
   test('names the line also in a loop without braces, and where lines have other code', () => {

@@ -80,9 +80,10 @@ export class CodeEditor {
     return this.#view.state.doc.toString();
   }
 
-  /** Sets the code, without telling. */
+  /** Sets the code, without telling. Where it is there already, the cursor and what can be undone stay. */
   set code(code: string) {
-    if (code === this.code) return;
+    // The editor keeps lines, not what ends them.
+    if (code.replace(/\r\n?/g, '\n') === this.code) return;
     this.#told = false;
     this.#view.dispatch({ changes: { from: 0, to: this.#view.state.doc.length, insert: code } });
     this.#told = true;

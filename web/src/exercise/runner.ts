@@ -113,7 +113,7 @@ class Run {
     } else if (reply.kind === 'outcome') {
       const { trial, call, outcome } = reply;
       this.#heard += 1;
-      this.#failures[trial] ??= failureIn(task, this.#trials[trial], trial, call, outcome);
+      this.#failures[trial] ??= failureIn(task, this.#trials, trial, call, outcome);
       const last = call + 1 >= this.#trials[trial].calls.length || outcome.kind !== 'returned';
       this.#at = last ? { trial: trial + 1, call: 0 } : { trial, call: call + 1 };
     } else if (reply.kind === 'done') {

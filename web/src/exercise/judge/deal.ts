@@ -33,6 +33,18 @@ export function deal(task: ExerciseTask, seed: number): Trial[] {
 }
 
 /** One call of a trial, as a judge wants it. */
-export function askedIn(task: ExerciseTask, { mesh, calls }: Trial, call: number): Asked {
-  return { task, mesh, parameters: calls[call] };
+export function askedIn(
+  task: ExerciseTask,
+  trials: readonly Trial[],
+  trial: number,
+  call: number,
+): Asked {
+  const { mesh, calls } = trials[trial];
+  const before = call > 0 ? { mesh, parameters: calls[call - 1] } : lastCall(trials[trial - 1]);
+  return { task, mesh, parameters: calls[call], before };
+}
+
+function lastCall(trial: Trial | undefined): Asked['before'] {
+  const parameters = trial?.calls.at(-1);
+  return trial && parameters ? { mesh: trial.mesh, parameters } : null;
 }

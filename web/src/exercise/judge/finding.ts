@@ -1,5 +1,6 @@
 import type { HalfedgeMesh } from '../../api.js';
 import { type Item, itemName } from '../../teaching/items.js';
+import { shown } from './outcome.js';
 import type { Argument, ExerciseTask } from './task.js';
 
 /** One call of a student's function, and what is known of it. */
@@ -7,6 +8,8 @@ export interface Asked {
   readonly task: ExerciseTask;
   readonly mesh: HalfedgeMesh;
   readonly parameters: readonly Argument[];
+  /** The call before, which may be on another mesh; null for the first. */
+  readonly before: { readonly mesh: HalfedgeMesh; readonly parameters: readonly Argument[] } | null;
 }
 
 /** One step of a trail that a picture shows. */
@@ -53,12 +56,10 @@ export function subjectOf({ parameters }: Asked): Item | null {
 
 /** `v1, v4, v2`; a long list is cut. */
 export function namesOf(kind: Item['kind'], indices: readonly unknown[]): string {
-  const names = indices.map((index) =>
-    isIndex(index) ? itemName({ kind, index }) : String(index),
-  );
+  const names = indices.map((index) => (isIndex(index) ? itemName({ kind, index }) : shown(index)));
   if (names.length === 0) return 'nothing';
-  const shown = names.slice(0, MOST_NAMES);
-  return names.length > MOST_NAMES ? `${shown.join(', ')}, … (${names.length})` : shown.join(', ');
+  const first = names.slice(0, MOST_NAMES).join(', ');
+  return names.length > MOST_NAMES ? `${first}, … (${names.length})` : first;
 }
 
 const MOST_NAMES = 16;

@@ -33,8 +33,8 @@ export function grade(task: ExerciseTask, code: string, seed: number): Verdict {
   }
   const trials = deal(task, seed);
   try {
-    const meshes = trials.map((trial, index) =>
-      resultOf(task, trial, index, (parameters) => attempt(program, task, trial.mesh, parameters)),
+    const meshes = trials.map(({ mesh }, index) =>
+      resultOf(task, trials, index, (parameters) => attempt(program, task, mesh, parameters)),
     );
     return verdictOf(task, seed, meshes, null);
   } finally {
@@ -45,13 +45,14 @@ export function grade(task: ExerciseTask, code: string, seed: number): Verdict {
 /** Makes the calls of a trial up to the first that is wrong. */
 function resultOf(
   task: ExerciseTask,
-  trial: Trial,
+  trials: readonly Trial[],
   index: number,
   run: (parameters: (number | string)[]) => Outcome,
 ): MeshResult {
+  const trial = trials[index];
   for (let call = 0; call < trial.calls.length; call++) {
     const outcome = run(trial.calls[call].map(plain));
-    const failure = failureIn(task, trial, index, call, outcome);
+    const failure = failureIn(task, trials, index, call, outcome);
     if (failure) return meshResult(trial, failure);
   }
   return meshResult(trial, null);
@@ -60,13 +61,13 @@ function resultOf(
 /** What is wrong in a call; null where it is right. */
 export function failureIn(
   task: ExerciseTask,
-  trial: Trial,
+  trials: readonly Trial[],
   index: number,
   call: number,
   outcome: Outcome,
 ): Failure | null {
-  const found = judge(askedIn(task, trial, call), outcome);
-  return found && failureOf(task, trial, index, call, found);
+  const found = judge(askedIn(task, trials, index, call), outcome);
+  return found && failureOf(task, trials[index], index, call, found);
 }
 
 export function meshResult({ sample, numbering }: Trial, failure: Failure | null): MeshResult {

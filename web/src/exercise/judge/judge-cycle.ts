@@ -11,7 +11,8 @@ import {
   subjectOf,
 } from './finding.js';
 import { otherLists, wrongWalk } from './judge-walk.js';
-import type { Read } from './outcome.js';
+import { wasGiven, zeroHint, zeroIsFalse } from './judge-zero.js';
+import { described, type Read } from './outcome.js';
 import { stepsTo } from './trail.js';
 
 /** What is asked, what was expected, and what came. */
@@ -31,6 +32,7 @@ export function judgeCycle(lists: Lists): Finding | null {
   if (isRight(lists)) return null;
   const { asked, of, expected, got } = lists;
   const found =
+    keptFromBefore(lists) ??
     strangeMember(lists) ??
     nullMember(lists) ??
     otherLists(lists) ??
@@ -38,6 +40,7 @@ export function judgeCycle(lists: Lists): Finding | null {
     nothingOrSomething(lists) ??
     repeated(lists) ??
     foreign(lists) ??
+    missingZero(lists) ??
     missing(lists) ??
     otherOrder(lists);
   const missed = expected.filter((index) => !got.includes(index));
@@ -57,18 +60,33 @@ function isRight({ expected, got, eitherWay, anyStart }: Lists): boolean {
 
 type Part = Pick<Finding, 'code' | 'title'> & Partial<Finding>;
 
+/** The list of the call before, and then the right one. */
+function keptFromBefore(lists: Lists): Part | null {
+  const { asked, of, got } = lists;
+  if (!asked.before) return null;
+  const { mesh, parameters } = asked.before;
+  const expected = [...(asked.task.reference(mesh, ...parameters) as Iterable<number>)];
+  const [kept, own] = [got.slice(0, expected.length), got.slice(expected.length)];
+  if (kept.length === 0 || own.length === 0) return null;
+  if (!isRight({ ...lists, expected, got: kept }) || !isRight({ ...lists, got: own })) return null;
+  return {
+    code: 'keeps-list',
+    title: `Its list still holds what the call before put into it: ${namesOf(of, kept)}.`,
+    hint: 'The function is called again and again, and each time its list has to begin empty: make it inside of the function.',
+  };
+}
+
 function strangeMember({ of, got }: Lists): Part | null {
   const place = got.findIndex((value) => !isIndex(value) && value !== NONE);
   if (place < 0) return null;
   const value = got[place];
-  const shown =
-    typeof value === 'object' && value !== null
-      ? (value as { strange?: string }).strange
-      : String(value);
   return {
     code: 'not-an-item',
-    title: `${capital(ordinal(place + 1))} in its list is ${shown}, which is no ${of}.`,
-    hint: 'Items are whole numbers from 0 on. Was something pushed before it had a value?',
+    title: `${capital(ordinal(place + 1))} in its list is ${described(value)}, which is no ${of}.`,
+    hint:
+      typeof value === 'string'
+        ? 'Items are numbers. What made a text of it? The keys of an object are texts, also in for … in.'
+        : 'Items are whole numbers from 0 on. Was something pushed before it had a value?',
   };
 }
 
@@ -104,13 +122,15 @@ function boundaryOf(asked: Asked): Item[] {
     .map((index) => ({ kind: 'halfedge', index }));
 }
 
-function nothingOrSomething({ asked, of, expected, got }: Lists): Part | null {
+function nothingOrSomething({ asked, of, expected, got, reads }: Lists): Part | null {
   if (got.length === 0) {
     if (isAtBoundary(asked)) return STOPS_AT_BOUNDARY;
     return {
       code: 'empty',
       title: 'Its list is empty.',
-      hint: `A walk of do … while takes its first ${of} before it looks whether it is done; while looks first, and is back before it has left.`,
+      hint:
+        zeroHint(reads) ??
+        `A walk of do … while takes its first ${of} before it looks whether it is done; while looks first, and is back before it has left.`,
     };
   }
   if (expected.length > 0) return null;
@@ -170,6 +190,18 @@ function foreign({ of, expected, got }: Lists): Part | null {
     title: `It takes ${namesOf(of, wrong)}, which ${wrong.length > 1 ? 'do' : 'does'} not belong there.`,
     hint: '',
     marks: wrong.filter(isIndex).map((index) => ({ kind: of, index })),
+  };
+}
+
+/** Only the item 0, which the program has been at. */
+function missingZero({ of, expected, got, reads }: Lists): Part | null {
+  const missed = expected.filter((index) => !got.includes(index));
+  if (missed.length !== 1 || missed[0] !== 0 || !wasGiven(of, 0, reads)) return null;
+  const name = namesOf(of, [0]);
+  return {
+    code: 'zero-is-false',
+    title: `It leaves out ${name}, which it has been given.`,
+    hint: `Is it asked whether there is one, as in if (mesh.${of === 'vertex' ? 'toVertex' : of}(h))? ${zeroIsFalse(name)}`,
   };
 }
 

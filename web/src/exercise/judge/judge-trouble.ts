@@ -2,7 +2,7 @@
 
 import { itemName } from '../../teaching/items.js';
 import { type Asked, type Finding, finding, isIndex, subjectOf } from './finding.js';
-import type { Fault, Outcome, Read } from './outcome.js';
+import { type Fault, type Outcome, type Read, shown } from './outcome.js';
 import { stepsOf } from './trail.js';
 
 type Threw = Outcome & { readonly kind: 'threw' };
@@ -108,22 +108,24 @@ export function judgeEndless(asked: Asked, { line, recursive, turns, reads }: En
   }
   // Where the walk stands at each turn: what it came to last before.
   const stops = turns.flatMap((count) => stepsOf(asked.mesh, reads.slice(0, count)).slice(-1));
+  const subject = subjectOf(asked);
+  const walked = stops.map(({ item }) => item.index);
+  const [first] = subject?.kind === 'halfedge' ? [subject.index] : walked;
   return finding({
     code: 'endless',
     title: `The loop in line ${line} does not end.`,
-    hint: roundabout(stops.map(({ item }) => item.index)),
+    hint: roundabout(walked, first),
     line,
     steps: stops,
   });
 }
 
 /** The halfedges between which a walk goes to and fro, as a sentence. */
-function roundabout(walked: readonly number[]): string {
-  const [first] = walked;
+function roundabout(walked: readonly number[], first: number): string {
   if (new Set(walked).size < 2) {
-    return first === undefined
+    return walked.length === 0
       ? 'It asks the mesh for no next halfedge: what changes from turn to turn?'
-      : `It stays at h${first}: what takes it to the next halfedge?`;
+      : `It stays at h${walked[0]}: what takes it to the next halfedge?`;
   }
   const again = walked.lastIndexOf(walked[walked.length - 1], walked.length - 2);
   if (again < 0) return 'It goes on from halfedge to halfedge, and never looks whether it is back.';
@@ -150,10 +152,4 @@ function place(line: number | null): string {
 
 function withStop(message: string): string {
   return /[.!?]$/.test(message) ? message : `${message}.`;
-}
-
-function shown(value: unknown): string {
-  if (typeof value === 'object' && value !== null && 'strange' in value)
-    return String(value.strange);
-  return String(value);
 }

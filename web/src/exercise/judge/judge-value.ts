@@ -2,8 +2,10 @@
 
 import type { HalfedgeMesh } from '../../api.js';
 import { type Item, isLive, itemName } from '../../teaching/items.js';
-import { type Asked, type Finding, finding, isIndex, subjectOf } from './finding.js';
-import type { Read } from './outcome.js';
+import { type Asked, type Finding, finding, isIndex, namesOf, subjectOf } from './finding.js';
+import { TURNS, turnedAround } from './judge-walk.js';
+import { zeroHint } from './judge-zero.js';
+import { described, type Read, shown, strangeness } from './outcome.js';
 import { stepsOf } from './trail.js';
 
 /** Compares a number with the one that was expected. */
@@ -14,7 +16,7 @@ export function judgeNumber(
   reads: readonly Read[],
 ): Finding | null {
   if (got === expected) return null;
-  const parts = { got: String(got), expected: String(expected), steps: stepsOf(asked.mesh, reads) };
+  const parts = { got: shown(got), expected: String(expected), steps: stepsOf(asked.mesh, reads) };
   if (typeof got !== 'number') return wrongType(got, 'a number', parts);
   if (Number.isNaN(got)) {
     return finding({
@@ -24,6 +26,8 @@ export function judgeNumber(
       hint: 'Something was added to undefined: was the variable given a value at first?',
     });
   }
+  const found = keptFromBefore(asked, got, expected) ?? elsewhere(asked, reads);
+  if (found) return finding({ ...parts, ...found });
   const off = got - expected;
   if (off === 1 || off === -1) {
     return finding({
@@ -40,7 +44,31 @@ export function judgeNumber(
     ...parts,
     code: 'wrong-number',
     title: `It gives back ${got}; expected ${expected}.`,
+    hint: (got === 0 && zeroHint(reads)) || '',
   });
+}
+
+type Part = Pick<Finding, 'code' | 'title' | 'hint'>;
+
+/** The count of the call before, and then the right one. */
+function keptFromBefore({ task, before }: Asked, got: number, expected: number): Part | null {
+  const kept = before ? Number(task.reference(before.mesh, ...before.parameters)) : 0;
+  if (kept === 0 || got !== expected + kept) return null;
+  return {
+    code: 'keeps-count',
+    title: `It goes on counting from ${kept}, where the call before ended.`,
+    hint: 'The function is called again and again, and each time its count has to begin at 0: declare it inside of the function.',
+  };
+}
+
+function elsewhere(asked: Asked, reads: readonly Read[]): Part | null {
+  const v = turnedAround(asked, reads);
+  if (v < 0) return null;
+  return {
+    code: 'turns-elsewhere',
+    title: `It turns around ${namesOf('vertex', [v])}, not around ${itemName(subjectOf(asked))}.`,
+    hint: TURNS,
+  };
 }
 
 /** Compares yes or no with what was expected. */
@@ -52,25 +80,28 @@ export function judgeBoolean(
 ): Finding | null {
   if (got === expected) return null;
   const steps = stepsOf(asked.mesh, reads);
-  const parts = { got: String(got), expected: String(expected), steps };
+  const parts = { got: shown(got), expected: String(expected), steps };
   if (typeof got !== 'boolean') return wrongType(got, 'true or false', parts);
   return finding({
     ...parts,
     code: got ? 'wrong-true' : 'wrong-false',
     title: `It says ${got} of ${itemName(subjectOf(asked))}; expected ${expected}.`,
-    hint: boundaryHint(asked, expected),
+    hint: boundaryHint(asked, expected, reads),
     marks: expected ? gapsAt(asked) : [],
   });
 }
 
-function boundaryHint(asked: Asked, expected: boolean): string {
+function boundaryHint(asked: Asked, expected: boolean, reads: readonly Read[]): string {
   const subject = subjectOf(asked);
   if (subject?.kind !== 'vertex') return '';
   const gaps = gapsAt(asked).map(itemName);
   if (asked.mesh.isIsolatedVertex(subject.index))
     return 'Nothing meets it: mesh.vertexHalfedge is NONE.';
-  if (expected && gaps.length > 0) return `${gaps.join(' and ')} leaves it and has no face.`;
-  return 'Every halfedge that leaves it has a face.';
+  if (!expected || gaps.length === 0) {
+    return `Every halfedge that leaves it has a face. ${zeroHint(reads) ?? ''}`.trim();
+  }
+  const leave = gaps.length > 1 ? 'leave it and have' : 'leaves it and has';
+  return `${gaps.join(' and ')} ${leave} no face.`;
 }
 
 function gapsAt({ mesh, parameters: [subject] }: Asked): Item[] {
@@ -90,7 +121,7 @@ export function judgeItem(
   if (got === expected.index) return null;
   const { mesh } = asked;
   const steps = stepsOf(mesh, reads);
-  const parts = { got: String(got), expected: itemName(expected), steps, marks: [expected] };
+  const parts = { got: shown(got), expected: itemName(expected), steps, marks: [expected] };
   if (typeof got !== 'number') return wrongType(got, `a ${expected.kind}, by its index`, parts);
   const item = { kind: expected.kind, index: got };
   if (!isIndex(got) || !isLive(mesh, item)) {
@@ -131,21 +162,18 @@ function relationOf(mesh: HalfedgeMesh, asked: Asked, { kind, index }: Item): st
 /** For an answer of another type than the one that was asked for. */
 export function wrongType(got: unknown, expected: string, parts: Partial<Finding>): Finding {
   const list = Array.isArray(got);
-  const shown = list ? `a list of ${got.length}` : describe(got);
+  const words = list ? `a list of ${got.length}` : described(got);
   return finding({
     ...parts,
-    got: shown,
+    got: words,
     expected,
     code: 'wrong-type',
-    title: `It gives back ${shown}; expected ${expected}.`,
-    hint: list ? 'Is it the length of the list that was asked for?' : '',
+    title: `It gives back ${words}; expected ${expected}.`,
+    hint: list ? 'Is it the length of the list that was asked for?' : promiseHint(got),
   });
 }
 
-function describe(value: unknown): string {
-  if (typeof value === 'object' && value !== null && 'strange' in value)
-    return String(value.strange);
-  if (typeof value === 'string') return `the text “${value}”`;
-  if (typeof value === 'number') return `the number ${value}`;
-  return String(value);
+function promiseHint(got: unknown): string {
+  if (strangeness(got) !== 'a promise') return '';
+  return 'A function that is async gives back a promise. Nothing here has to be waited for: leave the words async and await out.';
 }

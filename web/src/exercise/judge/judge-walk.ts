@@ -3,9 +3,11 @@
 import type { HalfedgeMesh } from '../../api.js';
 import type { Item } from '../../teaching/items.js';
 import { sameCycleEitherWay } from './cycles.js';
-import { type Finding, namesOf, subjectOf } from './finding.js';
+import { type Asked, type Finding, namesOf, subjectOf } from './finding.js';
 import type { Lists } from './judge-cycle.js';
+import { wasGiven } from './judge-zero.js';
 import type { Read } from './outcome.js';
+import { stepsOf } from './trail.js';
 
 type Part = Pick<Finding, 'code' | 'title'> & Partial<Finding>;
 
@@ -36,22 +38,8 @@ export function otherLists({ asked, of, expected, got, reads }: Lists): Part | n
  * kind may happen to be those of another.
  */
 function cameFrom(kind: Item['kind'], got: readonly unknown[], reads: readonly Read[]): boolean {
-  const given = new Set(reads.filter(({ name }) => KINDS[name] === kind).map(({ gave }) => gave));
-  return got.every((value) => given.has(value as number));
+  return got.every((value) => wasGiven(kind, value as number, reads));
 }
-
-/** What kind of item each question is answered with. */
-const KINDS: Readonly<Record<string, Item['kind']>> = {
-  toVertex: 'vertex',
-  fromVertex: 'vertex',
-  face: 'face',
-  edge: 'edge',
-  next: 'halfedge',
-  prev: 'halfedge',
-  opposite: 'halfedge',
-  vertexHalfedge: 'halfedge',
-  faceHalfedge: 'halfedge',
-};
 
 type Taken = Partial<Record<Item['kind'], string>>;
 type Walk = readonly [kind: Item['kind'], words: string, take: Taken, list: readonly number[]];
@@ -141,7 +129,7 @@ function notAroundVertex({ asked: { mesh }, of, got }: Lists, v: number): Part |
     return {
       code: 'turns-elsewhere',
       title: `It turns around ${namesOf('vertex', [got[0]])}, not around ${name}.`,
-      hint: 'opposite(next(h)) turns around the vertex that h leads to. Around the one that it leaves, it is opposite(prev(h)) or next(opposite(h)).',
+      hint: TURNS,
     };
   }
   const loop = [...mesh.halfedgeLoop(anchor)];
@@ -162,6 +150,13 @@ function notAroundVertex({ asked: { mesh }, of, got }: Lists, v: number): Part |
 function notAroundFace({ asked: { mesh }, of, got }: Lists, f: number): Part | null {
   if (got.length < 2 || of === 'face') return null;
   const first = mesh.faceHalfedge(f);
+  if (of === 'vertex' && got.every((value) => value === got[0])) {
+    return {
+      code: 'turns-elsewhere',
+      title: `It turns around ${namesOf('vertex', [got[0]])}, not around the face.`,
+      hint: LEAVES_FACE,
+    };
+  }
   for (const v of [mesh.fromVertex(first), mesh.toVertex(first)]) {
     const ring = [...mesh.vertexOutgoingHalfedges(v)];
     const lists = of === 'vertex' ? [ring.map((h) => mesh.toVertex(h))] : [ring];
@@ -169,10 +164,28 @@ function notAroundFace({ asked: { mesh }, of, got }: Lists, f: number): Part | n
     return {
       code: 'walks-vertex',
       title: `It turns around ${namesOf('vertex', [v])}, not around the face.`,
-      hint: 'With opposite the walk leaves the face. next alone stays in it.',
+      hint: LEAVES_FACE,
     };
   }
   return null;
+}
+
+/** How to turn around a vertex, and around which one. */
+export const TURNS =
+  'opposite(next(h)) turns around the vertex that h leads to. Around the one that it leaves, it is opposite(prev(h)) or next(opposite(h)).';
+
+const LEAVES_FACE = 'With opposite the walk leaves the face. next alone stays in it.';
+
+/** The vertex around which a program has turned in place of the one that was asked about; -1 for none. */
+export function turnedAround(asked: Asked, reads: readonly Read[]): number {
+  const { mesh } = asked;
+  const subject = subjectOf(asked);
+  if (subject?.kind !== 'vertex' || mesh.isIsolatedVertex(subject.index)) return -1;
+  const other = mesh.toVertex(mesh.vertexHalfedge(subject.index));
+  const walked = stepsOf(mesh, reads).map(({ halfedge }) => halfedge);
+  const ends = walked.map((h) => [mesh.fromVertex(h), mesh.toVertex(h)]);
+  // Both ways of turning around a vertex stay with the halfedges that meet it.
+  return walked.length > 4 && ends.every((pair) => pair.includes(other)) ? other : -1;
 }
 
 function notAlongLoop({ asked: { mesh }, got }: Lists, h: number): Part | null {

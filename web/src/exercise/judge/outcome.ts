@@ -56,8 +56,12 @@ export type Fault =
 export function sendable(value: unknown): Plain | readonly Plain[] {
   if (isList(value)) {
     const list: Plain[] = [];
+    let pulled = 0;
     for (const element of value) {
-      if (list.push(plainOf(element)) >= MOST) break;
+      if (list.length < MOST) list.push(plainOf(element));
+      // A generator goes on while it is asked: one whose loop doesn't end is ended there, and that is told.
+      pulled += 1;
+      if (pulled >= MOST_PULLED) break;
     }
     return list;
   }
@@ -66,6 +70,8 @@ export function sendable(value: unknown): Plain | readonly Plain[] {
 
 /** A list that is longer is wrong anyway. */
 const MOST = 2000;
+/** More than loops may turn, see program.ts. */
+const MOST_PULLED = 25_000;
 
 function isList(value: unknown): value is Iterable<unknown> {
   return typeof value === 'object' && value !== null && Symbol.iterator in value;
@@ -78,5 +84,25 @@ export function plainOf(value: unknown): Plain {
     return value;
   }
   if (Array.isArray(value)) return { strange: 'a list' };
+  if (value instanceof Promise) return { strange: 'a promise' };
   return { strange: typeof value === 'object' ? 'an object' : `a ${typeof value}` };
+}
+
+/** The value as a list or a call has it: `3`, `“3”`, `undefined`, `an object`. */
+export function shown(value: unknown): string {
+  if (typeof value === 'string') return `“${value}”`;
+  return strangeness(value) ?? String(value);
+}
+
+/** The value as a sentence has it: `the number 3`, `the text “3”`. */
+export function described(value: unknown): string {
+  if (typeof value === 'string') return `the text ${shown(value)}`;
+  if (typeof value === 'number') return `the number ${value}`;
+  return shown(value);
+}
+
+/** What a value is that is none of the plain ones. */
+export function strangeness(value: unknown): string | null {
+  if (typeof value !== 'object' || value === null || !('strange' in value)) return null;
+  return String(value.strange);
 }
