@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <halfedge/operations/triangulate.h>
 
+#include <algorithm>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -151,6 +153,80 @@ TEST(Triangulate, RefusesWhereAnotherFaceNeedsTheSameDiagonal) {
   expect_refused(refused, "no-triangulation", mesh, before);
   EXPECT_TRUE(refused.error().witness.edges.empty());
   EXPECT_EQ(refused.error().witness.faces, std::vector<Index>{1});
+}
+
+/// Closed surfaces of two discs of a few faces each, over the same corners: front and back share so
+/// many that a diagonal of one face may be the only one of another.
+Mesh random_pillow(std::mt19937& random) {
+  const Index n = 6 + Index(random() % 5);
+  std::vector<std::vector<Index>> faces;
+  for (const bool is_front : {true, false}) {
+    std::vector<Index> left(n);
+    for (Index i = 0; i < n; ++i) left[i] = is_front ? i : n - 1 - i;
+    std::rotate(left.begin(), left.begin() + std::ptrdiff_t(random() % n), left.end());
+    while (left.size() > 5) {  // a quad at an end
+      faces.push_back({left[0], left[1], left[2], left[3]});
+      left.erase(left.begin() + 1, left.begin() + 3);
+      std::rotate(left.begin(), left.begin() + std::ptrdiff_t(random() % left.size()), left.end());
+    }
+    faces.push_back(left);
+  }
+  std::ranges::shuffle(faces, random);
+  Mesh mesh;
+  BuildReport report;
+  const Shape pillow("pillow", n, faces);
+  if (!build_from_polygons(mesh, pillow.polygons(), report)) return {};
+  std::uniform_real_distribution<float> anywhere(0, 1);
+  for (const Vertex v : mesh.vertices()) {
+    mesh.set_position(v, {anywhere(random), anywhere(random), 0.1F * anywhere(random)});
+  }
+  return mesh;
+}
+
+TEST(Triangulate, GivesAFacePrecedenceThatAnotherWouldLeaveNoWay) {
+  // A pentagon, whose shortest diagonal is 0-2, and a dart that has no other way inside.
+  Mesh mesh = mesh_of({{0, 1, 2, 3, 4}, {2, 1, 0, 5}},
+                      {{0, 0, 0}, {1, -0.5F, 0}, {2, 0, 0}, {2, 6, 0}, {0, 6, 0}, {-2, 0.8F, 0}});
+  {
+    Mesh alone =
+        mesh_of({{0, 1, 2, 3, 4}}, {{0, 0, 0}, {1, -0.5F, 0}, {2, 0, 0}, {2, 6, 0}, {0, 6, 0}});
+    ASSERT_TRUE(triangulate(alone).ok());
+    ASSERT_TRUE(alone.find_edge(Vertex(0), Vertex(2)).valid());
+  }
+  EXPECT_EQ(triangulate(mesh).value(), 3U);
+  expect_valid_mesh(mesh);
+  const Edge diagonal = mesh.find_edge(Vertex(0), Vertex(2));
+  ASSERT_TRUE(diagonal.valid());  // between the triangles of the dart
+  std::set<Index> tips;
+  for (const Index side : {0U, 1U}) {
+    tips.insert(mesh.to_vertex(mesh.next(mesh.edge_halfedge(diagonal, side))).index());
+  }
+  EXPECT_EQ(tips, (std::set<Index>{1, 5}));
+}
+
+TEST(Triangulate, CutsAllFacesOfPillowsOrNone) {
+  int refused = 0;
+  int cut = 0;
+  for (unsigned seed = 0; seed < 3000; ++seed) {
+    std::mt19937 random(seed);
+    Mesh mesh = random_pillow(random);
+    if (mesh.face_count() == 0) continue;
+    SCOPED_TRACE(seed);
+    Mesh before;
+    ASSERT_TRUE(before.assign(mesh));
+    const bool can = check_triangulate(mesh).ok();
+    const Result<Index> added = triangulate(mesh);
+    ASSERT_EQ(added.ok(), can);
+    if (!can) {
+      ++refused;
+      continue;
+    }
+    ++cut;
+    expect_cut(before, mesh, added.value());
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(cut, 1600);  // without precedence 1,460
+  EXPECT_GT(refused, 0);
 }
 
 TEST(Triangulate, WithoutPrevAndWithoutPositions) {

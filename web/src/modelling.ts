@@ -15,7 +15,7 @@ export abstract class Modelling extends Surgery {
    *
    * @returns the number of new faces
    * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already, of all faces
-   * also those that the diagonals of faces before it join)
+   * also those that the diagonals of others join; which faces go first is tried a few times only)
    */
   triangulate(f?: FaceLike): number {
     const links = linksOf(this);

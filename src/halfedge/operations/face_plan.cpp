@@ -37,6 +37,7 @@ Result<void> FacePlan::add(const Links& links, std::span<const float> positions,
   } while (h != first.index());
   largest_ = std::max(largest_, corners_.size());
   if (corners_.size() <= 3) return {};  // degenerate complexes have faces of fewer corners
+  if (!loops_.push_back(first)) return no_memory();
 
   const auto is_edge = [&links](Vertex a, Vertex b) { return find_edge(links, a, b).valid(); };
   switch (cutter_.cut(corners_.span(), points_.span(), is_edge, ears_)) {

@@ -21,13 +21,16 @@ class FacePlan {
   [[nodiscard]] Result<void> add(const Links& links, std::span<const float> positions,
                                  Halfedge first, bool has_others);
 
-  /// The corners of all faces that were added, in the order in which they are cut off.
+  /// A halfedge of each face that was added and is to be cut.
+  [[nodiscard]] const Array<Halfedge>& loops() const { return loops_; }
+  /// Their corners, loop by loop, in the order in which they are cut off.
   [[nodiscard]] const Array<Index>& ears() const { return ears_; }
   /// The most corners that one had.
   [[nodiscard]] std::size_t largest() const { return largest_; }
 
  private:
   PolygonCutter cutter_;
+  Array<Halfedge> loops_;
   Array<Index> ears_;
   Array<Vertex> corners_;
   Array<Point> points_;

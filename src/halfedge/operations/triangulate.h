@@ -4,6 +4,8 @@
 #include <halfedge/operations/face_plan.h>
 #include <halfedge/operations/requirements.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -94,19 +96,54 @@ template <EditableSurface Mesh>
 
 namespace internal {
 
+[[nodiscard]] inline bool has(std::span<const Face> faces, Face f) {
+  return std::find(faces.begin(), faces.end(), f) != faces.end();
+}
+
+/// Plans these faces, then all others. `blocked` becomes the first that can't be cut.
 template <class Mesh>
-[[nodiscard]] Result<void> plan_all(const Mesh& mesh, FacePlan& plan) {
-  for (const Face f : mesh.faces()) {
+[[nodiscard]] Result<void> plan_in_order(const Mesh& mesh, std::span<const Face> before_others,
+                                         FacePlan& plan, Face& blocked) {
+  const auto add = [&](Face f) {
     Result<void> can = plan.add(mesh.links(), positions_of(mesh), mesh.face_halfedge(f), true);
-    if (!can) return can;
+    if (!can) blocked = f;
+    return can;
+  };
+  for (const Face f : before_others) {
+    if (Result<void> can = add(f); !can) return can;
+  }
+  for (const Face f : mesh.faces()) {
+    if (has(before_others, f)) continue;
+    if (Result<void> can = add(f); !can) return can;
   }
   return {};
+}
+
+/// Plans all faces. Where those before it leave a face no way, it goes before them, and all are
+/// planned anew; but no face does so twice, and no more than a few do.
+template <class Mesh>
+[[nodiscard]] Result<void> plan_all(const Mesh& mesh, FacePlan& plan) {
+  constexpr std::size_t kMostFirst = 16;
+  std::array<Face, kMostFirst> last_blocked;  // the last one at the front
+  for (std::size_t tries = 0;; ++tries) {
+    const std::span<const Face> before_others = std::span(last_blocked).last(tries);
+    Face blocked;
+    plan = FacePlan();
+    Result<void> can = plan_in_order(mesh, before_others, plan, blocked);
+    if (can || tries == kMostFirst || can.error().code != "no-triangulation" ||
+        has(before_others, blocked)) {
+      return can;
+    }
+    last_blocked[kMostFirst - tries - 1] = blocked;
+  }
 }
 
 }  // namespace internal
 
 /// Whether triangulate() can be done: as check_triangulate(f) for all faces, which don't use a
-/// diagonal twice either; each face avoids those of the faces before it.
+/// diagonal twice either. Each face avoids those of the faces before it; up to 16 that are left no
+/// way go before all others. Where more stand in each other's way, a mesh that could be cut may be
+/// refused.
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_triangulate(const Mesh& mesh) {
   internal::FacePlan plan;
@@ -130,11 +167,8 @@ template <EditableSurface Mesh>
     return no_memory("the triangles");
   }
   const Index* ear = plan.ears().begin();
-  const Index slots = mesh.face_slots();
-  for (Face f(0); f.index() < slots; f = Face(f.index() + 1)) {
-    // New faces may be met too: triangles, of which nothing is cut off.
-    if (mesh.is_deleted(f)) continue;
-    ear = internal::cut_into_triangles(mesh, mesh.face_halfedge(f), ear, corners);
+  for (const Halfedge first : plan.loops()) {
+    ear = internal::cut_into_triangles(mesh, first, ear, corners);
   }
   return Index(added);
 }
