@@ -130,6 +130,7 @@ async function compile(
   options: object,
   source = consumer,
   packages: readonly string[] = [],
+  compiler = 'typescript',
 ): Promise<string> {
   const folder = project(name, {
     'package.json': '{ "type": "module", "private": true }',
@@ -140,7 +141,7 @@ async function compile(
     'consumer.ts': source,
   });
   install(folder, packages);
-  const { output } = await tryNode(folder, tool('typescript/bin/tsc'), '-p', '.');
+  const { output } = await tryNode(folder, tool(`${compiler}/bin/tsc`), '-p', '.');
   return output.trim();
 }
 
@@ -149,6 +150,12 @@ describe('The types, installed, under strict,', () => {
     expect(await compile('types-bundler', { module: 'esnext', moduleResolution: 'bundler' })).toBe(
       '',
     );
+  });
+
+  test('serve one with the oldest TypeScript that the README names', async () => {
+    const options = { module: 'esnext', moduleResolution: 'bundler' };
+    const source = consumer.replaceAll('Uint8Array<ArrayBuffer>', 'Uint8Array'); // from 5.7 on
+    expect(await compile('types-oldest', options, source, [], 'typescript-oldest')).toBe('');
   });
 
   test('serve a consumer in Node, without the types of the browser', async () => {
