@@ -347,15 +347,48 @@ test('A mesh of another copy of the package is told from one of this copy', asyn
 
 test('A list is no object with options', () => {
   using mesh = HalfedgeMesh.cube();
-  for (const list of [[0], new Uint32Array(1)]) {
+  for (const list of [[0], new Uint32Array(1), new DataView(new ArrayBuffer(1)), new Set([0])]) {
     for (const call of [
       () => mesh.star(list as never),
       () => mesh.fillHoles(list as never),
       () => HalfedgeMesh.fromTriangles(positions, indices, list as never),
     ]) {
       expect(call).toThrow(TypeError);
-      expect(call).toThrow(/^(items|options) is an? \w+ of 1 element; expected an object\.$/);
+      expect(call).toThrow(
+        /^(items|options) is an? \w+( of 1 element)?; expected a plain object\.$/,
+      );
     }
+  }
+});
+
+test('A mesh is no options of another one', () => {
+  using mesh = HalfedgeMesh.cube();
+  using directed = DirectedEdgesMesh.fromTriangles(positions, indices);
+  expect(() => new HalfedgeMesh(mesh as never)).toThrow(
+    new TypeError(
+      'options is a HalfedgeMesh; expected an object such as { storePrev }: to copy a mesh, use its clone().',
+    ),
+  );
+  for (const [options, name] of [
+    [directed, 'a DirectedEdgesMesh'],
+    [Promise.resolve({ storePrev: false }), 'a Promise, which is to be awaited'],
+    [new ArrayBuffer(8), 'an ArrayBuffer'],
+    [new Map([['storePrev', false]]), 'a Map'],
+  ] as const) {
+    expect(() => new HalfedgeMesh(options as never)).toThrow(
+      new TypeError(`options is ${name}; expected a plain object.`),
+    );
+  }
+});
+
+test('Options may be those of a class, or what a module exports', async () => {
+  class Options {
+    storePrev = false;
+  }
+  const module = await import('./support/options.js');
+  for (const options of [new Options(), module, Object.create(null)]) {
+    using mesh = HalfedgeMesh.cube(options);
+    expect(mesh.connectivity.prev).toHaveLength(24 * Number(options.storePrev ?? true));
   }
 });
 

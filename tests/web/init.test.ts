@@ -134,7 +134,10 @@ describe('init', () => {
 
   test('refuses options that are no object', async () => {
     const api = await fresh();
-    for (const options of [null, 5, 'core.wasm']) {
+    const module = await WebAssembly.compile(bytes);
+    const nowhere = Promise.reject(new Error('404'));
+    nowhere.catch(() => {});
+    for (const options of [null, 5, 'core.wasm', bytes, bytes.buffer, module, nowhere]) {
       const error = await rejection(api.init(options as never));
       expect(error).toBeInstanceOf(TypeError);
       expect(error.message).toContain('expected an object such as { wasm }');

@@ -1,7 +1,7 @@
 import { bytesOf, describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { messageOf } from './loader.js';
-import { checkOptions } from './options.js';
+import { checkOptions, isPlain } from './options.js';
 
 declare global {
   // The types of the browser have these. A consumer in Node may do without them, but not without names.
@@ -27,7 +27,7 @@ type Source = URL | string | Uint8Array | WebAssembly.Module;
 
 /** The `wasm` of the options, whatever was passed as options; undefined where it is left out. */
 export function wasmOption(options: InitOptions): Source | undefined {
-  if (options === null || typeof options !== 'object') {
+  if (!isPlain(options)) {
     throw new TypeError(`options is ${describe(options)}; expected an object such as { wasm }.`);
   }
   const { wasm } = checkOptions<InitOptions>(options, { wasm: true });

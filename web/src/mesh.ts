@@ -374,6 +374,9 @@ printed('HalfedgeMesh', HalfedgeMesh, (mesh) => {
 });
 
 function emptyLinks(options: unknown): Links {
+  if (options instanceof HalfedgeMesh) {
+    refuse('options', options, 'an object such as { storePrev }: to copy a mesh, use its clone()');
+  }
   const withPrev = storesPrev(checkOptions(options, STORAGE_OPTIONS));
   const wasm = core();
   const address = wasm.createMesh(withPrev);

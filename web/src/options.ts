@@ -17,7 +17,9 @@ export function checkOptions<Options extends object>(
   for (const name in options as Options) {
     if (names[name] !== true) checkName(options, name, names, argument);
   }
-  if (typeof options !== 'object' || options === null) checkObject(options, argument);
+  if (typeof options !== 'object' || options === null || Symbol.toStringTag in options) {
+    checkObject(options, argument);
+  }
   return options as Options;
 }
 
@@ -37,12 +39,17 @@ export function takeOptions<Options extends object>(
   return taken as Given<Options>;
 }
 
-/** Throws unless `value` is an object, and no list; returns it. */
+/** Throws unless `value` is an object with names, and nothing else; returns it. */
 export function checkObject(value: unknown, argument = 'options'): object {
-  if (typeof value === 'object' && value !== null) {
-    if (!Array.isArray(value) && !ArrayBuffer.isView(value)) return value;
-  }
-  throw new TypeError(`${argument} is ${describe(value)}; expected an object.`);
+  if (isPlain(value)) return value;
+  const isObject = typeof value === 'object' && value !== null;
+  const expected = isObject ? 'a plain object' : 'an object';
+  throw new TypeError(`${argument} is ${describe(value)}; expected ${expected}.`);
+}
+
+/** Whether it is an object (or a module, whose exports are its names), but no list, mesh, promise or buffer. */
+export function isPlain(value: unknown): value is object {
+  return /^\[object (Object|Module)\]$/.test(Object.prototype.toString.call(value));
 }
 
 /** Throws for a name that isn't among the names, unless all objects of the page have got it. */

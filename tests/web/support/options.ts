@@ -1,0 +1,2 @@
+/** Options, as a module has them. */
+export const storePrev = false;
