@@ -392,6 +392,9 @@ describe('Directed Edges', () => {
       expect(actual.constructor).toBe(error.constructor);
     }
     expect(() => mesh.circulate('constructor' as never, 0)).toThrow(/kind is "constructor"/);
+    expect(() => mesh.circulate(['faceFaces'] as never, 0)).toThrow(
+      /kind is an array of 1 element/,
+    );
     expect(() => mesh.circulate('vertexFaces', 5, 'left' as 'cw')).toThrow(/direction is "left"/);
   });
 

@@ -94,6 +94,7 @@ describe('The endless form', () => {
     ],
     ['a property of objects', 'constructor', RangeError, 'kind is "constructor"; expected one of'],
     ['no string', 7, TypeError, 'kind is 7; expected one of'],
+    ['a list with one', ['vertexFaces'], TypeError, 'kind is an array of 1 element; expected one'],
   ])('refuses a kind that is %s', (_, kind, type, message) => {
     using mesh = build(quadGrid());
     const call = () => mesh.circulate(kind as CirculatorKind, 0);

@@ -169,7 +169,7 @@ export abstract class Circulation extends BulkRings {
     else if (options !== undefined) {
       ({ direction = 'ccw', start } = checkOptions(options, CIRCULATE_OPTIONS));
     }
-    const around = KINDS[kind] as circulator.Kind | undefined;
+    const around = typeof kind === 'string' ? KINDS[kind] : undefined;
     if (around === undefined) throw noSuchKind(kind);
     return new Circulator<Shown<Kind>>(linksOf(this), around, direction).moveTo(item, start);
   }

@@ -248,7 +248,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
       typeof options === 'string'
         ? { direction: options }
         : checkOptions(options, CIRCULATE_OPTIONS);
-    const around = KINDS[kind] as Kind | undefined;
+    const around = typeof kind === 'string' ? KINDS[kind] : undefined;
     if (around === undefined) throw noSuchKind(kind);
     const links = directedLinksOf(this);
     return new DirectedCirculator<Shown<Name>>(links, around, direction).moveTo(item, start);
