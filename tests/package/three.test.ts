@@ -15,8 +15,8 @@ function projectWithThree(name: string, files: Record<string, string>): string {
 
 const program = `
 import { BoxGeometry, Mesh, Ray, Vector3 } from 'three';
-import { type HalfedgeMesh, init } from 'halfedge';
-import { fromBufferGeometry, type GeometryMaps, HalfedgesHelper, MeshGeometry, toBufferGeometry } from 'halfedge/three';
+import { type Face, type HalfedgeMesh, init, type Vertex } from 'halfedge';
+import { CirculatorHelper, fromBufferGeometry, type GeometryMaps, HalfedgesHelper, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 import { MeshPicker, type FaceHit } from 'halfedge/three/picking';
 
 await init();
@@ -35,6 +35,9 @@ export const view = (weld?: number, normals?: 'flat', color?: number) => {
   const shown = fromBufferGeometry(geometry, { weld }).mesh;
   return [new MeshGeometry(shown, { normals }), new HalfedgesHelper(shown, { color })];
 };
+export const trace = (v: Vertex) => new CirculatorHelper(mesh, 'vertexFaces', v, { steps: 2 }).trace();
+// @ts-expect-error A face is no vertex.
+export const traceOf = (f: Face) => new CirculatorHelper(mesh, 'vertexFaces', f);
 // @ts-expect-error There are three ways to make normals.
 toBufferGeometry(mesh, { normals: 'soft' });
 // @ts-expect-error A mesh is no geometry.

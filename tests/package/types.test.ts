@@ -4,7 +4,7 @@ import { filesBelow } from '../../scripts/lib/files.mjs';
 import { install, packed, project, tool, tryNode } from './support/project.js';
 
 const consumer = `
-import { type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, NONE, type Refusal, type Vertex } from 'halfedge';
+import { type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type Items, NONE, type Reference, type Refusal, type Vertex } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { type GltfPart, readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
@@ -67,6 +67,31 @@ export function edit(mesh: HalfedgeMesh, e: Edge): Vertex | Refusal {
   return mesh.checkSplitEdge(e) ?? mesh.history.group(() => mesh.splitEdge(e, new Float32Array(3)));
 }
 
+/** Items by the name of their kind: as the mesh hands them out, or plain numbers. */
+export function byKind(mesh: HalfedgeMesh, directed: DirectedEdgesMesh, v: Vertex, f: Face, words: Uint32Array): Vertex {
+  const ring: Circulator<Vertex> = mesh.circulate('vertexVertices', v);
+  mesh.circulate('faceFaces', f, 'cw').moveTo(words[0]).moveTo(f).next();
+  directed.circulate('halfedgeLoop', mesh.face(3) ^ 1).moveTo(mesh.faceHalfedge(f));
+  mesh.attributes.set('face', 'group', f, mesh.attributes.values('vertex', 'group', words[0]));
+  if (mesh.checkDeleteComponent('halfedge', mesh.findHalfedge(v, 0)) === null) mesh.deleteComponent('face', f);
+  const items: Items = { vertices: [v, 1], edges: words, faces: undefined };
+  mesh.link(mesh.star(items));
+  mesh.allFaceVertices('cw', mesh.kRing(mesh.vertices().toArray(), 2).items);
+  mesh.allEdgeFaces([...mesh.vertexEdges(v)]);
+  const reference: Reference = mesh.generations.reference('face', f);
+  mesh.generations.isCurrent({ kind: 'face', index: reference.index, generation: 1 });
+  return mesh.generations.reference('vertex', ring.current).index;
+}
+
+/** Kinds that only the program knows. */
+export function ofAnyKind<Kind extends ItemKind>(mesh: HalfedgeMesh, kind: Kind, item: ItemLike<Kind>, index: number, name: CirculatorKind): number {
+  mesh.deleteComponent(kind, index);
+  mesh.attributes.set(kind, 'group', item, mesh.attributes.values(kind, 'group', index));
+  const same: Reference = mesh.generations.reference(kind, item);
+  mesh.valence(mesh.generations.reference(kind as ItemKind, index).index);
+  return mesh.circulate(name, index).moveTo(mesh.face(0)).next() + same.index;
+}
+
 /** Options that are handed on, given or not. */
 export async function handOn(file: Blob, signal?: AbortSignal, format?: 'obj' | 'ply', size?: number): Promise<HalfedgeMesh> {
   const { mesh } = await parseInWorker(file, { signal, format });
@@ -77,6 +102,7 @@ export async function handOn(file: Blob, signal?: AbortSignal, format?: 'obj' | 
 }
 
 declare const mesh: HalfedgeMesh;
+declare const directed: DirectedEdgesMesh;
 declare const someFace: Face;
 // Each of these must be an error, or tsc objects to the directive above it.
 // @ts-expect-error A face is no halfedge.
@@ -103,6 +129,42 @@ mesh.flipEdge(mesh.addVertex());
 mesh.attributes.add('corner', 'uv');
 // @ts-expect-error Nor such a type.
 mesh.attributes.add('face', 'group', { type: 'int' });
+// @ts-expect-error A face has no vertices around it that circulate by that kind.
+mesh.circulate('vertexVertices', someFace);
+// @ts-expect-error Nor has it later.
+mesh.circulate('vertexVertices', 0).moveTo(someFace);
+// @ts-expect-error A face is no edge.
+directed.circulate('edgeFaces', someFace).moveTo(0);
+// @ts-expect-error Nor is it here.
+directed.circulate('edgeFaces', 0).moveTo(someFace);
+// @ts-expect-error A face is no vertex, whatever the vertex is asked for.
+mesh.deleteComponent('vertex', someFace);
+// @ts-expect-error As above.
+mesh.checkDeleteComponent('halfedge', someFace);
+// @ts-expect-error As above.
+mesh.attributes.set('edge', 'weight', someFace, 1);
+// @ts-expect-error As above.
+mesh.attributes.values('vertex', 'weight', someFace);
+// @ts-expect-error As above.
+mesh.generations.reference('vertex', someFace);
+// @ts-expect-error A reference to a vertex has no face.
+mesh.degree(mesh.generations.reference('vertex', 0).index);
+// @ts-expect-error Faces are no vertices in a list, either.
+mesh.allVertexFaces('ccw', [someFace]);
+// @ts-expect-error As above.
+mesh.allFaceEdges('ccw', [mesh.toVertex(0)]);
+// @ts-expect-error As above.
+mesh.allEdgeVertices([someFace]);
+// @ts-expect-error As above.
+mesh.kRing([someFace], 2);
+// @ts-expect-error As above.
+mesh.star({ vertices: [someFace] });
+// @ts-expect-error As above.
+mesh.closure({ edges: [someFace] });
+// @ts-expect-error As above.
+mesh.link({ faces: [mesh.toVertex(0)] });
+// @ts-expect-error A mesh is no options of another one.
+new HalfedgeMesh(mesh);
 // @ts-expect-error Internals are not exported.
 export { Links } from 'halfedge';
 // @ts-expect-error Nor can they be reached by path.
@@ -207,6 +269,25 @@ ${declaration}`;
       .filter((path) => /\.d\.(m|wasm\.)?ts$/.test(path))
       .filter((path) => /Array<ArrayBuffer/.test(readFileSync(path, 'utf8')));
     expect(telling).toEqual([]);
+  });
+
+  test('have names in the declarations of a program that exports what it gets', async () => {
+    const source = `
+import { DirectedEdgesMesh, HalfedgeMesh, type ItemKind } from 'halfedge';
+export const parts = (mesh: HalfedgeMesh) => ({
+  ring: mesh.vertexVertices(0), faces: mesh.faces(), face: mesh.face(0), edge: mesh.findEdge(0, 1),
+  circulator: mesh.circulate('vertexFaces', 0), rows: mesh.allFaceFaces(), star: mesh.star({ vertices: [0] }),
+  links: mesh.connectivity, attributes: mesh.attributes, view: mesh.attributes.get('vertex', 'normal'),
+  history: mesh.history, maps: mesh.compact(), bytes: mesh.toBytes(), ply: mesh.write('ply'),
+  problems: mesh.validate(), refusal: mesh.checkFlipEdge(0), report: mesh.fillHoles(), components: mesh.components(),
+});
+export const directed = (mesh: DirectedEdgesMesh) => [mesh.circulate('faceFaces', 0), mesh.faces(), mesh.connectivity];
+export const read = (text: string) => [HalfedgeMesh.parse(text), HalfedgeMesh.parseSoup(text), HalfedgeMesh.fromSoup([], [])];
+export const reference = (mesh: HalfedgeMesh, v: number) => mesh.generations.reference('vertex', v);
+export const referenceOf = <Kind extends ItemKind>(mesh: HalfedgeMesh, kind: Kind, i: number) => mesh.generations.reference(kind, i);
+`;
+    const emit = { noEmit: false, declaration: true, emitDeclarationOnly: true, outDir: 'out' };
+    expect(await compile('types-declared', { module: 'nodenext', ...emit }, source)).toBe('');
   });
 
   test('let `using` end the life of a mesh', async () => {

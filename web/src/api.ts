@@ -9,7 +9,7 @@ export type {
   OnSplit,
 } from './attributes.js';
 export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
-export type { CirculateOptions, CirculatorKind } from './circulation.js';
+export type { CirculateOptions, CirculatorCentre, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
 export type { CompactMaps, DeleteOptions, VertexOrder } from './construction.js';
 export { DirectedEdgesMesh } from './directed-edges.js';
@@ -30,6 +30,8 @@ export {
   type Halfedge,
   type HalfedgeLike,
   type ItemKind,
+  type ItemLike,
+  type ItemOf,
   NONE,
   type Vertex,
   type VertexLike,

@@ -2,7 +2,7 @@ import { describe, lengthOfArrayLike } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { checkGivenPosition, done, KINDS, kindIndex, modeOf } from './edit.js';
 import { HalfedgeError } from './errors.js';
-import type { ItemKind } from './items.js';
+import type { ItemKind, ItemLike } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -199,7 +199,12 @@ export class Attributes {
    * Sets the values of one item: a number, or one for each component. As writing to the view does; but
    * history notes this. Integers are rounded and kept in their range; NaN is none.
    */
-  set(kind: ItemKind, name: string, item: number, values: number | ArrayLike<number>): void {
+  set<Kind extends ItemKind>(
+    kind: Kind,
+    name: string,
+    item: ItemLike<Kind>,
+    values: number | ArrayLike<number>,
+  ): void {
     const links = this.#links;
     if (this.#isPosition(kind, name)) {
       const [x, y, z] = checkGivenPosition(
@@ -228,7 +233,7 @@ export class Attributes {
   }
 
   /** A copy of the values of one item. */
-  values(kind: ItemKind, name: string, item: number): number[] {
+  values<Kind extends ItemKind>(kind: Kind, name: string, item: ItemLike<Kind>): number[] {
     if (this.#isPosition(kind, name)) {
       this.#links.checkVertex(item, 'item');
       return Array.from(this.#links.positions.subarray(3 * item, 3 * item + 3));

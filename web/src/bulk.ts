@@ -1,4 +1,4 @@
-import type { Direction } from './items.js';
+import type { Direction, EdgeLike, FaceLike, VertexLike } from './items.js';
 import { linksOf, Navigation } from './navigation.js';
 import { type Rows, rings } from './rings.js';
 
@@ -11,51 +11,51 @@ import { type Rows, rings } from './rings.js';
  */
 export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */
-  allVertexVertices(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+  allVertexVertices(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
     return rings(linksOf(this), 'vertexVertices', direction, vertices);
   }
   /** Row v: the halfedges that leave vertex v. */
-  allVertexOutgoingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+  allVertexOutgoingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
     return rings(linksOf(this), 'vertexOutgoingHalfedges', direction, vertices);
   }
   /** Row v: the halfedges that arrive at vertex v. */
-  allVertexIncomingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+  allVertexIncomingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
     return rings(linksOf(this), 'vertexIncomingHalfedges', direction, vertices);
   }
   /** Row v: the edges at vertex v. */
-  allVertexEdges(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+  allVertexEdges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
     return rings(linksOf(this), 'vertexEdges', direction, vertices);
   }
   /** Row v: the faces at vertex v. */
-  allVertexFaces(direction: Direction = 'ccw', vertices?: ArrayLike<number>): Rows {
+  allVertexFaces(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
     return rings(linksOf(this), 'vertexFaces', direction, vertices);
   }
   /** Row f: the corners of face f. */
-  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
     return rings(linksOf(this), 'faceVertices', direction, faces);
   }
   /** Row f: the halfedges of face f. */
-  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
     return rings(linksOf(this), 'faceHalfedges', direction, faces);
   }
   /** Row f: the edges of face f. */
-  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
     return rings(linksOf(this), 'faceEdges', direction, faces);
   }
   /** Row f: the neighbours across each edge of face f. */
-  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<number>): Rows {
+  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
     return rings(linksOf(this), 'faceFaces', direction, faces);
   }
   /** Row e: the two ends of edge e. Side 0 comes first. */
-  allEdgeVertices(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+  allEdgeVertices(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
     return ringsOfEdges(this, 'edgeVertices', direction, edges);
   }
   /** Row e: the two halfedges of edge e. Side 0 comes first. */
-  allEdgeHalfedges(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+  allEdgeHalfedges(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
     return ringsOfEdges(this, 'edgeHalfedges', direction, edges);
   }
   /** Row e: the one or two faces of edge e. Side 0 comes first. */
-  allEdgeFaces(direction?: Direction | ArrayLike<number>, edges?: ArrayLike<number>): Rows {
+  allEdgeFaces(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
     return ringsOfEdges(this, 'edgeFaces', direction, edges);
   }
 }
@@ -64,8 +64,8 @@ export abstract class BulkRings extends Navigation {
 function ringsOfEdges(
   mesh: BulkRings,
   kind: 'edgeVertices' | 'edgeHalfedges' | 'edgeFaces',
-  direction: Direction | ArrayLike<number> = 'ccw',
-  edges?: ArrayLike<number>,
+  direction: Direction | ArrayLike<EdgeLike> = 'ccw',
+  edges?: ArrayLike<EdgeLike>,
 ): Rows {
   const isList = typeof direction === 'object' && direction !== null && edges === undefined;
   const [way, list] = isList ? (['ccw', direction] as const) : [direction as Direction, edges];

@@ -11,6 +11,7 @@ import type {
   FaceLike,
   Halfedge,
   HalfedgeLike,
+  PlainNumber,
   Vertex,
   VertexLike,
 } from './items.js';
@@ -27,7 +28,7 @@ const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
 const { Circulator, kindOf } = circulator;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
-type Circulator<Item extends number> = circulator.Circulator<Item>;
+type Circulator<Item extends number, Around extends number> = circulator.Circulator<Item, Around>;
 
 /** The circulators that `circulate` knows: all around one item, by the names of their methods. */
 export type CirculatorKind = RingKind | 'halfedgeLoop';
@@ -35,6 +36,13 @@ export type CirculatorKind = RingKind | 'halfedgeLoop';
 /** What a circulator shows. */
 type Shown<Kind extends CirculatorKind> =
   ReturnType<Circulation[Kind]> extends Orbit<infer Item> ? Item : never;
+
+/** What a circulator goes around. */
+export type CirculatorCentre<Kind extends CirculatorKind> =
+  | PlainNumber
+  | {
+      [Name in CirculatorKind]: Parameters<Circulation[Name]>[0];
+    }[Kind];
 
 /** Which way a circulator goes, and where it begins. */
 export interface CirculateOptions {
@@ -160,9 +168,9 @@ export abstract class Circulation extends BulkRings {
    */
   circulate<Kind extends CirculatorKind>(
     kind: Kind,
-    item: number,
+    item: CirculatorCentre<Kind>,
     options?: Direction | CirculateOptions,
-  ): Circulator<Shown<Kind>> {
+  ): Circulator<Shown<Kind>, CirculatorCentre<Kind>> {
     let direction: Direction = 'ccw';
     let start: HalfedgeLike | undefined;
     if (typeof options === 'string') direction = options;
@@ -171,7 +179,11 @@ export abstract class Circulation extends BulkRings {
     }
     const around = typeof kind === 'string' ? KINDS[kind] : undefined;
     if (around === undefined) throw noSuchKind(kind);
-    return new Circulator<Shown<Kind>>(linksOf(this), around, direction).moveTo(item, start);
+    return new Circulator<Shown<Kind>, CirculatorCentre<Kind>>(
+      linksOf(this),
+      around,
+      direction,
+    ).moveTo(item, start);
   }
 }
 

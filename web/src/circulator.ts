@@ -66,7 +66,7 @@ export function kindOf(centre: Centre, view: number): Kind {
  * Endless and bidirectional: it has no end, it stops when you say so. It stands on one halfedge at a
  * time. Every use but `moveTo` throws after the connectivity has changed under it.
  */
-export class Circulator<Item extends number = number> {
+export class Circulator<Item extends number = number, Around extends number = number> {
   // Not #private: a loop that makes a circulator for each vertex would take twice as long.
   /** @internal */
   declare readonly links: Links;
@@ -160,7 +160,7 @@ export class Circulator<Item extends number = number> {
    * Goes around another item of the same kind and in the same direction, as a new circulator would, but
    * without making one.
    */
-  moveTo(item: number, start?: HalfedgeLike): this {
+  moveTo(item: Around, start?: HalfedgeLike): this {
     // One way out for all that isn't as usual: V8 inlines so many bytecodes into a loop, and then no more.
     if (typeof item === 'number' && start === undefined && this.era.first >= 0) {
       const anchor = this.anchors[item];

@@ -14,7 +14,16 @@ import {
   withList,
 } from './edit.js';
 import { checkNoGroup } from './history.js';
-import type { EdgeLike, Face, FaceLike, Halfedge, ItemKind, Vertex, VertexLike } from './items.js';
+import type {
+  EdgeLike,
+  Face,
+  FaceLike,
+  Halfedge,
+  ItemKind,
+  ItemLike,
+  Vertex,
+  VertexLike,
+} from './items.js';
 import { checkItem } from './links.js';
 import { linksOf } from './navigation.js';
 import { checkOptions, type OptionNames } from './options.js';
@@ -201,7 +210,7 @@ export abstract class Construction extends Circulation {
    *
    * @returns the number of faces deleted
    */
-  deleteComponent(kind: ItemKind, item: number): number {
+  deleteComponent<Kind extends ItemKind>(kind: Kind, item: ItemLike<Kind>): number {
     const links = linksOf(this);
     links.checkAlive();
     const i = kindIndex(kind);
@@ -210,7 +219,7 @@ export abstract class Construction extends Circulation {
   }
 
   /** Why {@link deleteComponent} would be refused: never, so null. */
-  checkDeleteComponent(kind: ItemKind, item: number): Refusal | null {
+  checkDeleteComponent<Kind extends ItemKind>(kind: Kind, item: ItemLike<Kind>): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();
     kindIndex(kind);

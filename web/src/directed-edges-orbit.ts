@@ -224,7 +224,7 @@ export function lapAround<Item extends number>(
 }
 
 /** Endless and bidirectional, as `Circulator` is for a full mesh. */
-export class DirectedCirculator<Item extends number = number> {
+export class DirectedCirculator<Item extends number = number, Around extends number = number> {
   /** @internal */
   declare readonly links: DirectedLinks;
   /** @internal */
@@ -271,7 +271,7 @@ export class DirectedCirculator<Item extends number = number> {
   }
 
   /** Goes around another item of the same kind and in the same direction. */
-  moveTo(item: number, start?: HalfedgeLike): this {
+  moveTo(item: Around, start?: HalfedgeLike): this {
     this.at = firstAround(this.links, this.kind, item, this.direction, start);
     this.item = NONE;
     if (this.at < 0) return this;

@@ -4,7 +4,12 @@
 import { describe } from './arguments.js';
 import { buildDirectedEdges } from './build.js';
 import { refuse } from './checks.js';
-import { CIRCULATE_OPTIONS, type CirculateOptions, type CirculatorKind } from './circulation.js';
+import {
+  CIRCULATE_OPTIONS,
+  type CirculateOptions,
+  type CirculatorCentre,
+  type CirculatorKind,
+} from './circulation.js';
 import { after, DirectedLinks } from './directed-edges-links.js';
 import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
 import {
@@ -241,9 +246,9 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
    */
   circulate<Name extends CirculatorKind>(
     kind: Name,
-    item: number,
+    item: CirculatorCentre<Name>,
     options: Direction | CirculateOptions = {},
-  ): DirectedCirculator<Shown<Name>> {
+  ): DirectedCirculator<Shown<Name>, CirculatorCentre<Name>> {
     const { direction = 'ccw', start }: CirculateOptions =
       typeof options === 'string'
         ? { direction: options }
@@ -251,7 +256,11 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
     const around = typeof kind === 'string' ? KINDS[kind] : undefined;
     if (around === undefined) throw noSuchKind(kind);
     const links = directedLinksOf(this);
-    return new DirectedCirculator<Shown<Name>>(links, around, direction).moveTo(item, start);
+    return new DirectedCirculator<Shown<Name>, CirculatorCentre<Name>>(
+      links,
+      around,
+      direction,
+    ).moveTo(item, start);
   }
 
   /** One halfedge of each boundary loop, in ascending order. O(boundary). */

@@ -1,14 +1,14 @@
 import { checkFlag, refuse } from './checks.js';
 import { kindIndex } from './edit.js';
 import { HalfedgeError } from './errors.js';
-import type { ItemKind } from './items.js';
+import type { ItemKind, ItemLike, ItemOf } from './items.js';
 import { checkIndex, checkItem, isLive, type Links, slotCount } from './links.js';
 import { unwrap } from './reports.js';
 
 /** An item as it was when the reference was made: its index, and the stamp that its slot had then. */
-export interface Reference {
+export interface Reference<Item extends number = number> {
   readonly kind: ItemKind;
-  readonly index: number;
+  readonly index: Item;
   readonly generation: number;
 }
 
@@ -56,12 +56,12 @@ export class Generations {
    *
    * @throws HalfedgeError `no-generations` if they are not enabled
    */
-  reference(kind: ItemKind, item: number): Reference {
+  reference<Kind extends ItemKind>(kind: Kind, item: ItemLike<Kind>): Reference<ItemOf<Kind>> {
     const i = this.#checkKind(kind);
     checkItem(this.#links, kind, item);
     const { core, address } = this.#links;
     const generation = core._generation(address, i, item) >>> 0;
-    return Object.freeze({ kind, index: item, generation });
+    return Object.freeze({ kind, index: item as ItemOf<Kind>, generation });
   }
 
   /**

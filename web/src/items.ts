@@ -24,6 +24,19 @@ export type EdgeLike = Edge | PlainNumber;
 /** A face where one is asked for; as {@link VertexLike}. */
 export type FaceLike = Face | PlainNumber;
 
+/** An item of a kind where one is asked for; as {@link VertexLike}. */
+export type ItemLike<Kind extends ItemKind = ItemKind> = Indices[Kind] | PlainNumber;
+/** An item of a kind, as the mesh hands it out; a plain number where the kind may be any. */
+export type ItemOf<Kind extends ItemKind> = ItemKind extends Kind ? number : Indices[Kind];
+
+/** By kind. `Index<Kind>` would be inferred from the index as well, and have no name in declarations. */
+interface Indices {
+  vertex: Vertex;
+  halfedge: Halfedge;
+  edge: Edge;
+  face: Face;
+}
+
 /** A number without a brand. */
 export type PlainNumber = number & { readonly [kind]?: never };
 

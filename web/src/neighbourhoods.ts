@@ -1,7 +1,7 @@
 import { describe, indices, type NumberArray } from './arguments.js';
 import { refuse } from './checks.js';
 import { Editing } from './editing.js';
-import type { VertexLike } from './items.js';
+import type { EdgeLike, FaceLike, VertexLike } from './items.js';
 import { checkItems, type Links } from './links.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
@@ -11,9 +11,9 @@ import { type Rows, take } from './rings.js';
 
 /** Some items of a mesh, in any order. */
 export interface Items {
-  readonly vertices?: ArrayLike<number> | undefined;
-  readonly edges?: ArrayLike<number> | undefined;
-  readonly faces?: ArrayLike<number> | undefined;
+  readonly vertices?: ArrayLike<VertexLike> | undefined;
+  readonly edges?: ArrayLike<EdgeLike> | undefined;
+  readonly faces?: ArrayLike<FaceLike> | undefined;
 }
 
 /** Some items of a mesh, each once, in ascending order. Can be given where {@link Items} are asked for. */
@@ -55,7 +55,7 @@ export abstract class Neighbourhoods extends Editing {
    * const { offsets, items } = mesh.kRing(v, 2); // items.subarray(offsets[2]): the second ring alone
    * ```
    */
-  kRing(vertices: VertexLike | ArrayLike<number>, k: number): Rows {
+  kRing(vertices: VertexLike | ArrayLike<VertexLike>, k: number): Rows {
     const links = linksOf(this);
     const { core } = links;
     if (typeof vertices === 'number') links.checkVertex(vertices, 'vertices');

@@ -1,9 +1,9 @@
 import { Color, type ColorRepresentation } from 'three';
 import { describe } from '../arguments.js';
 import { checkIterable, refuse } from '../checks.js';
-import type { CirculatorKind } from '../circulation.js';
+import type { CirculatorCentre, CirculatorKind } from '../circulation.js';
 import type { Problem, Witness } from '../errors.js';
-import type { Direction } from '../items.js';
+import type { Direction, Halfedge } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
@@ -112,19 +112,19 @@ const CIRCULATOR_OPTIONS: OptionNames<CirculatorOptions> = {
 };
 
 /** The trace of a circulator: the halfedges that it has been at, the last in a colour of its own. */
-export class CirculatorHelper extends MeshHelper {
+export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> extends MeshHelper {
   override readonly type = 'CirculatorHelper' as 'Group';
   readonly currentColor: Color;
-  readonly kind: CirculatorKind;
+  readonly kind: Kind;
   readonly direction: Direction;
   /** The item that it goes around, and how far. To be followed by `update()`. */
-  item: number;
+  item: CirculatorCentre<Kind>;
   steps: number;
 
   constructor(
     mesh: HalfedgeMesh,
-    kind: CirculatorKind,
-    item: number,
+    kind: Kind,
+    item: CirculatorCentre<Kind>,
     options: CirculatorOptions = {},
   ) {
     super(mesh, checkOptions(options, CIRCULATOR_OPTIONS), TRAIL, 2.5);
@@ -141,9 +141,9 @@ export class CirculatorHelper extends MeshHelper {
   }
 
   /** The halfedges of the trace, in order. */
-  trace(): number[] {
+  trace(): Halfedge[] {
     const circulator = this.mesh.circulate(this.kind, this.item, { direction: this.direction });
-    const halfedges: number[] = [];
+    const halfedges: Halfedge[] = [];
     if (circulator.current === undefined) return halfedges;
     while (halfedges.length < this.steps) {
       const { halfedge } = circulator;
