@@ -1,5 +1,11 @@
 import { inspect } from 'node:util';
 import { DirectedEdgesMesh, HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { HE_mesh, Polyhedron, PolyMesh } from 'halfedge/dialects';
+import { CirculatorPlayer, circulators } from 'halfedge/teaching';
+import { MeshGeometry } from 'halfedge/three';
+import { MeshPicker } from 'halfedge/three/picking';
+import { createMeshWorker } from 'halfedge/worker';
+import { Mesh as ThreeMesh } from 'three';
 
 beforeAll(() => init());
 
@@ -24,6 +30,42 @@ describe('What Node prints', () => {
       expect(nameOf(mesh.circulate('vertexVertices', 0))).toMatch(/Circulator$/);
     },
   );
+
+  test('is such a name of all else that has #private', () => {
+    using mesh = HalfedgeMesh.cube();
+    using worker = createMeshWorker();
+    const openMesh = new PolyMesh(mesh);
+    const polyhedron = new Polyhedron(mesh);
+    const structs = new HE_mesh(mesh);
+    const query = { circulator: circulators[0], index: 0, direction: 'ccw' } as const;
+    const picker = new MeshPicker(new ThreeMesh(new MeshGeometry(mesh)));
+    const objects: unknown[] = [mesh.history, mesh.attributes, mesh.generations, worker, picker];
+    objects.push(new CirculatorPlayer(mesh, query), openMesh, polyhedron, structs);
+    objects.push(openMesh.vertex_handle(0), openMesh.halfedge_handle(0));
+    objects.push(openMesh.edge_handle(0), openMesh.face_handle(0));
+    objects.push(polyhedron.halfedge(0), polyhedron.vertex(0), polyhedron.facet(0));
+    objects.push(polyhedron.vertex(0).vertex_begin(), polyhedron.facet(0).facet_begin());
+    objects.push(structs.edge(0), structs.vert(0), structs.face(0));
+    for (const it of objects) {
+      expect(Object.prototype.toString.call(it)).toBe(`[object ${Object(it).constructor.name}]`);
+    }
+    picker.dispose();
+  });
+
+  test('of history, attributes, generations and handles: what there is', () => {
+    using mesh = HalfedgeMesh.cube();
+    expect(inspect(mesh.attributes)).toBe('Attributes []');
+    mesh.attributes.add('face', 'group', { type: 'int32' });
+    expect(inspect(mesh.attributes)).toMatch(/^Attributes \[\s+{\s+kind: 'face',\s+name: 'group'/);
+    mesh.history.enabled = true;
+    mesh.splitEdge(0);
+    expect(inspect(mesh.history)).toMatch(/^History { enabled: true, undoCount: 1, redoCount: 0, /);
+    expect(inspect(mesh.generations)).toBe('Generations { enabled: false }');
+    expect(inspect(new PolyMesh(mesh).vertex_handle(3))).toBe('VertexHandle { idx: 3 }');
+    const { history } = mesh;
+    mesh.dispose();
+    expect(inspect(history)).toMatch(/^History { This mesh was disposed/);
+  });
 
   test('of an error with a thousand problems: its sentence, code and witness', () => {
     let error: unknown;

@@ -2,6 +2,7 @@ import { describe, lengthOfArrayLike } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { checkGivenPosition, done, KINDS, kindIndex, modeOf } from './edit.js';
 import { HalfedgeError } from './errors.js';
+import { printed } from './inspect.js';
 import type { ItemKind, ItemLike } from './items.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import type { Core } from './loader.js';
@@ -295,6 +296,8 @@ export class Attributes {
     return column.view;
   }
 }
+
+printed('Attributes', Attributes, (attributes) => attributes.list());
 
 function newColumn(core: Core, info: Omit<AttributeInfo, 'default'>, address: number): Column {
   const View = TYPES[info.type];

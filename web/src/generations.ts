@@ -1,6 +1,7 @@
 import { checkFlag, refuse } from './checks.js';
 import { kindIndex } from './edit.js';
 import { HalfedgeError } from './errors.js';
+import { printed } from './inspect.js';
 import type { ItemKind, ItemLike, ItemOf } from './items.js';
 import { checkIndex, checkItem, isLive, type Links, slotCount } from './links.js';
 import { unwrap } from './reports.js';
@@ -91,3 +92,5 @@ export class Generations {
     );
   }
 }
+
+printed('Generations', Generations, ({ enabled }) => ({ enabled }));

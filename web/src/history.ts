@@ -1,5 +1,6 @@
 import { checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
+import { printed } from './inspect.js';
 import type { Links } from './links.js';
 import { outOfMemory } from './memory.js';
 import { checkOptions, type Given, type OptionNames } from './options.js';
@@ -158,6 +159,13 @@ export class History {
     this.#links.update();
   }
 }
+
+printed('History', History, ({ enabled, undoCount, redoCount, bytes }) => ({
+  enabled,
+  undoCount,
+  redoCount,
+  bytes,
+}));
 
 /** Throws inside of a group: what was `done` ends all steps, or is none. */
 export function checkNoGroup(links: Links, what: string, done: string): void {

@@ -22,8 +22,17 @@ export function printed<T extends object>(
     }
   }
   Object.defineProperty(prototype, INSPECT, { value: inspect });
-  // What has a name of its own is no plain object for Vue: it would wrap it in a proxy, which has no #private.
-  Object.defineProperty(prototype, Symbol.toStringTag, { value: name });
+  named({ [name]: { prototype } });
+}
+
+/**
+ * Has objects of classes go by their names, which minifiers change. What has a name of its own is no plain
+ * object for Vue: it would wrap it in a proxy, which has no #private.
+ */
+export function named(types: Readonly<Record<string, { prototype: object }>>): void {
+  for (const [value, { prototype }] of Object.entries(types)) {
+    Object.defineProperty(prototype, Symbol.toStringTag, { value });
+  }
 }
 
 /** As `printed`; and JSON has what is `shown`, too. */

@@ -6,6 +6,7 @@ import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
 import { checkText } from './file-content.js';
+import { named } from './inspect.js';
 import { compiledModule } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { checkOptions, type OptionNames, takeOptions } from './options.js';
@@ -276,6 +277,8 @@ export class MeshWorker {
     this.#next();
   }
 }
+
+named({ MeshWorker });
 
 /**
  * A worker that makes meshes, for several jobs. `init()` must be done; the worker gets the module that

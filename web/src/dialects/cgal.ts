@@ -1,3 +1,4 @@
+import { named } from '../inspect.js';
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
@@ -259,3 +260,12 @@ function stepsAround(circulator: HalfedgeCirculator): number {
   while (circulator.next() !== begin);
   return steps;
 }
+
+named({
+  Polyhedron,
+  PolyhedronHalfedge,
+  PolyhedronVertex,
+  PolyhedronFacet,
+  HalfedgeAroundVertexCirculator,
+  HalfedgeAroundFacetCirculator,
+});

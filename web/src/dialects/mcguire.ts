@@ -1,3 +1,4 @@
+import { named } from '../inspect.js';
 import type { FaceLike, HalfedgeLike, VertexLike } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
@@ -139,3 +140,5 @@ export class HE_face {
     return this.#of.edges.at(this.#of.mesh.faceHalfedge(this.index));
   }
 }
+
+named({ HE_mesh, HE_edge, HE_vert, HE_face });

@@ -1,5 +1,6 @@
 import { describe } from '../arguments.js';
 import { checkGivenPosition } from '../edit.js';
+import { named, printed } from '../inspect.js';
 import type { Direction, ItemKind } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { Pool } from './pool.js';
@@ -34,6 +35,15 @@ export class EdgeHandle extends Handle {
 }
 export class FaceHandle extends Handle {
   readonly kind = 'face';
+}
+
+for (const [name, type] of Object.entries({
+  VertexHandle,
+  HalfedgeHandle,
+  EdgeHandle,
+  FaceHandle,
+})) {
+  printed<Handle>(name, type, (handle) => ({ idx: handle.idx() }));
 }
 
 const VERTEX_OR_FACE = 'a VertexHandle or a FaceHandle';
@@ -373,3 +383,5 @@ export class PolyMesh {
     }
   }
 }
+
+named({ PolyMesh });

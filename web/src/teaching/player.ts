@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../api.js';
+import { named } from '../inspect.js';
 import type { Query } from './circulators.js';
 import { type Dialect, dialectOf } from './dialects.js';
 import type { Item } from './items.js';
@@ -108,6 +109,8 @@ export class CirculatorPlayer {
     return visit;
   }
 }
+
+named({ CirculatorPlayer });
 
 /** The indices that a query visits. */
 function lapOf(

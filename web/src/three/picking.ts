@@ -2,6 +2,7 @@
 
 import type { Matrix4, Mesh } from 'three';
 import { describe } from '../arguments.js';
+import { named } from '../inspect.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions } from '../options.js';
 import { FACE_TREE_OPTIONS, FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
@@ -72,6 +73,8 @@ export class MeshPicker extends ItemPicker {
     this.#tree.dispose();
   }
 }
+
+named({ MeshPicker });
 
 class ObjectTarget implements PickTarget {
   readonly mesh: HalfedgeMesh;
