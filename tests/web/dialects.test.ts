@@ -1,5 +1,5 @@
 import { HalfedgeMesh, init } from 'halfedge';
-import { HE_mesh, Polyhedron, PolyMesh } from 'halfedge/dialects';
+import { HE_mesh, Polyhedron, PolyMesh, VertexHandle } from 'halfedge/dialects';
 import {
   annulus,
   bowTie,
@@ -169,6 +169,7 @@ describe("OpenMesh's names", () => {
     expect(() => om.point(PolyMesh.InvalidVertexHandle)).toThrow(RangeError);
     expect(() => om.is_boundary(PolyMesh.InvalidEdgeHandle)).toThrow(RangeError);
     expect(PolyMesh.InvalidVertexHandle.is_valid()).toBe(false);
+    expect(new VertexHandle().idx()).toBe(-1); // as in OpenMesh
   });
 
   test('refuse what is no handle of the kind, and no point, in a sentence', () => {

@@ -398,6 +398,17 @@ describe('Directed Edges', () => {
     expect(() => mesh.circulate('vertexFaces', 5, 'left' as 'cw')).toThrow(/direction is "left"/);
   });
 
+  test('are not made by new', () => {
+    using mesh = HalfedgeMesh.tetrahedron();
+    for (const given of [[], [mesh], [{}]]) {
+      expect(() => Reflect.construct(DirectedEdgesMesh, given)).toThrow(
+        new TypeError(
+          'A DirectedEdgesMesh is not made by `new`; expected DirectedEdgesMesh.fromTriangles(positions, indices) or fromMesh(mesh).',
+        ),
+      );
+    }
+  });
+
   test('cannot be used after dispose', () => {
     const mesh = gridMesh();
     const lap = mesh.vertexFaces(5)[Symbol.iterator]();

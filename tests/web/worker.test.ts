@@ -1,5 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
-import { createMeshWorker, type MeshWorker, parseInWorker } from 'halfedge/worker';
+import { createMeshWorker, MeshWorker, parseInWorker } from 'halfedge/worker';
 import { bytesInUse } from './support/core.js';
 
 beforeAll(() => init());
@@ -286,6 +286,14 @@ describe('A mesh worker', () => {
     controllers[0].abort();
     expect([(await running).name, (await waiting).name]).toEqual(['AbortError', 'AbortError']);
     expect((await other).mesh.faceCount).toBe(2);
+  });
+
+  test('is made by new, too', async () => {
+    using worker = new MeshWorker();
+    expect((await worker.parse(SQUARE)).mesh.faceCount).toBe(2);
+    for (const options of [{ wroker: 3 }, { worker: 3 }, null]) {
+      expect(() => new MeshWorker(options as never)).toThrow(TypeError);
+    }
   });
 
   test('once terminated rejects its jobs, and takes no more', async () => {

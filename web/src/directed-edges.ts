@@ -81,9 +81,18 @@ Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
  * ```
  */
 export class DirectedEdgesMesh extends DirectedEdgesNavigation {
-  /** @internal */
-  constructor(links: DirectedLinks) {
+  /** By {@link fromTriangles} and {@link fromMesh}. */
+  private constructor(links: DirectedLinks) {
+    if (!(links instanceof DirectedLinks)) {
+      throw new TypeError(
+        'A DirectedEdgesMesh is not made by `new`; expected DirectedEdgesMesh.fromTriangles(positions, indices) or fromMesh(mesh).',
+      );
+    }
     super(links);
+  }
+
+  static #adopt(address: number): DirectedEdgesMesh {
+    return new DirectedEdgesMesh(new DirectedLinks(core(), address));
   }
 
   /**
@@ -98,7 +107,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
     positions: ArrayLike<number>,
     indices: ArrayLike<number>,
   ): DirectedEdgesMesh {
-    return adopt(buildDirectedEdges(positions, indices));
+    return DirectedEdgesMesh.#adopt(buildDirectedEdges(positions, indices));
   }
 
   /**
@@ -111,7 +120,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
   static fromMesh(mesh: HalfedgeMesh): DirectedEdgesMesh {
     if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
     const links = linksOf(mesh);
-    return adopt(unwrap(links.core.directedEdgesFromMesh(links.address)).mesh);
+    return DirectedEdgesMesh.#adopt(unwrap(links.core.directedEdgesFromMesh(links.address)).mesh);
   }
 
   /**
@@ -321,10 +330,6 @@ displayed('DirectedCirculator', DirectedCirculator, ({ current, halfedge }) => (
   current,
   halfedge,
 }));
-
-function adopt(address: number): DirectedEdgesMesh {
-  return new DirectedEdgesMesh(new DirectedLinks(core(), address));
-}
 
 function noSuchKind(kind: unknown): Error {
   const kinds = Object.keys(KINDS).join(', ');

@@ -86,8 +86,10 @@ export class MeshWorker {
   #thread: Thread | undefined;
   #terminated = false;
 
-  /** @internal */
-  constructor({ worker }: MeshWorkerOptions) {
+  /** As {@link createMeshWorker}. */
+  constructor(options: MeshWorkerOptions = {}) {
+    const { worker } = checkOptions(options, WORKER_OPTIONS);
+    checkCallback('options.worker', worker, 'a function that makes a worker');
     this.#make = worker;
     this.#start();
   }
@@ -287,8 +289,6 @@ named({ MeshWorker });
  * @throws HalfedgeError `not-initialised`, `worker-failed`
  */
 export function createMeshWorker(options: MeshWorkerOptions = {}): MeshWorker {
-  const { worker } = checkOptions(options, WORKER_OPTIONS);
-  checkCallback('options.worker', worker, 'a function that makes a worker');
   return new MeshWorker(options);
 }
 

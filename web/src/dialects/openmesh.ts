@@ -10,7 +10,7 @@ abstract class Handle {
   readonly #idx: number;
 
   /** @internal */
-  constructor(idx: number) {
+  constructor(idx = -1) {
     this.#idx = idx;
   }
 
