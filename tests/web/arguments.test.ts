@@ -318,6 +318,29 @@ describe('A wrong argument of a build', () => {
   });
 });
 
+test.each([3, 100])('A list of %i items is read once, whatever its getters do', (count) => {
+  using mesh = new HalfedgeMesh();
+  const corners = Array.from({ length: 200 }, () => mesh.addVertex());
+  const meshes: HalfedgeMesh[] = [];
+  const reads: Record<string, number> = {};
+  const hostile = new Proxy(corners.slice(0, count), {
+    get(target, key) {
+      reads[String(key)] = (reads[String(key)] ?? 0) + 1;
+      if (key === '1') {
+        meshes.push(HalfedgeMesh.fromTriangles(new Float32Array(6_000_000), []));
+        mesh.addFace(corners.slice(-3)); // a short list of its own
+      }
+      return Reflect.get(target, key);
+    },
+  });
+  const f = mesh.addFace(hostile);
+  expect([...mesh.faceVertices(f)]).toEqual(corners.slice(0, count));
+  expect(reads).toEqual(
+    Object.fromEntries([['length', 1], ...corners.slice(0, count).map((i) => [i, 1])]),
+  );
+  for (const other of meshes) other.dispose();
+});
+
 test.each([
   [new (class Vector3 {})(), 'a Vector3'],
   [new Uint8Array(2), 'a Uint8Array of 2 elements'],

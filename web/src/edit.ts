@@ -113,6 +113,8 @@ function coordinate(position: Position, i: number, argument: string): number {
 /** The room for a list in the core, in place: most are short. */
 let shortList = new Uint32Array(0);
 const SHORT = 64;
+/** The same here, while a list is read. */
+let shortItems: Uint32Array | undefined;
 
 /**
  * Calls `use` with a list of items where the core can read it. Throws a sentence for what is no list, or
@@ -129,33 +131,39 @@ export function withList(
   const { core } = links;
   const plural = kind === 'vertex' ? 'vertices' : 'halfedges';
   const count = lengthOfArrayLike(argument, list, `an array of ${plural}`);
-  for (let i = 0; i < count; i++) checkListed(links, argument, list, kind, i);
+  // Each is read once and by index: getters may answer otherwise later, or let the memory grow, and an iterator
+  // of the list's own may give fewer.
   if (count > SHORT) {
-    // By index, as it was checked: an iterator of the list's own may give fewer.
+    const items: number[] = [];
+    for (let i = 0; i < count; i++) items.push(checkListed(links, argument, list[i], kind, i));
     const copy = newArray(argument, Uint32Array, count);
-    for (let i = 0; i < count; i++) copy[i] = list[i];
+    copy.set(items);
     return withInputs(core, (inputs) => use(inputs.indices(argument, copy).address, count));
   }
+  const items = shortItems ?? new Uint32Array(SHORT);
+  shortItems = undefined; // until they are in the core: a getter may come here with a list of its own
+  for (let i = 0; i < count; i++) items[i] = checkListed(links, argument, list[i], kind, i);
   if (shortList.length === 0 || shortList.buffer !== core.memory.buffer) {
     shortList = new Uint32Array(core.memory.buffer, core._short_list() >>> 0, SHORT);
   }
-  for (let i = 0; i < count; i++) shortList[i] = list[i];
+  for (let i = 0; i < count; i++) shortList[i] = items[i];
+  shortItems = items;
   return use(shortList.byteOffset, count);
 }
 
 function checkListed(
   links: Links,
   argument: string,
-  list: ArrayLike<number>,
+  item: number,
   kind: 'vertex' | 'halfedge',
   i: number,
-): void {
-  const item = list[i];
+): number {
   const link = typeof item === 'number' ? linksOfKind(links, kind)[item] : undefined;
-  if (link !== undefined && link >= -1) return;
+  if (link !== undefined && link >= -1) return item;
   const name = `${argument}[${i}]`;
   if (kind === 'vertex') links.checkVertex(item, name);
   else links.checkHalfedge(item, name);
+  return item;
 }
 
 const linksOfKind = (links: Links, kind: 'vertex' | 'halfedge') =>
