@@ -14,7 +14,7 @@ function projectWithThree(name: string, files: Record<string, string>): string {
 }
 
 const program = `
-import { BoxGeometry, Mesh, Ray, Vector3 } from 'three';
+import { BoxGeometry, Mesh, Ray, Raycaster, Vector3 } from 'three';
 import { type Face, type HalfedgeMesh, init, type Vertex } from 'halfedge';
 import { CirculatorHelper, fromBufferGeometry, type GeometryMaps, HalfedgesHelper, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 import { MeshPicker, type FaceHit } from 'halfedge/three/picking';
@@ -26,6 +26,9 @@ const object = new Mesh(geometry);
 object.add(new HalfedgesHelper(mesh));
 mesh.splitEdge(0);
 const { bytes } = geometry.update();
+const [found] = new Raycaster(new Vector3(0.1, 0.2, 5), new Vector3(0, 0, -1)).intersectObject(object);
+const pointedAt: Face = geometry.face(found.faceIndex);
+geometry.triangles(pointedAt);
 const hit: FaceHit | null = new MeshPicker(object).cast(new Ray(new Vector3(0.1, 0.2, 5), new Vector3(0, 0, -1)));
 const back = toBufferGeometry(mesh);
 const faces: Uint32Array = back.faces;
@@ -38,6 +41,8 @@ export const view = (weld?: number, normals?: 'flat', color?: number) => {
 export const trace = (v: Vertex) => new CirculatorHelper(mesh, 'vertexFaces', v, { steps: 2 }).trace();
 // @ts-expect-error A face is no vertex.
 export const traceOf = (f: Face) => new CirculatorHelper(mesh, 'vertexFaces', f);
+// @ts-expect-error A vertex is no face.
+geometry.triangles(mesh.toVertex(0));
 // @ts-expect-error There are three ways to make normals.
 toBufferGeometry(mesh, { normals: 'soft' });
 // @ts-expect-error A mesh is no geometry.

@@ -1,5 +1,6 @@
 import { Box3, BufferGeometry, Sphere } from 'three';
 import { refuse } from '../checks.js';
+import { type Face, type FaceLike, NONE } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { takeOptions } from '../options.js';
 import { fitBox, fitSphere, widen } from './bounds.js';
@@ -81,18 +82,18 @@ export class MeshGeometry extends BufferGeometry {
   }
 
   /** The face that a triangle shows, such as the `faceIndex` of an intersection; -1 for one that shows none. */
-  face(triangle: number): number {
-    return this.#triangles.slots.faceOf[triangle] ?? -1;
+  face(triangle: number | null | undefined): Face {
+    return (this.#triangles.slots.faceOf[triangle ?? NONE] ?? NONE) as Face;
   }
 
   /** The triangles that show a face: the first of them, and how many. None is 0. */
-  triangles(face: number): { first: number; count: number } {
+  triangles(face: FaceLike): { first: number; count: number } {
     const { slots } = this.#triangles;
     return { first: slots.first(face), count: slots.count(face) };
   }
 
   /** The vertices of the mesh in the corners of the triangles that show a face, three each. */
-  triangleVertices(face: number): Uint32Array {
+  triangleVertices(face: FaceLike): Uint32Array {
     return this.#triangles.verticesOf(face).slice();
   }
 
