@@ -394,6 +394,13 @@ describe('Generations', () => {
       'reference.index is 0.5',
     );
     expect(generations.isCurrent({ kind: 'face', index: 99, generation: 0 })).toBe(false);
+    const picked = { kind: 'face', index: 0 }; // no reference: nobody can tell which face it was
+    expect(() => generations.isCurrent(picked as never)).toThrow(
+      new TypeError(
+        'reference.generation is undefined; expected the number that reference() has given it.',
+      ),
+    );
+    expect(() => generations.isCurrent({} as never)).toThrow('reference.kind is undefined;');
     mesh.attributes.add('vertex', 'a');
     expectRefused(() => mesh.attributes.add('vertex', 'generation'), 'attribute-exists');
   });

@@ -34,8 +34,8 @@ const NO_ROOM = -3;
 export const KINDS: readonly ItemKind[] = ['vertex', 'halfedge', 'edge', 'face'];
 
 /** The value of `kind` in C++. Throws a sentence for what is no kind. */
-export function kindIndex(kind: unknown): number {
-  return indexOfChoice('kind', kind, KINDS);
+export function kindIndex(kind: unknown, argument = 'kind'): number {
+  return indexOfChoice(argument, kind, KINDS);
 }
 
 /** A place for a vertex: x, y, z. */

@@ -75,7 +75,10 @@ export class Generations {
       refuse('reference', reference, 'one that reference() has made');
     }
     const { kind, index, generation } = reference;
-    const i = this.#checkKind(kind);
+    const i = this.#checkKind(kind, 'reference.kind');
+    if (typeof generation !== 'number') {
+      refuse('reference.generation', generation, 'the number that reference() has given it');
+    }
     const links = this.#links;
     if (typeof index === 'number' && index >= slotCount(links, kind)) return false; // there were more of them: undo, compact() ...
     checkIndex(kind, slotCount(links, kind), index, 'reference.index');
@@ -83,8 +86,8 @@ export class Generations {
     return core._generation(address, i, index) >>> 0 === generation && isLive(links, kind, index);
   }
 
-  #checkKind(kind: unknown): number {
-    const i = kindIndex(kind);
+  #checkKind(kind: unknown, argument = 'kind'): number {
+    const i = kindIndex(kind, argument);
     if (this.enabled) return i;
     throw new HalfedgeError(
       'no-generations',
