@@ -76,7 +76,7 @@ val parse_file(Address address, std::size_t count, int claimed, bool repair, boo
   }
   file.value().soup = {};
   if (!has_attributes) return failure(has_attributes.error());
-  if (!file.value().binary) add_lines(problems, bytes, format);
+  add_places(problems, bytes, format);
   if (!is_built) return failure(problems, repair ? problems.size() : strict.problem_count);
   if (!progress(Stage::kBuild, 1)) return failure(was_cancelled());
   const RoomForReport room;

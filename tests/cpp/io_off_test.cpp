@@ -428,5 +428,18 @@ TEST(OffBinary, ExplainsWrongBytes) {
             std::vector<std::size_t>{0});
 }
 
+TEST(OffBinary, TellsAtWhichBytesItemsStart) {
+  const std::string text = "OFF BINARY\n" + Words(true)
+                                                .ints({3, 2, 0})
+                                                .floats({0, 0, 0, 1, 0, 0, 0, 1, 0})
+                                                .ints({3, 0, 1, 2, 0, 3, 0, 1, 1, 0})
+                                                .bytes();
+  std::vector<Error> problems = {{"a", "Faces.", {.faces = {1, 0}}},
+                                 {"b", "Vertices.", {.vertices = {2}}}};
+  add_places(problems, test::bytes_of(text), Format::kOff);
+  EXPECT_EQ(problems[0].message, "Faces. (Bytes 79, 59)");
+  EXPECT_EQ(problems[1].message, "Vertices. (Byte 47)");
+}
+
 }  // namespace
 }  // namespace halfedge

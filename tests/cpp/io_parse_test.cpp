@@ -160,7 +160,7 @@ TEST(Parse, FindsNoLinesOfNoFaces) {
 /// Their sentences, with the lines.
 std::vector<std::string> sentences_of(std::vector<Error> problems, const std::string& text,
                                       Format format) {
-  add_lines(problems, bytes_of(text), format);
+  add_places(problems, bytes_of(text), format);
   std::vector<std::string> sentences;
   for (const Error& problem : problems) sentences.push_back(problem.message);
   return sentences;

@@ -397,6 +397,26 @@ TEST(Ply, ExplainsWrongBytes) {
                 ": expected vertex 2 of the 3 of face 0, found no whole number");
 }
 
+TEST(Ply, TellsAtWhichBytesItemsStart) {
+  // Rows of one size, and rows that are read value by value.
+  for (const bool packed : {true, false}) {
+    const std::string more = packed ? "property uchar c\n" : "property list uchar uchar c\n";
+    const std::string text = header("binary_little_endian", kVertices + more + kFaces);
+    Bytes data(false);
+    for (std::size_t v = 0; v < 3; ++v) {
+      for (std::size_t i = 0; i < 3; ++i) data.add(kCorner[3 * v + i]);
+      data.add(std::uint8_t{0});
+    }
+    data.add(std::uint8_t{3}).add(0).add(1).add(1);
+    std::vector<Error> problems = {{"a", "Face.", {.faces = {0, 9}}},
+                                   {"b", "Vertices.", {.vertices = {2, 1}}}};
+    add_places(problems, bytes_of(text + std::string(data)), Format::kPly);
+    const auto at = [&](std::size_t offset) { return std::to_string(text.size() + offset); };
+    EXPECT_EQ(problems[0].message, "Face. (Byte " + at(39) + ")");
+    EXPECT_EQ(problems[1].message, "Vertices. (Bytes " + at(26) + ", " + at(13) + ")");
+  }
+}
+
 TEST(Ply, FindsTheLinesOfFacesInTextOnly) {
   const std::vector<Index> faces = {0, 7};
   EXPECT_EQ(lines_of_faces(bytes_of(header("ascii") + kRows), Format::kPly, faces),

@@ -318,5 +318,14 @@ TEST(Stl, FindsTheLinesOfTrianglesInTextOnly) {
             (std::vector<std::size_t>{0, 0, 0}));
 }
 
+TEST(Stl, TellsAtWhichBytesTrianglesStart) {
+  const std::string text = binary(std::vector<Triangle>(600, kFirst));
+  std::vector<Error> problems = {{"a", "Faces.", {.faces = {599, 0, 255, 256, 255}}},
+                                 {"b", "Vertices.", {.vertices = {2}}}};
+  add_places(problems, bytes_of(text), Format::kStl);
+  EXPECT_EQ(problems[0].message, "Faces. (Bytes 30034, 84, 12834, 12884, 12834)");
+  EXPECT_EQ(problems[1].message, "Vertices.");  // which are welded
+}
+
 }  // namespace
 }  // namespace halfedge

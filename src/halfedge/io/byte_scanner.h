@@ -31,6 +31,8 @@ class ByteScanner {
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   [[nodiscard]] const std::uint8_t* position() const { return at_; }
+  /// The same, where texts have letters.
+  [[nodiscard]] const char* text() const { return reinterpret_cast<const char*>(at_); }
   /// pre: count <= left()
   void skip(std::size_t count) { at_ += count; }
 

@@ -329,7 +329,7 @@ Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const Request& 
   if (header.value().binary) {
     // Of which NULs at the end are a part.
     const std::size_t data = without_padding(bytes).size() - text.rest().size();
-    return read_off_binary(bytes, data, header.value(), request.options);
+    return read_off_binary(bytes, data, header.value(), request);
   }
   OffReader reader(text, header.value(), request);
   if (std::optional<Error> error = reader.read()) return *std::move(error);

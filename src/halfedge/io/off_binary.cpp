@@ -93,10 +93,13 @@ template <ByteOrder kOrder>
 class BinaryReader {
  public:
   /// pre: read_counts() found nothing wrong
-  BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours,
-               const ParseOptions& options)
-      : bytes_(bytes), header_(header), colours_(colours), options_(options), out_({}) {
-    out_.follow({bytes.position(), bytes.left()}, options.progress);
+  BinaryReader(ByteScanner bytes, const OffHeader& header, bool colours, const Request& request)
+      : bytes_(bytes),
+        header_(header),
+        colours_(colours),
+        options_(request.options),
+        out_(request.wanted) {
+    out_.follow({bytes.position(), bytes.left()}, options_.progress);
   }
 
   [[nodiscard]] Result<ParsedFile> read();
@@ -141,6 +144,7 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
 template <ByteOrder kOrder>
 void BinaryReader<kOrder>::read_vertex() {
   out_.reached(bytes_.position());
+  out_.begin_vertex(bytes_.text());
   std::array<float, 4> p{0, 0, 0, 1};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
   for (std::size_t i = 0; i < coordinates; ++i) p[i] = bytes_.take<float, kOrder>();
@@ -162,6 +166,7 @@ void BinaryReader<kOrder>::read_vertex() {
 template <ByteOrder kOrder>
 bool BinaryReader<kOrder>::read_face() {
   out_.reached(bytes_.position());
+  out_.begin_face(bytes_.text());
   std::uint32_t degree = 0;
   if (!read_length(degree, "the number of vertices")) return false;
   for (std::uint32_t corner = 0; corner < degree; ++corner) {
@@ -226,9 +231,9 @@ struct Candidate {
 
 template <ByteOrder kOrder>
 Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours,
-                           const ParseOptions& options) {
+                           const Request& request) {
   if (auto error = read_counts<kOrder>(bytes, header)) return *error;
-  return BinaryReader<kOrder>(bytes, header, colours, options).read();
+  return BinaryReader<kOrder>(bytes, header, colours, request).read();
 }
 
 /// Tries one byte order, with and without colours, unless there is nothing to be better than.
@@ -245,15 +250,15 @@ void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best
 }  // namespace
 
 Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes, std::size_t offset,
-                                   OffHeader header, const ParseOptions& options) {
+                                   OffHeader header, const Request& request) {
   const ByteScanner data(bytes, offset);
   std::optional<Candidate> best;
   compare<ByteOrder::kBig>(data, header, best);
   compare<ByteOrder::kLittle>(data, header, best);
   const Candidate chosen = best.value_or(Candidate{});
   return chosen.order == ByteOrder::kBig
-             ? read_as<ByteOrder::kBig>(data, header, chosen.colours, options)
-             : read_as<ByteOrder::kLittle>(data, header, chosen.colours, options);
+             ? read_as<ByteOrder::kBig>(data, header, chosen.colours, request)
+             : read_as<ByteOrder::kLittle>(data, header, chosen.colours, request);
 }
 
 }  // namespace halfedge::io

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <halfedge/io/off_header.h>
-#include <halfedge/io/parse.h>
+#include <halfedge/io/readers.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +16,6 @@ namespace halfedge::io {
 /// best is taken.
 [[nodiscard]] Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes,
                                                  std::size_t offset, OffHeader header,
-                                                 const ParseOptions& options);
+                                                 const Request& request);
 
 }  // namespace halfedge::io

@@ -188,8 +188,7 @@ class PlyBinary {
   [[nodiscard]] ByteScanner& bytes() { return bytes_; }
 
   [[nodiscard]] const void* position() const { return bytes_.position(); }
-  /// Nobody looks for the rows of a file without lines.
-  const char* begin_row() { return nullptr; }
+  const char* begin_row() { return bytes_.text(); }
   [[nodiscard]] bool read(PlyType type, float& value) {
     if (room(type) == 0) return false;
     value = static_cast<float>(take(type));

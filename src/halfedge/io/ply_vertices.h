@@ -69,6 +69,7 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
   if (element.count > bytes.left() / size) return false;
   const auto count = static_cast<std::size_t>(element.count);
   float* const positions = out_.add_vertices(count);
+  out_.begin_vertices(count, bytes.position(), size);
   if (positions == nullptr) return true;
 
   struct Piece {

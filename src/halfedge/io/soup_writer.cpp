@@ -6,6 +6,26 @@
 
 namespace halfedge::io {
 
+void Places::found(std::size_t first, std::size_t count, const std::uint8_t* position,
+                   std::size_t stride) {
+  while (next() - first < count) {
+    found(next(), reinterpret_cast<const char*>(position + (next() - first) * stride));
+  }
+}
+
+void SoupWriter::begin_vertices(std::size_t count, const std::uint8_t* position,
+                                std::size_t stride) {
+  if (wanted_.vertices == nullptr) return;
+  wanted_.vertices->found(vertex_count(), count, position, stride);
+  look_for_next_vertex();
+}
+
+void SoupWriter::begin_faces(std::size_t count, const std::uint8_t* position, std::size_t stride) {
+  if (wanted_.faces == nullptr) return;
+  wanted_.faces->found(faces_, count, position, stride);
+  look_for_next_face();
+}
+
 void SoupWriter::report(const void* position) {
   next_report_ = address_of(position) + kReportEvery;
   const auto done = static_cast<double>(address_of(position) - address_of(bytes_.data()));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/build/polygons.h>
+#include <halfedge/inlining.h>
 #include <halfedge/io/text_scanner.h>
 #include <halfedge/progress.h>
 #include <halfedge/result.h>
@@ -15,7 +16,7 @@
 
 namespace halfedge::io {
 
-/// Where some vertices, or some faces, start in the text: filled in by a reader that is asked for
+/// Where some vertices, or some faces, start in the file: filled in by a reader that is asked for
 /// them.
 class Places {
  public:
@@ -31,6 +32,9 @@ class Places {
   void found(std::size_t item, const char* position) {
     while (next() == item) positions_[found_++] = position;
   }
+  /// `count` items from `first` on start at `position` and every `stride` bytes behind it.
+  void found(std::size_t first, std::size_t count, const std::uint8_t* position,
+             std::size_t stride);
   /// One for each item; null where the file has no such item.
   [[nodiscard]] std::span<const char* const> positions() const { return positions_; }
 
@@ -99,12 +103,18 @@ class SoupWriter {
     wanted_.vertices->found(vertex_count(), position);
     look_for_next_vertex();
   }
-  /// The text of the next face starts at `position`.
+  /// Each of the next `count` vertices starts `stride` bytes behind the one before.
+  HALFEDGE_COLD void begin_vertices(std::size_t count, const std::uint8_t* position,
+                                    std::size_t stride);
+  /// The next face starts at `position`.
   void begin_face(const char* position) {
     if (faces_ != next_wanted_face_) return;
     wanted_.faces->found(faces_, position);
     look_for_next_face();
   }
+  /// The same of faces.
+  HALFEDGE_COLD void begin_faces(std::size_t count, const std::uint8_t* position,
+                                 std::size_t stride);
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
     if (Index* const p = append(soup_.corners, 1)) *p = vertex;

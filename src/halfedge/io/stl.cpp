@@ -56,7 +56,7 @@ Result<ParsedFile> read_stl(std::span<const std::uint8_t> bytes, const Request& 
   const StlKind kind = kind_of_stl(bytes);
   const bool binary = kind == StlKind::kBinary || kind == StlKind::kBinaryOfWrongSize ||
                       (kind == StlKind::kUnknown && looks_binary(bytes));
-  return binary ? read_stl_binary(bytes, request.options) : read_stl_text(bytes, request);
+  return binary ? read_stl_binary(bytes, request) : read_stl_text(bytes, request);
 }
 
 }  // namespace io

@@ -124,14 +124,14 @@ bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
   return !are_nothing;
 }
 
-Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
-                                   const ParseOptions& options) {
+Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes, const Request& request) {
+  const ParseOptions& options = request.options;
   if (bytes.size() < kStlStart) return too_short(bytes.size());
   const std::uint64_t count = triangles_of(bytes);
   if (count > (bytes.size() - kStlStart) / kStlTriangle) return ends_early(bytes.size(), count);
   const auto faces = static_cast<std::size_t>(count);
 
-  TriangleWriter writer(bytes, {options});
+  TriangleWriter writer(bytes, request);
   SoupWriter& out = writer.out();
   writer.reserve(faces);
   const std::uint8_t* at = bytes.data() + kStlStart;
@@ -148,6 +148,7 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
     }
     const std::span<const float> read = std::span(numbers).first(9 * block);
     if (!options.for_repair && !are_finite(read)) return first_not_finite(face, read);
+    out.begin_faces(block, at, kStlTriangle);
     writer.add(read);
     if (options.attributes && !read_values(at, face, block, faces, attribute)) {
       out.set_out_of_memory();

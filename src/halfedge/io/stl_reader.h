@@ -98,7 +98,7 @@ class TriangleWriter {
 [[nodiscard]] bool has_stl_triangles(std::span<const std::uint8_t> bytes);
 
 [[nodiscard]] Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes,
-                                                 const ParseOptions& options);
+                                                 const Request& request);
 [[nodiscard]] Result<ParsedFile> read_stl_text(std::span<const std::uint8_t> bytes,
                                                const Request& request);
 

@@ -37,6 +37,16 @@ class ItemPlaces {
     }
     return lines;
   }
+  /// The bytes, from 0, of those that were found; 0, where no item is, of others.
+  [[nodiscard]] std::vector<std::size_t> offsets(Bytes bytes) const {
+    std::vector<std::size_t> offsets(order_.size(), 0);
+    const char* const begin = reinterpret_cast<const char*>(bytes.data());
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const char* const position = places_.positions()[i];
+      if (position != nullptr) offsets[order_[i]] = static_cast<std::size_t>(position - begin);
+    }
+    return offsets;
+  }
   /// Null where the file has no such item.
   [[nodiscard]] const char* position_of(Index item) const {
     const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), item);
@@ -101,11 +111,13 @@ const IndexList& located(const Error& problem) {
 
 std::vector<std::size_t> lines_of_faces(Bytes bytes, Format format, std::span<const Index> faces) {
   ItemPlaces places(faces);
-  (void)io::read_as(format, bytes, request_for({.faces = &places.wanted()}));
+  const Result<ParsedFile> file =
+      io::read_as(format, bytes, request_for({.faces = &places.wanted()}));
+  if (!file || file.value().binary) return std::vector<std::size_t>(faces.size(), 0);
   return places.lines(bytes);
 }
 
-void add_lines(std::vector<Error>& problems, Bytes bytes, Format format) {
+void add_places(std::vector<Error>& problems, Bytes bytes, Format format) {
   std::vector<Index> items[2];  // vertices, faces
   for (const Error& problem : problems) {
     std::vector<Index>& of_kind = items[problem.witness.faces.empty() ? 0 : 1];
@@ -116,13 +128,16 @@ void add_lines(std::vector<Error>& problems, Bytes bytes, Format format) {
   ItemPlaces faces(items[1]);
   const Result<ParsedFile> file = io::read_as(
       format, bytes, request_for({.vertices = &vertices.wanted(), .faces = &faces.wanted()}));
-  const std::vector<std::size_t> lines[2] = {vertices.lines(bytes), faces.lines(bytes)};
+  if (!file) return;  // memory was exhausted
+  const bool binary = file.value().binary;
+  const std::vector<std::size_t> numbers[2] = {
+      binary ? vertices.offsets(bytes) : vertices.lines(bytes),
+      binary ? faces.offsets(bytes) : faces.lines(bytes)};
   std::size_t at[2] = {0, 0};
   for (Error& problem : problems) {
     const std::size_t kind = problem.witness.faces.empty() ? 0 : 1;
     const char* const position = kind == 1 ? faces.position_of(problem.witness.faces[0]) : nullptr;
-    if (file && position != nullptr && format == Format::kObj &&
-        problem.code == "index-out-of-range") {
+    if (position != nullptr && format == Format::kObj && problem.code == "index-out-of-range") {
       constexpr std::string_view kDone = ": it was left out.";  // by a repair
       const bool is_repaired = problem.message.ends_with(kDone);
       problem.message =
@@ -131,14 +146,14 @@ void add_lines(std::vector<Error>& problems, Bytes bytes, Format format) {
     }
     std::string list;
     for (std::size_t i = 0; i < located(problem).size(); ++i) {
-      const std::size_t line = lines[kind][at[kind]++];
-      if (line == 0) continue;
-      list += list.empty() ? "" : ", ";
-      list += std::to_string(line);
+      const std::size_t number = numbers[kind][at[kind]++];
+      if (number == 0) continue;
+      list += list.empty() ? " " : ", ";
+      list += std::to_string(number);
     }
     if (list.empty()) continue;
-    problem.message += list.find(',') == std::string::npos ? " (Line " : " (Lines ";
-    problem.message += list + ")";
+    const char* const plural = list.find(',') == std::string::npos ? "" : "s";
+    problem.message += sentence::of(" ({}{}{})", binary ? "Byte" : "Line", plural, list);
   }
 }
 
