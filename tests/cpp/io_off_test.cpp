@@ -417,7 +417,8 @@ TEST(OffBinary, ExplainsWrongBytes) {
   const std::string missing = start + Words(true).ints({1, -5, 0}).bytes();
   const auto for_repair = read_off(test::bytes_of(missing), {.for_repair = true});
   ASSERT_TRUE(for_repair);
-  EXPECT_TRUE(for_repair.value().soup.view().has_negative);  // so that a report says -5
+  ASSERT_EQ(for_repair.value().soup.missing.size(), 1U);
+  EXPECT_EQ(for_repair.value().soup.missing[0].name, "-5");
   EXPECT_EQ(off_error(start + Words(true).ints({9, 0, 0}).bytes()),
             "truncated: byte 35: the number of vertices of face 0 of 1 is 9, more than the rest of "
             "the file can hold");

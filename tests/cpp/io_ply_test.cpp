@@ -394,7 +394,47 @@ TEST(Ply, ExplainsWrongBytes) {
   half.add(std::uint8_t{3}).add(0.0F).add(0.5F).add(1.0F);
   EXPECT_EQ(ply_error(halves + std::string(36, '\0') + std::string(half)),
             "parse-error: byte " + std::to_string(halves.size() + 41) +
-                ": expected vertex 2 of the 3 of face 0, found no whole number");
+                ": expected vertex 2 of the 3 of face 0, found 0.5, which is no whole number");
+}
+
+TEST(Ply, TellsNumbersThatAreNoneFromTheEndOfTheFile) {
+  const std::string text =
+      header("binary_little_endian",
+             kVertices + "element face 1\nproperty list uchar float vertex_index\n");
+  Bytes data(false);
+  for (const float x : kCorner) data.add(x);
+  data.add(std::uint8_t{3}).add(0.0F).add(1.0F).add(0.5F);
+  EXPECT_EQ(ply_error(text + std::string(data)),
+            "parse-error: byte " + std::to_string(text.size() + 45) +
+                ": expected vertex 3 of the 3 of face 0, found 0.5, which is no whole number");
+}
+
+TEST(Ply, NamesIndicesOfAnySizeAsTheyAreWritten) {
+  const auto elements = [](const std::string& type) {
+    return kVertices + "element face 1\nproperty list uchar " + type + " vertex_index\n";
+  };
+  const auto found = [](const std::string& text) {
+    const std::string error = ply_error(text);
+    const std::size_t begin = error.find(" is ") + 4;
+    return error.substr(begin, error.find(',') - begin);
+  };
+  const auto text = [&](const char* type, const std::string& vertex) {
+    return header("ascii", elements(type)) + "0 0 0\n1 0 0\n0 1 0\n3 0 1 " + vertex + "\n";
+  };
+  EXPECT_EQ(found(text("float", "1e10")), "\"1e10\"");
+  EXPECT_EQ(found(text("double", "-1e300")), "\"-1e300\"");
+  EXPECT_EQ(found(text("int", "99999999999999999999")), "\"99999999999999999999\"");
+  const auto bytes = [&](const char* type, auto vertex) {
+    using T = decltype(vertex);
+    Bytes data(true);
+    for (const float x : kCorner) data.add(x);
+    data.add(std::uint8_t{3}).add(T{0}).add(T{1}).add(vertex);
+    return header("binary_big_endian", elements(type)) + std::string(data);
+  };
+  EXPECT_EQ(found(bytes("float", 1e10F)), "10000000000");
+  EXPECT_EQ(found(bytes("double", 1e20)), "1e+20");
+  EXPECT_EQ(found(bytes("int64", std::int64_t{-5'000'000'000})), "-5000000000");
+  EXPECT_EQ(found(bytes("uint64", UINT64_MAX)), "18446744073709551615");
 }
 
 TEST(Ply, TellsAtWhichBytesItemsStart) {

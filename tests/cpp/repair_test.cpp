@@ -119,7 +119,13 @@ TEST(Repair, NamesVerticesAsTheyAreInAFile) {
   const std::pair<std::string, const char*> files[] = {
       {ply + "int vertex_indices\n" + points + "3 0 1 -7\n", "vertex -7,"},
       {ply + "uint vertex_indices\n" + points + "3 0 1 4294967289\n", "vertex 4294967289,"},
+      {ply + "float vertex_indices\n" + points + "3 0 1 1e10\n", "vertex 1e10,"},
+      {ply + "int vertex_indices\n" + points + "4 0 9 5000000000 1\n", "vertex 9,"},
       {strips + "3 0 1 -7\n", "vertex -7,"},
+      {strips + "4 2 5000000000 0 1\n", "vertex 5000000000,"},
+      {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 99999999999999999999\n",
+       "vertex 99999999999999999999,"},
+      {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -5000000000\n", "vertex -5000000000,"},
       {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -7\n", "vertex -7,"},
       {"OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967289\n", "vertex 4294967289,"},
       // Counted from 0, as all that a report tells of: four before the first one.
@@ -132,6 +138,22 @@ TEST(Repair, NamesVerticesAsTheyAreInAFile) {
     ASSERT_FALSE(messages.empty()) << text;
     EXPECT_NE(messages[0].find(name), std::string::npos) << messages[0];
   }
+}
+
+TEST(Repair, NamesTheMissingVertexOfEachFaceAsItIsInAFile) {
+  // Two triangles of one strip, and a face behind.
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+      "element face 1\nproperty list int int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n"
+      "4 0 5000000000 1 2\n3 -2 4294967294 6000000000\n";
+  const Result<ParsedFile> file = parse(bytes_of(text), std::nullopt, {.for_repair = true});
+  ASSERT_TRUE(file) << file.error().message;
+  const Strings messages = Repaired(file.value().soup.view()).messages();
+  ASSERT_GE(messages.size(), 3U);
+  EXPECT_NE(messages[0].find("Face 0 uses vertex 5000000000,"), std::string::npos) << messages[0];
+  EXPECT_NE(messages[1].find("Face 1 uses vertex 5000000000,"), std::string::npos) << messages[1];
+  EXPECT_NE(messages[2].find("Face 2 uses vertex -2,"), std::string::npos) << messages[2];
 }
 
 TEST(Repair, LeavesOutPositionsThatAreNotFiniteAndTheirFaces) {

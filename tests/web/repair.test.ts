@@ -83,10 +83,31 @@ describe('fromSoup', () => {
     [[[0, 1, 2 ** 32 - 6]], '4294967290'],
     [{ sizes: [3], corners: Int32Array.of(0, 1, -7) }, '-7'],
     [{ sizes: [3], corners: [0, 1, 2 ** 32 - 7] }, '4294967289'],
+    [[0, 1, 2 ** 32], '4294967296'],
+    [[0, 1, -(2 ** 31) - 1], '-2147483649'],
+    [[[0, 1, 1e10, -1]], '10000000000'],
+    [[[0, -1, 2 ** 32 - 1]], '-1'],
+    [[[0, 2 ** 32 - 1, -1]], '4294967295'],
+    [Float64Array.of(0, 1, -1e300), '-1e+300'],
+    [{ sizes: [3], corners: [0, 1, 2 ** 53] }, '9007199254740992'],
   ])('names vertices as they were given: %j', (faces, name) => {
     const { mesh, report } = HalfedgeMesh.fromSoup(CORNERS, faces);
     expect(report.problems[0]?.message).toBe(
       `Face 0 uses vertex ${name}, but the last one is 3: it was left out.`,
+    );
+    mesh.dispose();
+  });
+
+  test('names the missing vertices of a hundred faces as they were given', () => {
+    const faces = Array.from({ length: 300 }, (_, f) => [0, f % 2 === 0 ? 1 : 9, 2 ** 40 + f]);
+    const { mesh, report } = HalfedgeMesh.fromSoup(CORNERS, faces);
+    expect(report.counts['index-out-of-range']).toBe(300);
+    const missing = report.problems.filter(({ code }) => code === 'index-out-of-range');
+    expect(missing.map(({ message }) => message)).toEqual(
+      faces.slice(0, 100).map(([, second, last], f) => {
+        const vertex = second === 9 ? 9 : last;
+        return `Face ${f} uses vertex ${vertex}, but the last one is 3: it was left out.`;
+      }),
     );
     mesh.dispose();
   });

@@ -165,7 +165,10 @@ export interface RawCore {
         notes: string[];
       }
     | RawFailure;
-  /** A negative tolerance keeps vertices apart. `isSigned`: corners are named as signed numbers. */
+  /**
+   * A negative tolerance keeps vertices apart. `isSigned`: corners are named as signed numbers; `names`:
+   * lines that have a corner and what it is named instead.
+   */
   buildFromSoup(
     positions: number,
     positionCount: number,
@@ -176,6 +179,8 @@ export interface RawCore {
     tolerance: number,
     dropIsolated: boolean,
     isSigned: boolean,
+    names: number,
+    nameCount: number,
     storesPrev: boolean,
   ): ({ mesh: number } & RawRepair) | RawFailure;
 

@@ -97,12 +97,14 @@ export function soupLinks(
   options: unknown,
 ): { links: Links; report: RepairReport } {
   const { weld, dropIsolated, withPrev } = soupOptions(checkOptions(options, SOUP_OPTIONS));
-  const { points, sizes, corners } = soupArrays(positions, faces);
+  const { points, sizes, corners: given } = soupArrays(positions, faces);
+  const { corners, names } = in32Bits(given, sizes);
   const wasm = core();
   const raw = withInputs(wasm, (inputs) => {
     inputs.hold(points, sizes, corners);
     const at = inputs.floats('positions', points);
-    const lengths = sizes === undefined ? { address: 0, count: 0 } : inputs.indices('sizes', sizes);
+    const lengths = sizes === undefined ? NOTHING : inputs.indices('sizes', sizes);
+    const lines = names === '' ? NOTHING : inputs.bytes('names', new TextEncoder().encode(names));
     const vertices = inputs.indices('faces', corners);
     return wasm.buildFromSoup(
       at.address,
@@ -114,6 +116,8 @@ export function soupLinks(
       weld,
       dropIsolated,
       isSigned(corners),
+      lines.address,
+      lines.count,
       withPrev,
     );
   });
@@ -124,6 +128,8 @@ export function soupLinks(
     return { links, report: repairReport(wasm, done) };
   });
 }
+
+const NOTHING = { address: 0, count: 0 };
 
 /** A soup as typed arrays: those that were given, if they are such. Without sizes, all are triangles. */
 export interface SoupArrays {
@@ -282,38 +288,87 @@ function flatten(
     sizes[f] = lengthOfArrayLike(`faces[${f}]`, faces[f]);
     total += sizes[f];
   }
-  const corners = newArray('faces', Uint32Array, total);
-  let at = 0;
-  let hasNegative = false;
+  const corners = new Corners('faces', total);
   for (let f = 0; f < count; f++) {
     const face = faces[f] as ArrayLike<unknown>;
-    for (let i = 0; i < sizes[f]; i++) {
-      const vertex = anyInteger(`faces[${f}]`, i, face[i]);
-      hasNegative ||= vertex < 0;
-      corners[at++] = vertex;
-    }
+    for (let i = 0; i < sizes[f]; i++) corners.add(anyInteger(`faces[${f}]`, i, face[i]));
   }
-  return { sizes, corners: hasNegative ? signed(corners) : corners };
+  return { sizes, corners: corners.array };
 }
 
-/**
- * Vertices of corners: whatever is no index of a vertex is the core's to report, with its face. The array
- * is a signed one if there are negative numbers.
- */
+/** Vertices of corners: whatever is no index of a vertex is the core's to report, with its face. */
 function anyIntegers(argument: string, source: unknown): NumberArray {
   const name = typedArrayName(source);
   if (name !== undefined && !name.startsWith('Float')) return indices(argument, source);
   const count = lengthOfArrayLike(argument, source);
   const from = source as ArrayLike<unknown>;
   if (count > 0) anyInteger(argument, count - 1, from[count - 1]); // or a lying length costs memory
-  const to = newArray(argument, Uint32Array, count);
-  let hasNegative = false;
-  for (let i = 0; i < count; i++) {
-    const vertex = anyInteger(argument, i, from[i]);
-    hasNegative ||= vertex < 0;
-    to[i] = vertex;
+  const to = new Corners(argument, count);
+  for (let i = 0; i < count; i++) to.add(anyInteger(argument, i, from[i]));
+  return to.array;
+}
+
+/** Whole numbers in 32 bits, signed if there are negative ones; or doubles, where those don't hold all. */
+class Corners {
+  readonly #argument: string;
+  #words: Uint32Array;
+  #doubles: Float64Array | undefined;
+  #count = 0;
+  #least = 0;
+  #most = 0;
+
+  constructor(argument: string, count: number) {
+    this.#argument = argument;
+    this.#words = newArray(argument, Uint32Array, count);
   }
-  return hasNegative ? signed(to) : to;
+
+  add(vertex: number): void {
+    if (vertex < this.#least || vertex > this.#most) this.#extend(vertex);
+    (this.#doubles ?? this.#words)[this.#count++] = vertex;
+  }
+
+  get array(): NumberArray {
+    if (this.#doubles !== undefined) return this.#doubles;
+    return this.#least < 0 ? signed(this.#words) : this.#words;
+  }
+
+  #extend(vertex: number): void {
+    const before = this.array;
+    this.#least = Math.min(this.#least, vertex);
+    this.#most = Math.max(this.#most, vertex);
+    const most = this.#least < 0 ? 2 ** 31 - 1 : NO_VERTEX;
+    if (this.#doubles !== undefined || (this.#least >= -(2 ** 31) && this.#most <= most)) return;
+    this.#doubles = newArray(this.#argument, Float64Array, before.length);
+    this.#doubles.set(before);
+    this.#words = new Uint32Array();
+  }
+}
+
+/**
+ * The corners as the core takes them: those of vertices that 32 bits don't hold are of none, and named, in
+ * lines that have the corner and the vertex that was given. The first of each face is enough.
+ */
+function in32Bits(
+  corners: NumberArray,
+  sizes: NumberArray | undefined,
+): { corners: NumberArray; names: string } {
+  let names = '';
+  if (!(corners instanceof Float64Array)) return { corners, names };
+  const isHeld = (vertex: number) => vertex >= 0 && vertex <= NO_VERTEX;
+  const faces = sizes === undefined ? corners.length / 3 : lengthOf(sizes);
+  for (let f = 0, begin = 0, named = 0; f < faces && named < LISTED; f++) {
+    const end = begin + (sizes === undefined ? 3 : sizes[f]);
+    let at = begin;
+    while (at < end && isHeld(corners[at])) at++;
+    if (at < end && at < corners.length) {
+      names += `${at} ${corners[at]}\n`;
+      named++;
+    }
+    begin = end;
+  }
+  const words = newArray('faces', Uint32Array, corners.length);
+  for (let i = 0; i < words.length; i++) words[i] = isHeld(corners[i]) ? corners[i] : NO_VERTEX;
+  return { corners: words, names };
 }
 
 /** The same 32 bits as signed numbers. */
@@ -327,7 +382,7 @@ function isSigned(array: NumberArray): boolean {
 
 function anyInteger(argument: string, i: number, value: unknown): number {
   if (typeof value !== 'number' || !Number.isInteger(value)) refuseIndex(argument, i, value);
-  return value >= -(2 ** 31) && value < 2 ** 32 ? value : NO_VERTEX;
+  return value;
 }
 
 /** An index that no mesh has. */

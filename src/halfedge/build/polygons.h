@@ -2,11 +2,35 @@
 
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/inlining.h>
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace halfedge {
+
+/// A corner of a vertex that there isn't, with a number that its 32 bits don't tell.
+struct MissingVertex {
+  /// In `corners`, of all faces.
+  std::size_t corner = 0;
+  /// As it was given: "10000000000".
+  std::string name;
+};
+
+/// Several, how they are moved and freed compiled once: soups are in many places, and few have any.
+class MissingVertices : public std::vector<MissingVertex> {
+ public:
+  HALFEDGE_COLD MissingVertices();
+  HALFEDGE_COLD MissingVertices(MissingVertices&& other) noexcept;
+  HALFEDGE_COLD MissingVertices& operator=(MissingVertices&& other) noexcept;
+  MissingVertices(const MissingVertices&) = delete;
+  MissingVertices& operator=(const MissingVertices&) = delete;
+  HALFEDGE_COLD ~MissingVertices();
+
+  HALFEDGE_COLD void add(std::size_t corner, std::string name);
+};
 
 /// Faces over shared vertices, as files and index buffers hold them; a view, owning nothing.
 struct Polygons {
@@ -19,6 +43,8 @@ struct Polygons {
   /// Corners from 2^31 stand for the negative numbers with the same 32 bits: a repair names these.
   /// No mesh has such a vertex either way.
   bool has_negative = false;
+  /// Others that a repair names otherwise, in ascending order; the first of a face is enough.
+  std::span<const MissingVertex> missing = {};
 
   [[nodiscard]] std::size_t vertex_count() const { return positions.size() / 3; }
   [[nodiscard]] std::size_t face_count() const {
@@ -32,10 +58,10 @@ struct PolygonSoup {
   Array<float> positions;
   Array<Index> sizes;
   Array<Index> corners;
-  bool has_negative = false;
+  MissingVertices missing = {};
 
   [[nodiscard]] Polygons view() const {
-    return {positions.span(), sizes.span(), corners.span(), has_negative};
+    return {positions.span(), sizes.span(), corners.span(), false, missing};
   }
 };
 

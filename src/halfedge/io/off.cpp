@@ -286,7 +286,7 @@ bool OffReader::read_corner(std::int64_t corner, std::int64_t degree) {
     return true;
   }
   if (well_formed && options_.for_repair) {
-    out_.add_corner(out_.missing_vertex(vertex));
+    out_.add_corner(out_.missing_vertex(vertex, [&start] { return start.number(); }));
     return true;
   }
   const std::string face = sentence::of("face {}", out_.face_count());

@@ -66,8 +66,8 @@ bool PlyReader<Source>::read_texture(const PlyProperty& list) {
   (void)values.resize(end);
   for (std::size_t at = begin; at < end; at += size) {
     if (source_.read(list.type, &values[at])) continue;
-    return fail(
-        source_.unexpected(sentence::of("the texture coordinates of face {}", out_.face_count())));
+    return fail(source_.unexpected(
+        sentence::of("the texture coordinates of face {}", out_.face_count()), list.type));
   }
   return true;
 }
@@ -114,15 +114,17 @@ bool PlyReader<Source>::read_corner(const PlyProperty& list, std::size_t corner,
   std::int64_t vertex = 0;
   if (!source_.read(list.type, vertex)) {
     return fail(source_.unexpected(
-        sentence::of("vertex {} of the {} of face {}", corner + 1, degree, out_.face_count())));
+        sentence::of("vertex {} of the {} of face {}", corner + 1, degree, out_.face_count()),
+        list.type));
   }
   const bool exists = vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
   if (exists || options_.for_repair) {
-    out_.add_corner(exists ? static_cast<Index>(vertex) : out_.missing_vertex(vertex));
+    const auto spell = [&] { return source_.number_at(start, list.type); };
+    out_.add_corner(exists ? static_cast<Index>(vertex) : out_.missing_vertex(vertex, spell));
     return true;
   }
   source_.move_to(start);
-  return fail(wrong_index(corner, vertex));
+  return fail(wrong_index(corner, list));
 }
 
 /// Triangle strips, as the Stanford models have them: each vertex makes a triangle with the two
@@ -147,38 +149,42 @@ template <class Source>
 bool PlyReader<Source>::read_strip(const PlyProperty& list) {
   std::int64_t length = 0;
   if (!read_length(list, length)) return false;
-  std::array<Index, 2> before{};
+  const auto exists = [this](std::int64_t vertex) {
+    return vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
+  };
+  std::array<std::int64_t, 2> before{};
   std::size_t in_strip = 0;
   for (std::int64_t i = 0; i < length; ++i) {
     const auto start = source_.mark();
     std::int64_t vertex = 0;
     if (!source_.read(list.type, vertex)) {
       return fail(source_.unexpected(
-          sentence::of("value {} of the {} of the triangle strips", i + 1, length)));
+          sentence::of("value {} of the {} of the triangle strips", i + 1, length), list.type));
     }
     if (vertex == -1) {
       in_strip = 0;
       continue;
     }
-    const bool exists = vertex >= 0 && static_cast<std::uint64_t>(vertex) < vertices_;
-    if (!exists && !options_.for_repair) {
+    if (!exists(vertex) && !options_.for_repair) {
       source_.move_to(start);
-      return fail(wrong_index(2, vertex));
+      return fail(wrong_index(2, list));
     }
-    const Index c = exists ? static_cast<Index>(vertex) : out_.missing_vertex(vertex);
     const auto [a, b] = before;
-    if (in_strip >= 2 && a != b && b != c && c != a) {
-      in_strip % 2 == 0 ? out_.add_triangle(a, b, c) : out_.add_triangle(b, a, c);
+    if (in_strip >= 2 && a != b && b != vertex && vertex != a) {
+      for (const std::int64_t v : {in_strip % 2 == 0 ? a : b, in_strip % 2 == 0 ? b : a, vertex}) {
+        out_.add_corner(exists(v) ? static_cast<Index>(v) : out_.missing_vertex(v));
+      }
+      out_.end_face();
     }
-    before = {b, c};
+    before = {b, vertex};
     ++in_strip;
   }
   return true;
 }
 
 template <class Source>
-Error PlyReader<Source>::wrong_index(std::size_t corner, std::int64_t vertex) const {
-  Error error = source_.index_error(corner, out_.face_count(), vertex);
+Error PlyReader<Source>::wrong_index(std::size_t corner, const PlyProperty& list) const {
+  Error error = source_.index_error(corner, out_.face_count(), list.type);
   error.message += vertices_ == 0 ? ", but the file has no vertices"
                                   : sentence::of(", expected a vertex from 0 to {}", vertices_ - 1);
   return error;

@@ -36,7 +36,8 @@ bool PlyReader<Source>::read_list(const PlyElement& element, const PlyProperty& 
   column.values.grow_to(begin + column.stride());
   for (std::size_t at = begin; at < column.values.size(); at += size_of(property.type)) {
     if (source_.read(property.type, &column.values[at])) continue;
-    return fail(source_.unexpected("a number for " + quoted(property.name) + in_row(element)));
+    return fail(source_.unexpected("a number for " + quoted(property.name) + in_row(element),
+                                   property.type));
   }
   return true;
 }

@@ -60,7 +60,7 @@ class PlyReader {
   [[nodiscard]] std::string in_row(const PlyElement& element) const {
     return sentence::of(" of {} {} of {}", quoted(element.name), row_, element.count);
   }
-  [[nodiscard]] Error wrong_index(std::size_t corner, std::int64_t vertex) const;
+  [[nodiscard]] Error wrong_index(std::size_t corner, const PlyProperty& list) const;
   [[nodiscard]] bool fail(Error error) {
     error_ = std::move(error);
     return false;
@@ -130,8 +130,8 @@ bool PlyReader<Source>::keep_or_skip(const PlyElement& element, std::size_t prop
   SoupAttribute& column = columns_[target.column];
   const auto row = static_cast<std::size_t>(row_);
   if (source_.read(what.type, &column.values[row * column.stride() + target.offset])) return true;
-  return fail(
-      source_.unexpected(sentence::of("a number for {}{}", quoted(what.name), in_row(element))));
+  return fail(source_.unexpected(
+      sentence::of("a number for {}{}", quoted(what.name), in_row(element)), what.type));
 }
 
 template <class Source>
@@ -140,17 +140,20 @@ bool PlyReader<Source>::read_length(const PlyProperty& list, std::int64_t& lengt
   const auto expected = [&] {
     return sentence::of("the length of the list {} of row {}", quoted(list.name), row_);
   };
-  if (!source_.read(*list.length_type, length)) return fail(source_.unexpected(expected()));
+  const auto given = [&] { return source_.number_at(start, *list.length_type); };
+  if (!source_.read(*list.length_type, length)) {
+    return fail(source_.unexpected(expected(), *list.length_type));
+  }
   if (length < 0) {
     source_.move_to(start);
     return fail(source_.error("parse-error",
-                              sentence::of("{} is {}, expected 0 or more", expected(), length)));
+                              sentence::of("{} is {}, expected 0 or more", expected(), given())));
   }
   if (static_cast<std::uint64_t>(length) <= source_.room(list.type)) return true;
   source_.move_to(start);
   return fail(source_.error(
       "truncated",
-      sentence::of("{} is {}, more than the rest of the file can hold", expected(), length)));
+      sentence::of("{} is {}, more than the rest of the file can hold", expected(), given())));
 }
 
 template <class Source>
@@ -165,7 +168,7 @@ bool PlyReader<Source>::skip_values(const PlyElement& element, const PlyProperty
                                     std::int64_t count) {
   if (source_.skip(property.type, static_cast<std::uint64_t>(count))) return true;
   return fail(source_.unexpected(
-      sentence::of("the value of {}{}", quoted(property.name), in_row(element))));
+      sentence::of("the value of {}{}", quoted(property.name), in_row(element)), property.type));
 }
 
 template <class Source>

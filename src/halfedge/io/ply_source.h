@@ -20,6 +20,13 @@
 
 namespace halfedge::io {
 
+/// A number that counts, or is an index. What 64 bits cannot hold becomes the nearest value that
+/// they can. False if it is not whole.
+[[nodiscard]] HALFEDGE_NOINLINE bool to_whole(double number, std::int64_t& value);
+/// What is at `bytes`, in full if it is whole.
+[[nodiscard]] HALFEDGE_COLD std::string spelt(const std::uint8_t* bytes, PlyType type,
+                                              ByteOrder order);
+
 /// The values of a PLY file in text form. Rows are lines, so that one with too few or too many
 /// values is found where it is; unless there are more lines than rows, or fewer: then rows are
 /// broken over lines, or share them.
@@ -51,13 +58,14 @@ class PlyText {
     if (text_.read_float(value)) return true;
     return goes_on() && read(type, value);
   }
+  /// What 64 bits cannot hold becomes the nearest value that they can.
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     text_.skip_blanks();
     const char* const start = text_.position();
     if (text_.read_integer(value) && text_.at_token_end()) return true;
     text_.move_to(start);
     if (goes_on()) return read(type, value);
-    return !is_integer(type) && read_whole_float(value);
+    return !is_integer(type) && read_whole_number(value);
   }
   [[nodiscard]] bool read(PlyType type, std::byte* value) {
     if (read_number(text_, type, value, altered_)) return true;
@@ -79,14 +87,21 @@ class PlyText {
     return text_.position();
   }
   void move_to(const char* mark) { text_.move_to(mark); }
+  /// The number at `mark` as the file has it.
+  [[nodiscard]] std::string number_at(const char* mark, PlyType) const {
+    TextScanner text = text_;
+    text.move_to(mark);
+    return text.number();
+  }
 
-  [[nodiscard]] Error unexpected(const std::string& expected) const {
+  /// `expected` should have been here, of this type.
+  [[nodiscard]] Error unexpected(const std::string& expected, PlyType) const {
     return io::unexpected(text_, expected);
   }
   [[nodiscard]] Error error(const char* code, const std::string& message) const {
     return error_at(text_, code, message);
   }
-  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t) const {
+  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, PlyType) const {
     return io::index_error(text_, corner, face);
   }
   /// Once all rows have been read. Rows that share lines leave nothing behind them; else each has a
@@ -150,13 +165,10 @@ class PlyText {
     return lines_;
   }
   /// 3.0, where the header says that an index is a float.
-  [[nodiscard]] bool read_whole_float(std::int64_t& value) {
+  [[nodiscard]] bool read_whole_number(std::int64_t& value) {
     const char* const start = text_.position();
-    float number = 0;
-    if (text_.read_float(number) && number >= -0x1p31F && number <= 0x1p31F) {
-      value = static_cast<std::int64_t>(number);
-      if (static_cast<float>(value) == number) return true;
-    }
+    double number = 0;
+    if (text_.read_double(number) && to_whole(number, value)) return true;
     text_.move_to(start);
     return false;
   }
@@ -197,11 +209,7 @@ class PlyBinary {
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     if (room(type) == 0) return false;
     const ByteScanner start = bytes_;
-    const double number = take(type);  // of 64 bits, one far out of range may be rounded
-    if (number >= -0x1p32 && number <= 0x1p32) {
-      value = static_cast<std::int64_t>(number);
-      if (static_cast<double>(value) == number) return true;
-    }
+    if (to_whole(take(type), value)) return true;
     bytes_ = start;
     return false;
   }
@@ -225,10 +233,15 @@ class PlyBinary {
 
   [[nodiscard]] ByteScanner mark() const { return bytes_; }
   void move_to(const ByteScanner& mark) { bytes_ = mark; }
+  /// pre: a number of this type is at `mark`
+  [[nodiscard]] std::string number_at(const ByteScanner& mark, PlyType type) const {
+    return spelt(mark.position(), type, kOrder);
+  }
 
-  [[nodiscard]] Error unexpected(const std::string& expected) const {
-    if (bytes_.left() >= sizeof(double)) {
-      return error("parse-error", sentence::of("expected {}, found no whole number", expected));
+  [[nodiscard]] Error unexpected(const std::string& expected, PlyType type) const {
+    if (room(type) > 0) {
+      return error("parse-error", sentence::of("expected {}, found {}, which is no whole number",
+                                               expected, number_at(bytes_, type)));
     }
     return error("truncated", sentence::of("expected {}, found the end of the file in {}", expected,
                                            sentence::count_of(bytes_.left(), "byte")));
@@ -236,9 +249,10 @@ class PlyBinary {
   [[nodiscard]] Error error(const char* code, const std::string& message) const {
     return error_at_byte(bytes_.offset(), code, message);
   }
-  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, std::int64_t vertex) const {
-    Error error = error_at_byte(bytes_.offset(), "index-out-of-range",
-                                sentence::of("corner {} of face {} is {}", corner, face, vertex));
+  [[nodiscard]] Error index_error(std::size_t corner, std::size_t face, PlyType type) const {
+    Error error = error_at_byte(
+        bytes_.offset(), "index-out-of-range",
+        sentence::of("corner {} of face {} is {}", corner, face, number_at(bytes_, type)));
     error.witness.faces = {static_cast<Index>(face)};
     return error;
   }

@@ -46,8 +46,9 @@ bool PlyReader<Source>::read_vertices(const PlyElement& element) {
       }
       const auto i = static_cast<std::size_t>(axis - axes.begin());
       if (source_.read(property.type, p[i])) continue;
-      return fail(source_.unexpected(sentence::of(
-          "a number for {}{}", std::string_view("xyz").substr(i, 1), in_row(element))));
+      return fail(source_.unexpected(
+          sentence::of("a number for {}{}", std::string_view("xyz").substr(i, 1), in_row(element)),
+          property.type));
     }
     out_.add_vertex(p[0], p[1], p[2]);
   }
@@ -68,8 +69,8 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
   ByteScanner& bytes = source_.bytes();
   if (element.count > bytes.left() / size) return false;
   const auto count = static_cast<std::size_t>(element.count);
-  float* const positions = out_.add_vertices(count);
   out_.begin_vertices(count, bytes.position(), size);
+  float* const positions = out_.add_vertices(count);
   if (positions == nullptr) return true;
 
   struct Piece {

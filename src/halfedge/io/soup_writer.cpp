@@ -26,6 +26,13 @@ void SoupWriter::begin_faces(std::size_t count, const std::uint8_t* position, st
   look_for_next_face();
 }
 
+/// The first of a face, of as many faces as a report may list.
+bool SoupWriter::can_name() const {
+  constexpr std::size_t kMostNamed = 1000;
+  const MissingVertices& missing = soup_.missing;
+  return missing.empty() || (missing.size() < kMostNamed && missing.back().corner < face_start_);
+}
+
 void SoupWriter::report(const void* position) {
   next_report_ = address_of(position) + kReportEvery;
   const auto done = static_cast<double>(address_of(position) - address_of(bytes_.data()));

@@ -97,7 +97,7 @@ class SoupWriter {
   void reached(const void* position) {
     if (address_of(position) >= next_report_) report(position);
   }
-  /// The text of the next vertex starts at `position`.
+  /// The next vertex starts at `position`.
   void begin_vertex(const char* position) {
     if (soup_.positions.size() != next_wanted_position_) return;
     wanted_.vertices->found(vertex_count(), position);
@@ -119,11 +119,17 @@ class SoupWriter {
     largest_ = std::max(largest_, vertex);
     if (Index* const p = append(soup_.corners, 1)) *p = vertex;
   }
-  /// The corner of a vertex that the file does not have, for a repair to name: an index that no
-  /// mesh has, with the same 32 bits where that is possible.
-  [[nodiscard]] Index missing_vertex(std::int64_t index) {
-    soup_.has_negative |= index < 0;
-    return index >= INT32_MIN && index <= INT64_C(0xFFFF'FFFF) ? static_cast<Index>(index) : kNone;
+  /// The next corner is one of a vertex that the file does not have, for a repair to name: an index
+  /// that no mesh has, with the same 32 bits where that is possible. `spell` makes what the file
+  /// has there, if it is no plain number; it is called where those don't tell it.
+  [[nodiscard]] Index missing_vertex(std::int64_t vertex) {
+    return missing_vertex(vertex, [vertex] { return std::to_string(vertex); });
+  }
+  template <class Spell>
+  [[nodiscard]] Index missing_vertex(std::int64_t vertex, const Spell& spell) {
+    if (vertex >= 0 && vertex <= INT64_C(0xFFFF'FFFF)) return static_cast<Index>(vertex);
+    if (can_name()) soup_.missing.add(corner_count(), spell());
+    return vertex >= INT32_MIN && vertex < 0 ? static_cast<Index>(vertex) : kNone;
   }
   /// A face of three corners, in one go.
   void add_triangle(Index a, Index b, Index c) {
@@ -162,6 +168,7 @@ class SoupWriter {
     return reinterpret_cast<std::uintptr_t>(position);
   }
   void report(const void* position);
+  HALFEDGE_COLD bool can_name() const;
   void look_for_next_vertex() {
     const Places* const vertices = wanted_.vertices;
     if (vertices == nullptr) return;

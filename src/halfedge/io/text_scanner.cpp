@@ -76,8 +76,13 @@ std::span<const std::uint8_t> without_padding(std::span<const std::uint8_t> byte
   return bytes.first(size);
 }
 
+namespace {
+
+constexpr std::size_t kShown = 32;  // bytes of a token
+
+}  // namespace
+
 std::string quoted(std::string_view text) {
-  constexpr std::size_t kShown = 32;
   std::string quoted = "\"";
   for (const char c : text.substr(0, std::min(text.size(), kShown))) {
     if (c >= ' ' && c <= '~') {
@@ -91,6 +96,11 @@ std::string quoted(std::string_view text) {
     quoted += kHex[byte & 15];
   }
   return quoted + (text.size() > kShown ? "...\"" : "\"");
+}
+
+std::string TextScanner::number() const {
+  const std::string_view text = token();
+  return text.size() > kShown ? quoted(text) : std::string(text);
 }
 
 std::string TextScanner::found() const {

@@ -156,6 +156,8 @@ class TextScanner {
     return true;
   }
 
+  /// The token at the cursor, which is a number, as it is written.
+  [[nodiscard]] std::string number() const;
   /// The number just read is a token of its own, with nothing glued to it.
   [[nodiscard]] bool at_token_end() const {
     return at_ == end_ || class_of(*at_) != CharClass::kOther;

@@ -37,9 +37,14 @@ class Cleaner {
   }
 
  private:
-  // A vertex of the input as it was written.
-  [[nodiscard]] std::string index(Index v) const {
-    return input_.has_negative ? to_string(std::int32_t(v)) : to_string(v);
+  // The vertex of a corner of the input as it was written.
+  [[nodiscard]] std::string name_of(const Index& corner) const {
+    const auto at = std::size_t(&corner - input_.corners.data());
+    const auto named =
+        std::lower_bound(input_.missing.begin(), input_.missing.end(), at,
+                         [](const MissingVertex& a, std::size_t b) { return a.corner < b; });
+    if (named != input_.missing.end() && named->corner == at) return named->name;
+    return input_.has_negative ? to_string(std::int32_t(corner)) : to_string(corner);
   }
 
   void report_positions() {
@@ -113,12 +118,12 @@ class Cleaner {
   }
 
   [[nodiscard]] bool check_indices(Index f, std::span<const Index> corners) {
-    for (const Index v : corners) {
+    for (const Index& v : corners) {
       if (v >= input_.vertex_count()) {
         drop(f, RepairCode::kIndexOutOfRange, {v}, [&] {
           const std::size_t count = input_.vertex_count();
           return sentence::of(
-              " uses vertex {}, but {}: it was left out.", index(v),
+              " uses vertex {}, but {}: it was left out.", name_of(v),
               (count == 0 ? "there are no vertices" : "the last one is " + to_string(count - 1)));
         });
         return false;
