@@ -251,8 +251,8 @@ TEST(Off, RefusesCountsThatTheFileIsTooShortFor) {
             "truncated: line 2: the header promises 1 vertex and 4000000000 faces, but is followed "
             "by only 7 bytes");
   EXPECT_EQ(off_error("OFF\n99999999999999999999 9223372036854775807 0\n"),
-            "truncated: line 2: the header promises 9223372036854775807 vertices and "
-            "9223372036854775807 faces, but is followed by only 1 byte");
+            "truncated: line 2: the number of vertices (after the header word OFF, if any) is "
+            "99999999999999999999, more than a file can hold");
   EXPECT_EQ(off_error("OFF\n1 2\n0 0 0\n0\n0"), "");  // as short as it gets
 }
 
@@ -440,6 +440,12 @@ TEST(OffBinary, TellsAtWhichBytesItemsStart) {
   add_places(problems, test::bytes_of(text), Format::kOff);
   EXPECT_EQ(problems[0].message, "Faces. (Bytes 79, 59)");
   EXPECT_EQ(problems[1].message, "Vertices. (Byte 47)");
+}
+
+TEST(Off, RefusesCountsThatNoFileHas) {
+  EXPECT_EQ(off_error("OFF 3 99999999999999999999 0\n0 0 0\n"),
+            "truncated: line 1: the number of faces is 99999999999999999999, more than a file can "
+            "hold");
 }
 
 }  // namespace

@@ -437,6 +437,20 @@ TEST(Ply, NamesIndicesOfAnySizeAsTheyAreWritten) {
   EXPECT_EQ(found(bytes("uint64", UINT64_MAX)), "18446744073709551615");
 }
 
+TEST(Ply, NamesCountsAsTheyAreWritten) {
+  EXPECT_EQ(ply_error(header("ascii", "element vertex 99999999999999999999\n")),
+            "truncated: line 3: the header promises 99999999999999999999 elements \"vertex\", more "
+            "than a file can hold");
+  const std::string floats =
+      header("ascii", kVertices + "element face 1\nproperty list float int vertex_index\n");
+  EXPECT_EQ(ply_error(floats + "0 0 0\n1 0 0\n0 1 0\n1e10 0 1 2\n"),
+            "truncated: line 13: the length of the list \"vertex_index\" of row 0 is 1e10, more "
+            "than the rest of the file can hold");
+  EXPECT_EQ(ply_error(header("ascii") + "0 0 0\n1 0 0\n0 1 0\n99999999999999999999 0 1 2\n"),
+            "truncated: line 13: the length of the list \"vertex_indices\" of row 0 is "
+            "99999999999999999999, more than the rest of the file can hold");
+}
+
 TEST(Ply, TellsAtWhichBytesItemsStart) {
   // Rows of one size, and rows that are read value by value.
   for (const bool packed : {true, false}) {

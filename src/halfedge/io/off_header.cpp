@@ -59,11 +59,14 @@ std::optional<Error> read_count(TextScanner& text, std::uint64_t& count, const c
   text.skip_to_token();
   const TextScanner start = text;
   std::int64_t value = 0;
-  if (text.read_integer(value) && value >= 0 && text.at_token_end()) {
-    count = static_cast<std::uint64_t>(value);
-    return std::nullopt;
+  if (!text.read_integer(value) || value < 0 || !text.at_token_end())
+    return unexpected(start, what);
+  if (value == INT64_MAX) {
+    return error_at(start, "truncated",
+                    sentence::of("{} is {}, more than a file can hold", what, start.number()));
   }
-  return unexpected(start, what);
+  count = static_cast<std::uint64_t>(value);
+  return std::nullopt;
 }
 
 std::optional<Error> read_dimension(TextScanner& text) {

@@ -155,6 +155,13 @@ bool HeaderReader::read_element() {
   if (!text_.read_integer(count) || count < 0 || !text_.at_token_end()) {
     return fail_expecting(start, "the number of elements");
   }
+  if (count == INT64_MAX) {
+    text_.move_to(start);
+    return fail(
+        error_at(text_, "truncated",
+                 sentence::of("the header promises {} elements {}, more than a file can hold",
+                              text_.number(), quoted(element.name))));
+  }
   element.count = static_cast<std::uint64_t>(count);
   header_.elements.push_back(std::move(element));
   return read_line_end();
