@@ -186,7 +186,7 @@ describe('A wrong argument of a build', () => {
     [
       '2^32',
       () => HalfedgeMesh.fromTriangles(positions, [0, 1, 2 ** 32]),
-      'indices[2] is 4294967296; expected an index',
+      'indices[2] is 4294967296; expected an index, an integer from 0 to 4294967294.',
     ],
     [
       '-1 in a face',

@@ -116,7 +116,7 @@ const MAX_INDEX = 2 ** 32 - 1;
 
 /** Throws what is wrong with `argument[i]`, which is no index. */
 export function refuseIndex(argument: string, i: number, value: unknown): never {
-  throw wrongElement(argument, i, value, 'an index, an integer from 0');
+  throw wrongElement(argument, i, value, `an index, an integer from 0 to ${MAX_INDEX - 1}`);
 }
 
 /** Throws if one of them is negative. */
