@@ -108,6 +108,26 @@ describe('halfedge repair, asked for more,', () => {
   });
 });
 
+test.each(['repair', 'convert'])(
+  'halfedge %s prints JSON of a file that can not be read',
+  async (command) => {
+    const inputs: [name: string, error: string][] = [
+      ['broken.off', 'Line 5'],
+      ['nowhere.off', 'ENOENT'],
+    ];
+    for (const [name, error] of inputs) {
+      const told = { file: name, readable: false, error: expect.stringContaining(error) };
+      const named = await run([command, name, 'never.off', '--json']);
+      expect(named).toMatchObject({ status: 2, err: '' });
+      expect(JSON.parse(named.out)).toEqual(told);
+      // Where the mesh would go to standard output, the report goes to standard error.
+      const piped = await run([command, name, '--to=off', '--json']);
+      expect(piped).toMatchObject({ status: 2, out: '' });
+      expect(JSON.parse(piped.err)).toEqual(told);
+    }
+  },
+);
+
 test('halfedge repair --stitch tells of the pinched vertices that it splits', async () => {
   const { out } = await run(['repair', 'bowtie.off', 'untied.off', '--stitch', '0']);
   expect(out).toContain('1 pinched vertex split.\n');

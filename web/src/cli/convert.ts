@@ -2,7 +2,7 @@ import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
-import { load, nameOf } from './input.js';
+import { loadOrTell, nameOf } from './input.js';
 import { adaptTextures, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
 import { inputAndOutput } from './repair.js';
@@ -28,7 +28,9 @@ async function run(args: Arguments): Promise<number> {
   const { input, output } = inputAndOutput(args);
   const format = outputFormat(args, output);
   const progress = new Progress(progressMode(args));
-  const loaded = await load(input, args, progress);
+  const tell = output === '-' ? printError : print;
+  const loaded = await loadOrTell(input, args, progress, tell);
+  if (loaded === undefined) return 2;
   const { mesh, report } = loaded;
   adaptTextures(mesh, report.format, format);
   if (args.has('triangulate')) orComplain(nameOf(input), () => mesh.triangulate());
@@ -39,9 +41,7 @@ async function run(args: Arguments): Promise<number> {
   if (args.has('json')) {
     const { format: from, counts } = report;
     const told = { input: nameOf(input), output, from, to: format };
-    (output === '-' ? printError : print)(
-      JSON.stringify({ ...told, vertices, edges, faces, counts, notes, summary }),
-    );
+    tell(JSON.stringify({ ...told, vertices, edges, faces, counts, notes, summary }));
   } else if (!args.has('quiet')) {
     if (report.problems.some(({ severity, code }) => severity !== 'info' || code === 'note')) {
       printError(`${nameOf(input)}: ${summary}`);

@@ -145,7 +145,7 @@ export async function forEachFile(
       if (!(error instanceof Complaint)) throw error;
       status = 2;
       if (args.has('json')) {
-        print(JSON.stringify({ file: nameOf(path), readable: false, error: error.message }));
+        print(unreadable(path, error));
       } else {
         printError(`halfedge: ${error.message}`);
       }
@@ -153,3 +153,26 @@ export async function forEachFile(
   }
   return status;
 }
+
+/**
+ * `load`, for a command whose report goes to `tell`: so does JSON of a file that can't be read, where that is
+ * asked for; there is no mesh then.
+ */
+export async function loadOrTell(
+  path: string,
+  args: Arguments,
+  progress: Progress,
+  tell: (line: string) => void,
+): Promise<Loaded | undefined> {
+  try {
+    return await load(path, args, progress);
+  } catch (error) {
+    if (!(error instanceof Complaint && args.has('json'))) throw error;
+    tell(unreadable(path, error));
+    return undefined;
+  }
+}
+
+/** What JSON has of a file that can't be read. */
+const unreadable = (path: string, { message }: Complaint) =>
+  JSON.stringify({ file: nameOf(path), readable: false, error: message });

@@ -3,7 +3,7 @@ import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { Complaint, orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
-import { inputsOf, load, nameOf } from './input.js';
+import { inputsOf, loadOrTell, nameOf } from './input.js';
 import { type Done, MENDING, plan } from './mend.js';
 import { adaptTextures, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
@@ -32,7 +32,9 @@ async function run(args: Arguments): Promise<number> {
   const steps = plan(args);
   const progress = new Progress(progressMode(args));
   outputFormat(args, output, 'obj'); // complain before reading
-  const loaded = await load(input, args, progress);
+  const tell = output === '-' ? printError : print;
+  const loaded = await loadOrTell(input, args, progress, tell);
+  if (loaded === undefined) return 2;
   const { mesh, report } = loaded;
   const format = outputFormat(args, output, report.format);
   adaptTextures(mesh, report.format, format);
@@ -42,7 +44,6 @@ async function run(args: Arguments): Promise<number> {
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
   const notes = await save(loaded, output, format, args);
   mesh.dispose();
-  const tell = output === '-' ? printError : print;
   if (args.has('json')) {
     const { format: from, counts, verdicts } = report;
     tell(
