@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,6 +53,18 @@ TEST(Attributes, AreFoundByKindAndName) {
   EXPECT_TRUE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
   EXPECT_FALSE(mesh.remove_attribute(ItemKind::kEdge, "weight"));
   EXPECT_FALSE(mesh.attributes().has_any());
+}
+
+TEST(Attributes, AreAsConstAsTheirMesh) {
+  Mesh mesh = reference_build(tetrahedron());
+  Attribute& weight = add(mesh, ItemKind::kEdge, "weight");
+  const auto& read_only = mesh.attributes().of(ItemKind::kEdge)[0];
+  static_assert(std::is_same_v<decltype(*read_only), const Attribute&>);
+  static_assert(std::is_same_v<decltype(read_only.get()), const Attribute*>);
+  static_assert(std::is_same_v<decltype(read_only->bytes()), std::span<const std::byte>>);
+  for (Attributes::Column& column : mesh.columns(ItemKind::kEdge)) column->values<float>()[2] = 5;
+  EXPECT_EQ(weight.get(2, 0), 5);
+  EXPECT_EQ(read_only->get(2, 0), 5);
 }
 
 TEST(Attributes, AreRefusedWithASentence) {

@@ -44,7 +44,7 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
 }
 
 const Attribute* Attributes::find(ItemKind kind, std::string_view name) const {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (const Column& column : of(kind)) {
     if (column->name() == name) return column.get();
   }
   return nullptr;
@@ -62,14 +62,14 @@ bool Attributes::remove(ItemKind kind, std::string_view name) {
 }
 
 bool Attributes::reserve_columns(ItemKind kind, std::size_t slots) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (Column& column : of(kind)) {
     if (!column->reserve(slots)) return false;
   }
   return true;
 }
 
 void Attributes::resize_columns(ItemKind kind, Index slots, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (Column& column : of(kind)) {
     const Index old = column->slots();
     column->resize(slots);
     if (!column->is_generation() || journal == nullptr || slots <= old) continue;
@@ -85,7 +85,7 @@ bool Attributes::assign(const Attributes& other) {
   serials_ = other.serials_;
   generations_ = other.generations_;
   for (std::size_t kind = 0; kind < columns_.size(); ++kind) {
-    for (const std::unique_ptr<Attribute>& from : other.columns_[kind]) {
+    for (const Column& from : other.columns_[kind]) {
       const AttributeOptions options{.type = from->type(),
                                      .components = from->components(),
                                      .on_split = from->on_split(),
@@ -96,7 +96,7 @@ bool Attributes::assign(const Attributes& other) {
         drop_all();
         return false;
       }
-      columns_[kind].push_back(std::move(column));
+      columns_[kind].emplace_back(std::move(column));
       ++count_;
     }
   }
@@ -104,58 +104,58 @@ bool Attributes::assign(const Attributes& other) {
 }
 
 void Attributes::drop_all() {
-  for (Columns& columns : columns_) columns.clear();
+  for (std::vector<Column>& columns : columns_) columns.clear();
   count_ = 0;
 }
 
 void Attributes::set_defaults(ItemKind kind, Index item, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (Column& column : of(kind)) {
     if (!column->is_generation()) column->set_default(item, journal);
   }
 }
 
 void Attributes::change_generation(ItemKind kind, Index item, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (Column& column : of(kind)) {
     if (column->is_generation()) column->set(item, 0, ++generations_, journal);
   }
 }
 
 void Attributes::end_all_generations() {
   ++generations_;
-  for (const Columns& columns : columns_) {
-    for (const std::unique_ptr<Attribute>& column : columns) {
+  for (std::vector<Column>& columns : columns_) {
+    for (Column& column : columns) {
       if (column->is_generation()) column->set_all(generations_);
     }
   }
 }
 
 void Attributes::note_all(Journal& journal) const {
-  for (const Columns& columns : columns_) {
-    for (const std::unique_ptr<Attribute>& column : columns) column->note_all(journal);
+  for (const std::vector<Column>& columns : columns_) {
+    for (const Column& column : columns) column->note_all(journal);
   }
 }
 
 void Attributes::compact(ItemKind kind, const Array<Index>& map) {
   const std::size_t width = kind == ItemKind::kHalfedge ? 2 : 1;
-  for (const std::unique_ptr<Attribute>& column : of(kind)) column->compact(map, width);
+  for (Column& column : of(kind)) column->compact(map, width);
 }
 
 void Attributes::exchange(Journal::Write& write) {
   const Index serial = Index(write.field) - Index(Field::kFirstAttribute);
-  for (const Columns& columns : columns_) {
-    for (const std::unique_ptr<Attribute>& column : columns) {
+  for (std::vector<Column>& columns : columns_) {
+    for (Column& column : columns) {
       if (column->serial() == serial) return column->exchange(write);
     }
   }
 }
 
 void Attributes::copy_values(ItemKind kind, Index to, Index from, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) column->copy(to, from, journal);
+  for (Column& column : of(kind)) column->copy(to, from, journal);
 }
 
 void Attributes::blend_values(ItemKind kind, Index to, Index a, Index b, double t,
                               Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(kind)) {
+  for (Column& column : of(kind)) {
     Attribute::Sum sum;
     column->add(sum, a, 1 - t);
     column->add(sum, b, t);
@@ -164,13 +164,13 @@ void Attributes::blend_values(ItemKind kind, Index to, Index a, Index b, double 
 }
 
 void Attributes::copy_corner_values(Index to, Index from, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+  for (Column& column : of(ItemKind::kHalfedge)) {
     if (column->interpolates()) column->copy(to, from, journal);
   }
 }
 
 void Attributes::blend_corners(Index to, Index a, Index b, double t, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+  for (Column& column : of(ItemKind::kHalfedge)) {
     if (!column->interpolates()) continue;
     Attribute::Sum sum;
     column->add(sum, a, 1 - t);
@@ -180,7 +180,7 @@ void Attributes::blend_corners(Index to, Index a, Index b, double t, Journal* jo
 }
 
 void Attributes::swap_corners(Index a, Index b, Journal* journal) {
-  for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+  for (Column& column : of(ItemKind::kHalfedge)) {
     if (column->interpolates()) column->swap(a, b, journal);
   }
 }

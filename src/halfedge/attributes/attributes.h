@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace halfedge {
@@ -19,7 +21,20 @@ namespace halfedge {
 /// many slots as the mesh. Without any, which is the rule, they cost one test for each new item.
 class Attributes {
  public:
-  using Columns = std::vector<std::unique_ptr<Attribute>>;
+  /// Owns a column, and is as const as that.
+  class Column {
+   public:
+    explicit Column(std::unique_ptr<Attribute> column) : column_(std::move(column)) {}
+    [[nodiscard]] Attribute* get() { return column_.get(); }
+    [[nodiscard]] const Attribute* get() const { return column_.get(); }
+    Attribute& operator*() { return *column_; }
+    const Attribute& operator*() const { return *column_; }
+    Attribute* operator->() { return column_.get(); }
+    const Attribute* operator->() const { return column_.get(); }
+
+   private:
+    std::unique_ptr<Attribute> column_;
+  };
 
   Attributes() = default;
   Attributes(Attributes&& other) noexcept = default;
@@ -39,7 +54,10 @@ class Attributes {
   bool remove(ItemKind kind, std::string_view name);
 
   /// In the order in which they were added.
-  [[nodiscard]] const Columns& of(ItemKind kind) const { return columns_[std::size_t(kind)]; }
+  [[nodiscard]] std::span<Column> of(ItemKind kind) { return columns_[std::size_t(kind)]; }
+  [[nodiscard]] std::span<const Column> of(ItemKind kind) const {
+    return columns_[std::size_t(kind)];
+  }
   [[nodiscard]] bool has_any() const { return count_ > 0; }
 
   // ---- what the mesh does -------------------------------------------------------------------
@@ -101,7 +119,7 @@ class Attributes {
   template <class Corners>
   void move_corners(const EdgeCorners (&sides)[2], double t, const Corners& corners,
                     Journal* journal) {
-    for (const std::unique_ptr<Attribute>& column : of(ItemKind::kHalfedge)) {
+    for (Column& column : of(ItemKind::kHalfedge)) {
       if (!column->interpolates()) continue;
       const CornerMove move(*column, sides, t, journal);
       corners([&](Index corner, EdgeEnd end) { move(corner, end); });
@@ -111,7 +129,7 @@ class Attributes {
   /// with a function to be called with each index. Of halfedges, only the values of corners.
   template <class Items>
   void average(ItemKind kind, Index to, const Items& items, Journal* journal) {
-    for (const std::unique_ptr<Attribute>& column : of(kind)) {
+    for (Column& column : of(kind)) {
       if (kind == ItemKind::kHalfedge && !column->interpolates()) continue;
       Attribute::Sum sum;
       items([&](Index item) { column->add(sum, item, 1); });
@@ -147,8 +165,8 @@ class Attributes {
   void copy_corner_values(Index to, Index from, Journal* journal);
   void drop_all();
 
-  std::array<Columns, 5> columns_;  // by kind; a mesh itself has none
-  std::size_t count_ = 0;           // of columns, all kinds together
+  std::array<std::vector<Column>, 5> columns_;  // by kind; a mesh itself has none
+  std::size_t count_ = 0;                       // of columns, all kinds together
   Index serials_ = 0;
   Index generations_ = 0;  // so many were given
 };

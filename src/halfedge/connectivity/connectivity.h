@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -348,6 +349,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return attributes_.find(kind, name);
   }
   [[nodiscard]] const Attributes& attributes() const { return attributes_; }
+  /// Those of a kind, to be written to; not part of history.
+  [[nodiscard]] std::span<Attributes::Column> columns(ItemKind kind) {
+    return attributes_.of(kind);
+  }
 
   /// Sets one number, noted by history.
   template <class Item>

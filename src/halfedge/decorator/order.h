@@ -134,7 +134,7 @@ template <class Mesh>
 void renumber_attributes(Mesh& mesh, const Array<Halfedge>& new_of, Array<Index>& place) {
   for (const ItemKind kind : {ItemKind::kHalfedge, ItemKind::kEdge}) {
     const Index width = kind == ItemKind::kEdge ? 2 : 1;
-    for (const std::unique_ptr<Attribute>& column : mesh.attributes().of(kind)) {
+    for (Attributes::Column& column : mesh.columns(kind)) {
       for (Index i = 0; i < column->slots(); ++i) {
         const Halfedge to = new_of[std::size_t{width} * i];
         place[i] = to.valid() ? to.index() / width : i;

@@ -64,7 +64,7 @@ template <class Visit>
 void for_columns(const Attributes& attributes, const Visit& visit) {
   for (const ItemKind kind :
        {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-    for (const std::unique_ptr<Attribute>& column : attributes.of(kind)) {
+    for (const Attributes::Column& column : attributes.of(kind)) {
       if (!column->is_generation()) visit(*column);
     }
   }

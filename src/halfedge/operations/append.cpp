@@ -58,7 +58,7 @@ std::size_t count_live(const Array<Index>& live) {
 template <class Item>
 void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, Index width) {
   constexpr ItemKind kKind = kind_of(Item{});
-  for (const std::unique_ptr<Attribute>& column : mesh.attributes().of(kKind)) {
+  for (Attributes::Column& column : mesh.columns(kKind)) {
     const Attribute* const from = other.find(kKind, column->name());
     if (from == nullptr || from->type() != column->type() || column->is_generation() ||
         from->components() != column->components()) {

@@ -82,7 +82,7 @@ bool Reordering::reserve(const Links& links, const Attributes& attributes, std::
   std::size_t longest = std::max({links.next.size() * sizeof(Index), face_slots * sizeof(Index),
                                   3 * vertex_slots * sizeof(float)});
   for (const ItemKind kind : kKinds) {
-    for (const std::unique_ptr<Attribute>& column : attributes.of(kind)) {
+    for (const Attributes::Column& column : attributes.of(kind)) {
       longest = std::max(longest, column->bytes().size());
     }
   }
@@ -148,13 +148,13 @@ void Reordering::move_links(Links& links) {
   move_rows(edges_, 2, halfedge, links.next, old_);
 }
 
-void Reordering::move_attributes(const Attributes& attributes) {
+void Reordering::move_attributes(Attributes& attributes) {
   for (const ItemKind kind : kKinds) {
     const bool is_halfedge = kind == ItemKind::kHalfedge;
     const bool is_of_edge = is_halfedge || kind == ItemKind::kEdge;
     const Array<Index>& of_face_or_edge = is_of_edge ? edges_ : faces_;
     const Array<Index>& order = kind == ItemKind::kVertex ? vertices_ : of_face_or_edge;
-    for (const std::unique_ptr<Attribute>& column : attributes.of(kind)) {
+    for (Attributes::Column& column : attributes.of(kind)) {
       const std::size_t width = is_halfedge ? 2 : 1;
       move_bytes(order, width * column->stride(), column->bytes(), old_);
       column->resize(Index(width * order.size()));

@@ -25,7 +25,7 @@ class Reordering {
   [[nodiscard]] bool moves_anything() const;
   /// pre: planned for these, and nothing has changed since. Can't fail.
   void move_links(Links& links);
-  void move_attributes(const Attributes& attributes);
+  void move_attributes(Attributes& attributes);
   void move_positions(Array<float>& positions);
 
   [[nodiscard]] CompactMaps& maps() { return maps_; }
@@ -42,7 +42,7 @@ class Reordering {
       if constexpr (kHasPositions) {
         if (mesh.history() != nullptr) Compaction::note_positions(mesh);
       }
-      Compaction::rewrite(mesh, [&](Links& links, const Attributes& attributes) {
+      Compaction::rewrite(mesh, [&](Links& links, Attributes& attributes) {
         order.move_links(links);
         order.move_attributes(attributes);
       });

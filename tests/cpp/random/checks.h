@@ -46,7 +46,7 @@ inline Items touched_by(const Mesh& mesh, const Call& call) {
 
 /// The attributes of one item, byte by byte.
 inline bool same_attributes(const Mesh& before, const Mesh& after, ItemKind kind, Index item) {
-  const Attributes::Columns& columns = before.attributes().of(kind);
+  const std::span<const Attributes::Column> columns = before.attributes().of(kind);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Attribute& a = *columns[i];
     const Attribute& b = *after.attributes().of(kind)[i];

@@ -146,10 +146,10 @@ inline void randomize(Attribute& column, std::mt19937& random) {
 }
 
 /// The same of all attributes.
-inline void randomize(const Mesh& mesh, std::mt19937& random) {
+inline void randomize(Mesh& mesh, std::mt19937& random) {
   for (const ItemKind kind :
        {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-    for (const auto& column : mesh.attributes().of(kind)) randomize(*column, random);
+    for (Attributes::Column& column : mesh.columns(kind)) randomize(*column, random);
   }
 }
 

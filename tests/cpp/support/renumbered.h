@@ -17,7 +17,7 @@ namespace halfedge::test {
 template <class Item>
 void expect_attributes(const Mesh& mesh, const Mesh& before, const CompactMaps& maps) {
   constexpr ItemKind kKind = kind_of(Item{});
-  const Attributes::Columns& columns = mesh.attributes().of(kKind);
+  const std::span<const Attributes::Column> columns = mesh.attributes().of(kKind);
   ASSERT_EQ(columns.size(), before.attributes().of(kKind).size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const Attribute& was = *before.attributes().of(kKind)[i];
