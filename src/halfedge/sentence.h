@@ -21,7 +21,12 @@ class Part {
   Part(std::string_view text) : text_(text) {}
   template <std::integral Number>
   requires(!std::same_as<Number, bool>) Part(Number number)
-      : number_(static_cast<std::int64_t>(number)) {}
+      : number_(static_cast<std::int64_t>(number)) {
+    // Numbers beyond have no other text.
+    if constexpr (sizeof(Number) == sizeof number_ && std::unsigned_integral<Number>) {
+      if (number_ < 0) text_ = {&kUnsigned, 0};
+    }
+  }
   template <class Tag>
   Part(Handle<Tag> item) : text_(name_of(kind_of(item))), number_(item.index()) {}
 
@@ -29,6 +34,7 @@ class Part {
 
  private:
   static constexpr std::int64_t kNoNumber = std::numeric_limits<std::int64_t>::min();
+  static constexpr char kUnsigned = 'u';  // known by its address
 
   std::string_view text_;
   std::int64_t number_ = kNoNumber;

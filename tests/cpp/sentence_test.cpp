@@ -14,6 +14,7 @@ TEST(Sentence, IsFilledIn) {
             "face 7 has degree 3, expected four");
   EXPECT_EQ(sentence::of("{}{}", std::string("a"), std::string_view("bcd").substr(0, 2)), "abc");
   EXPECT_EQ(sentence::of("{} of {}", -5, std::uint64_t{1} << 40U), "-5 of 1099511627776");
+  EXPECT_EQ(sentence::of("{} of {}", 7U, UINT64_MAX), "7 of 18446744073709551615");
 }
 
 TEST(Sentence, SaysNoneOfAnEmptyItem) {

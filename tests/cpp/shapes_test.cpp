@@ -226,5 +226,16 @@ TEST(Shapes, RefuseWhatIsTooLarge) {
   EXPECT_EQ(prism(kNone).error().code, "too-large");
 }
 
+TEST(Shapes, NameCountsThatNoNumberOf64BitsHolds) {
+  const auto told = [](const Result<PolygonSoup>& shape) {
+    const std::string& message = shape.error().message;
+    return message.substr(0, message.find(" has "));
+  };
+  EXPECT_EQ(told(grid(65536, 65536)), "a grid of 4295098369 vertices and 4294967296 faces");
+  EXPECT_EQ(told(grid(kNone, kNone)), "a grid of 1.84467e+19 vertices and 1.84467e+19 faces");
+  EXPECT_EQ(told(torus(kNone, kNone, Faces::kTriangles)),
+            "a torus of 1.84467e+19 vertices and 3.68935e+19 faces");
+}
+
 }  // namespace
 }  // namespace halfedge::test

@@ -4,24 +4,33 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace halfedge::shapes {
 
-Maker::Maker(const char* shape, std::uint64_t vertices, std::uint64_t faces,
-             std::uint64_t corners) {
+namespace {
+
+// With all digits, if a double has them.
+std::string spelt(double count) {
+  return count < 0x1p53 ? std::to_string(std::uint64_t(count)) : sentence::number(count);
+}
+
+}  // namespace
+
+Maker::Maker(const char* shape, double vertices, double faces, double corners) {
   if (vertices > kMaxSlots || corners > kMaxSlots) {
     error_ = {"too-large",
               sentence::of("{} of {} vertices and {} faces has more items than can be addressed",
-                           shape, vertices, faces)};
+                           shape, spelt(vertices), spelt(faces))};
     return;
   }
   const bool all_triangles = corners == 3 * faces;
   if (!soup_.positions.reserve(3 * std::size_t(vertices)) ||
       !soup_.corners.reserve(std::size_t(corners)) ||
       (!all_triangles && !soup_.sizes.reserve(std::size_t(faces)))) {
-    error_ = {"out-of-memory",
-              sentence::of("memory is exhausted: no room for the {} faces of {}", faces, shape)};
+    error_ = {"out-of-memory", sentence::of("memory is exhausted: no room for the {} faces of {}",
+                                            spelt(faces), shape)};
   }
 }
 

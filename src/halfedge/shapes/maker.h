@@ -16,8 +16,8 @@ namespace halfedge::shapes {
 /// nothing can fail.
 class Maker {
  public:
-  /// Counts are those of the whole shape.
-  Maker(const char* shape, std::uint64_t vertices, std::uint64_t faces, std::uint64_t corners);
+  /// Counts are those of the whole shape, which 64 bits may not hold.
+  Maker(const char* shape, double vertices, double faces, double corners);
 
   /// Whether there is room; if not, `take` says why.
   [[nodiscard]] bool ready() const { return error_.code.empty(); }

@@ -28,7 +28,7 @@ struct Corner {
 Result<PolygonSoup> solid(const char* name, std::span<const Corner> corners, std::size_t degree,
                           std::span<const std::uint8_t> faces, double radius) {
   if (Error error; refused({check_lengths(name, {radius})}, error)) return error;
-  Maker maker(name, corners.size(), faces.size() / degree, faces.size());
+  Maker maker(name, double(corners.size()), double(faces.size() / degree), double(faces.size()));
   if (!maker.ready()) return maker.take();
   for (const Corner& c : corners) {
     const double scale = radius / std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
@@ -67,19 +67,19 @@ void cap(Maker& maker, Caps kind, Index first, Index segments, Index middle, boo
 
 // How many vertices, faces and corners a cap adds.
 struct CapCounts {
-  std::uint64_t vertices, faces, corners;
+  double vertices, faces, corners;
 };
-CapCounts count_cap(Caps kind, std::uint64_t segments) {
+CapCounts count_cap(Caps kind, double segments) {
   if (kind == Caps::kPolygons) return {0, 1, segments};
   if (kind == Caps::kFans) return {1, segments, 3 * segments};
   return {0, 0, 0};
 }
 
 // How many faces, and corners of faces, so many quads are.
-constexpr std::uint64_t faces_of(std::uint64_t quads, Faces faces) {
+constexpr double faces_of(double quads, Faces faces) {
   return faces == Faces::kQuads ? quads : 2 * quads;
 }
-constexpr std::uint64_t corners_of(std::uint64_t quads, Faces faces) {
+constexpr double corners_of(double quads, Faces faces) {
   return faces == Faces::kQuads ? 4 * quads : 6 * quads;
 }
 
@@ -147,7 +147,7 @@ Result<PolygonSoup> cone(Index segments, Caps base, double radius, double height
               error)) {
     return error;
   }
-  const std::uint64_t n = segments;
+  const double n = segments;
   const CapCounts more = count_cap(base, n);
   Maker maker("a cone", n + 1 + more.vertices, n + more.faces, 3 * n + more.corners);
   if (!maker.ready()) return maker.take();
@@ -168,7 +168,7 @@ Result<PolygonSoup> cylinder(Index segments, Index rings, Caps caps, Faces faces
               error)) {
     return error;
   }
-  const std::uint64_t quads = std::uint64_t{segments} * rings;
+  const double quads = double(segments) * rings;
   const CapCounts more = count_cap(caps, segments);
   Maker maker("a cylinder", quads + segments + 2 * more.vertices,
               faces_of(quads, faces) + 2 * more.faces, corners_of(quads, faces) + 2 * more.corners);
@@ -201,7 +201,7 @@ Result<PolygonSoup> grid(Index columns, Index rows, Faces faces, double width, d
               error)) {
     return error;
   }
-  const std::uint64_t quads = std::uint64_t{columns} * rows;
+  const double quads = double(columns) * rows;
   Maker maker("a grid", quads + columns + rows + 1, faces_of(quads, faces),
               corners_of(quads, faces));
   if (!maker.ready()) return maker.take();
@@ -227,7 +227,7 @@ Result<PolygonSoup> torus(Index rings, Index sides, Faces faces, double radius, 
               error)) {
     return error;
   }
-  const std::uint64_t quads = std::uint64_t{rings} * sides;
+  const double quads = double(rings) * sides;
   Maker maker("a torus", quads, faces_of(quads, faces), corners_of(quads, faces));
   if (!maker.ready()) return maker.take();
   for (Index ring = 0; ring < rings; ++ring) {
@@ -257,8 +257,8 @@ Result<PolygonSoup> uv_sphere(Index segments, Index rings, Faces faces, double r
           error)) {
     return error;
   }
-  const std::uint64_t triangles = 2 * std::uint64_t{segments};
-  const std::uint64_t quads = (std::uint64_t{rings} - 2) * segments;
+  const double triangles = 2 * double(segments);
+  const double quads = (double(rings) - 2) * segments;
   Maker maker("a uv-sphere", quads + segments + 2, triangles + faces_of(quads, faces),
               3 * triangles + corners_of(quads, faces));
   if (!maker.ready()) return maker.take();
