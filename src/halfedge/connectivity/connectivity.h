@@ -53,6 +53,9 @@ template <Storage kStored>
 class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
  public:
   static constexpr Storage kStorage = kStored;
+  static_assert(!(kStorage.prev && kStorage.prev_at_run_time),
+                "this storage has prev both by its type and at run time: take kPrevAtRunTime, or "
+                "prev = false with prev_at_run_time");
 
   BasicConnectivity() = default;
   /// Moving leaves `other` empty. It counts as a change of both.

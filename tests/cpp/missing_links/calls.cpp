@@ -64,6 +64,12 @@ using Chosen = BasicConnectivity<kWithoutPrev>;
 using Chosen = Connectivity;
 #endif
 
+#if defined(PREV_IN_TWO_WAYS)
+bool is_closed_with_both(const Connectivity&) {
+  return is_closed(BasicConnectivity<Storage{.prev_at_run_time = true}>{});
+}
+#endif
+
 }  // namespace
 
 int main() {
