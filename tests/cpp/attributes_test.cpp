@@ -419,6 +419,27 @@ TEST(Generations, EndWhenTheMeshIsCompacted) {
   EXPECT_EQ(mesh.generation(Vertex(1)), mesh.generation(Edge(1)));
 }
 
+TEST(Generations, EndWhereAnotherMeshIsCopiedOver) {
+  Mesh other = reference_build(quad_grid(3, 3));
+  ASSERT_TRUE(other.enable_generations());
+  Mesh copy;
+  ASSERT_TRUE(copy.assign(other));
+  EXPECT_EQ(copy.generation(Face(0)), other.generation(Face(0)))
+      << "of which nothing is known here";
+
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index before = mesh.generation(Face(0));
+  ASSERT_EQ(before, other.generation(Face(0)));
+  ASSERT_TRUE(mesh.assign(other));
+  const Index after = mesh.generation(Face(0));
+  EXPECT_NE(after, before);
+  ASSERT_TRUE(mesh.assign(mesh));
+  EXPECT_EQ(mesh.generation(Face(0)), after);
+  ASSERT_TRUE(mesh.assign(other));
+  EXPECT_NE(mesh.generation(Face(0)), after);
+}
+
 TEST(Generations, EndWhereEdgesAreRenumbered) {
   Mesh mesh = reference_build(quad_grid(3, 3));
   ASSERT_TRUE(mesh.enable_generations());

@@ -1,6 +1,7 @@
 #include <halfedge/attributes/attributes.h>
 #include <halfedge/sentence.h>
 
+#include <algorithm>
 #include <new>
 #include <string>
 #include <utility>
@@ -83,7 +84,8 @@ bool Attributes::assign(const Attributes& other) {
   if (this == &other) return true;
   drop_all();
   serials_ = other.serials_;
-  generations_ = other.generations_;
+  const bool had_generations = generations_ > 0;
+  generations_ = std::max(generations_, other.generations_);
   for (std::size_t kind = 0; kind < columns_.size(); ++kind) {
     for (const Column& from : other.columns_[kind]) {
       const AttributeOptions options{.type = from->type(),
@@ -100,6 +102,7 @@ bool Attributes::assign(const Attributes& other) {
       ++count_;
     }
   }
+  if (had_generations) end_all_generations();
   return true;
 }
 

@@ -70,7 +70,9 @@ class Attributes {
   void resize(ItemKind kind, Index slots, Journal* journal = nullptr) {
     if (has_any()) resize_columns(kind, slots, journal);
   }
-  /// Becomes a copy of `other`. False when memory is exhausted; then it has no columns.
+  /// Becomes a copy of `other`. Its items have the generations that they have there, unless some
+  /// were given here before: then they have new ones. False when memory is exhausted; then it has
+  /// no columns.
   [[nodiscard]] bool assign(const Attributes& other);
   /// Of an item whose slot is used again. Its generation stays.
   void set_default(ItemKind kind, Index item, Journal* journal) {

@@ -237,7 +237,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// No items; keeps the memory.
   void clear();
 
-  /// Becomes a copy of `other`, slot by slot. False when memory is exhausted; then it is empty.
+  /// Becomes a copy of `other`, slot by slot, with its generations; with new ones where generations
+  /// were enabled here, which no stamp of what was here has. False when memory is exhausted; then
+  /// it is empty.
   [[nodiscard]] bool assign(const BasicConnectivity& other);
 
   // ---- low-level changes ----------------------------------------------------------------------
@@ -416,9 +418,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
   /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
   /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
-  /// was kept with the stamp of its item can be told from one to its successor. `clear`, and
-  /// `compact` where it moves something, end all generations. 4 bytes an item. errors:
-  /// attribute-exists, out-of-memory
+  /// was kept with the stamp of its item can be told from one to its successor. `clear`,
+  /// `assign`, and `compact` where it moves something, end all generations. 4 bytes an item.
+  /// errors: attribute-exists, out-of-memory
   [[nodiscard]] Result<void> enable_generations();
   /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
   [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }
