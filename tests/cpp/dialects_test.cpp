@@ -161,6 +161,23 @@ std::vector<std::string> told(const M& mesh) {
   return said;
 }
 
+TEST(OpenMeshDialect, MeetsNewItemsInDeletedSlotsAheadOnce) {
+  Mesh mesh;
+  for (int i = 0; i < 6; ++i) ASSERT_TRUE(mesh.new_vertex().valid());
+  dialects::openmesh::PolyMesh<Mesh> theirs(mesh);
+  std::vector<int> met;
+  for (const auto v : theirs.vertices()) {
+    met.push_back(v.idx());
+    if (v.idx() == 1) {
+      for (const Index deleted : {0U, 2U, 3U, 5U}) mesh.release(Vertex(deleted));
+      mesh.release(Vertex(1));
+      EXPECT_EQ(theirs.new_vertex().idx(), 1);  // behind
+      EXPECT_EQ(theirs.new_vertex().idx(), 5);
+    }
+  }
+  EXPECT_EQ(met, (std::vector<int>{0, 1, 4, 5}));
+}
+
 TEST(Dialects, TellTheSameOfEveryMeshTypeThatHasTheLinks) {
   int triangle_meshes = 0;
   for (const Shape& shape : all_shapes()) {

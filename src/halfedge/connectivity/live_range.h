@@ -14,8 +14,9 @@
 namespace halfedge {
 
 /// The live items of one kind in index order; deleted slots are stepped over. Items may be deleted
-/// meanwhile. Invalidated by what makes more slots of the kind, or fewer: a loop that adds items in
-/// each round would meet these, too, and not end. Checked builds assert on use after that.
+/// meanwhile; one that is made in a deleted slot ahead is met. Invalidated by what makes more slots
+/// of the kind, or fewer: a loop that adds items in each round would meet these, too, and not end.
+/// Checked builds assert on use after that.
 template <class Mesh, class Item, bool Checked = kCheckedCirculators>
 class LiveRange {
  public:

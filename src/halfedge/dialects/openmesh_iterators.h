@@ -121,8 +121,10 @@ class LapIter {
   [[no_unique_address]] VersionStamp<kCheckedCirculators> stamp_;
 };
 
-/// `VertexIter` and its kin: the live items of one kind, in index order. Checked builds assert on
-/// use after there were more or fewer slots.
+/// `VertexIter` and its kin: the live items of one kind, in index order. Items may be deleted
+/// meanwhile. A new one takes the slot of a deleted one, where OpenMesh appends it: a loop meets
+/// that, too, if the slot is ahead. Checked builds assert on use after there were more or fewer
+/// slots, for which begin and end are to be asked anew.
 template <class Mesh, class Item>
 class ItemIter {
  public:
