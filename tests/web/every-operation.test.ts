@@ -86,7 +86,8 @@ describe('Whatever the operation', () => {
       'deleteComponent',
       'compact',
     ];
-    names.push('cutPath', 'splitLoop', 'reverse', 'dual');
+    names.push('cutPath', 'splitLoop', 'reverse', 'dual', 'append', 'makeLoop', 'makeSegment');
+    names.push('deleteIsolatedVertices', 'keepLargestComponents');
     const checks = names.map((name) => `check${name[0].toUpperCase()}${name.slice(1)}`);
     const missing = checks.filter((check) => !(check in mesh) && check !== 'checkSetPosition');
     expect(missing).toEqual([]);
@@ -96,12 +97,32 @@ describe('Whatever the operation', () => {
     expect(mesh.checkCompact()).toBeNull();
     expect(mesh.checkReverse()).toBeNull();
     expect(mesh.checkReverseComponent(5)).toBeNull();
+    expect(mesh.checkMakeLoop()).toBeNull();
+    expect(mesh.checkMakeSegment()).toBeNull();
+    expect(mesh.checkDeleteIsolatedVertices()).toBeNull();
+    expect(mesh.checkKeepLargestComponents()).toBeNull();
+    expect(mesh.checkAppend(mesh)).toBeNull();
     expect(mesh.version).toBe(version);
+    expect(() => mesh.checkKeepLargestComponents(-1)).toThrow('count is -1; expected an integer');
+    expect(() => mesh.checkAppend({} as never)).toThrow('other is an Object; expected a Halfedge');
     expect(() => mesh.checkDeleteComponent('loop' as never, 0)).toThrow('kind is "loop"');
     expect(() => mesh.checkDeleteComponent('edge', 12)).toThrow('item is 12; expected an edge');
     mesh.dispose();
     expect(() => mesh.checkCompact()).toThrow(/disposed/);
     expect(() => mesh.checkReverse()).toThrow(/disposed/);
+    expect(() => mesh.checkMakeLoop()).toThrow(/disposed/);
+    expect(() => mesh.checkAppend(mesh)).toThrow(/disposed/);
+  });
+
+  test('the check of append tells of the mesh that would be added', () => {
+    using mesh = octahedron();
+    using other = octahedron();
+    other.connectivity.next[0] = 99;
+    const before = stateOf(mesh);
+    const refusal = mesh.checkAppend(other);
+    expect(refusal).toMatchObject({ code: 'corrupt-connectivity' });
+    expect(() => mesh.append(other)).toThrow(refusal?.message);
+    expect(stateOf(mesh)).toEqual(before);
   });
 
   const positioned = ['addVertex', 'splitEdge', 'insertVertexOnEdge', 'splitFace', 'collapse'];

@@ -204,6 +204,12 @@ export abstract class Construction extends Circulation {
     return done(links, links.core._delete_isolated_vertices(links.address, modeOf(links)));
   }
 
+  /** Why {@link deleteIsolatedVertices} would be refused: never, so null. */
+  checkDeleteIsolatedVertices(): Refusal | null {
+    linksOf(this).checkAlive();
+    return null;
+  }
+
   /**
    * Deletes the connected component of an item: all that is reached from it over edges, also through
    * pinched vertices.
@@ -238,6 +244,13 @@ export abstract class Construction extends Circulation {
     checkCount('count', count);
     const { core, address } = links;
     return done(links, core._keep_largest_components(address, modeOf(links), count));
+  }
+
+  /** Why {@link keepLargestComponents} would be refused: never, so null. */
+  checkKeepLargestComponents(count = 1): Refusal | null {
+    linksOf(this).checkAlive();
+    checkCount('count', count);
+    return null;
   }
 
   /**
@@ -322,6 +335,12 @@ export abstract class Construction extends Circulation {
     return done(links, links.core._make_loop(links.address, modeOf(links))) as Halfedge;
   }
 
+  /** Why {@link makeLoop} would be refused: never, so null. */
+  checkMakeLoop(): Refusal | null {
+    linksOf(this).checkAlive();
+    return null;
+  }
+
   /**
    * Adds a segment: one edge with two vertices, at the origin, in a single face. As {@link makeLoop},
    * valid up to level 3.
@@ -331,6 +350,12 @@ export abstract class Construction extends Circulation {
   makeSegment(): Halfedge {
     const links = linksOf(this);
     return done(links, links.core._make_segment(links.address, modeOf(links))) as Halfedge;
+  }
+
+  /** Why {@link makeSegment} would be refused: never, so null. */
+  checkMakeSegment(): Refusal | null {
+    linksOf(this).checkAlive();
+    return null;
   }
 }
 

@@ -257,6 +257,22 @@ export class HalfedgeMesh extends Shapes {
     return appendLinks(linksOf(this), linksOf(other));
   }
 
+  /** Why {@link append} would be refused, or null. Does so to a copy, and takes as long. */
+  checkAppend(other: HalfedgeMesh): Refusal | null {
+    linksOf(this).checkAlive();
+    if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
+    linksOf(other).checkAlive();
+    const copy = this.clone();
+    try {
+      copy.append(other);
+      return null;
+    } catch (error) {
+      return refusalOf(error);
+    } finally {
+      copy.dispose();
+    }
+  }
+
   /**
    * The dual: a new mesh with a vertex in the centroid of each face, and a face around each vertex that
    * is not on the boundary. Its vertex i is in the i-th live face, its face j around the j-th live
