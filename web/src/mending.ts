@@ -207,7 +207,8 @@ export abstract class Mending extends Modelling {
    * (`folding-hole`), and those where each triangulation found joins vertices that are joined already
    * (`unfillable-hole`). Up to 200 edges all triangulations are compared, by dynamic programming, in O(n^3):
    * the largest fold is the smallest but for steps of 30 degrees, and then diagonals are short. Above, it is a
-   * good one, in about O(n log n) and the valences.
+   * good one, in about O(n log n) and the valences. Each loop is looked at once: what is filled later beside one
+   * that is left may lead the search another way, so that, rarely, a second call fills it.
    *
    * @returns `faces`: the new ones
    * @throws HalfedgeError `out-of-memory`, `disposed`
