@@ -289,8 +289,14 @@ describe('readGltf', () => {
     const error = await rejection(read(clashing, { repair: false }));
     expect(error).toMatchObject({
       code: 'opposite-orientation',
+      message: expect.stringMatching(
+        /^glTF: the scene can't be built without repair, which says: Face \d was turned over/,
+      ),
       problems: [{ code: 'opposite-orientation', severity: 'error' }],
     });
+    await expect(readGltfParts(JSON.stringify(clashing), { repair: false })).rejects.toThrow(
+      /^glTF: part 0 can't be built without repair, /,
+    );
     expect(bytesInUse()).toBe(before);
     expect((await rejection(read(clashing, { repair: 'no' }))).message).toBe(
       'options.repair is "no"; expected true or false.',

@@ -177,12 +177,12 @@ export function repairReport(wasm: Core, raw: RawRepair): RepairReport {
   };
 }
 
-/** Throws if anything of what was to be taken as it is was mended. */
-export function refuseMended({ problems }: RepairReport): void {
+/** Throws if anything of `what`, which was to be taken as it is, was mended. */
+export function refuseMended({ problems }: RepairReport, what = 'This'): void {
   const mended = problems.filter(({ severity }) => severity !== 'info');
   if (mended.length === 0) return;
   const [{ code, message, witness }] = mended;
-  throw new HalfedgeError(code, `This can't be built without repair, which says: ${message}`, {
+  throw new HalfedgeError(code, `${what} can't be built without repair, which says: ${message}`, {
     problems: mended.map((problem): Problem => ({ ...problem, severity: 'error' })),
     ...(witness && { witness }),
   });

@@ -70,7 +70,7 @@ export async function readWhole(
     parts.map(({ triangles }) => triangles),
     (sentence) => notes.push(sentence),
   );
-  return meshOf(whole, format, notes, options);
+  return meshOf('the scene', whole, format, notes, options);
 }
 
 /** A mesh for each primitive of a file. */
@@ -80,7 +80,8 @@ export async function readParts(data: unknown, given: ReadGltfOptions): Promise<
   const made: GltfPart[] = [];
   try {
     for (const { name, triangles } of parts) {
-      made.push({ name, ...meshOf(triangles, format, notes, options) });
+      const what = `part ${made.length}`;
+      made.push({ name, ...meshOf(what, triangles, format, notes, options) });
     }
   } catch (error) {
     for (const { mesh } of made) mesh.dispose();
@@ -185,6 +186,7 @@ async function loadScene(glb: ArrayBuffer, { dracoLoader, meshoptDecoder }: Gltf
 }
 
 function meshOf(
+  what: string,
   { positions, indices, attributes }: Triangles,
   format: GltfReport['format'],
   notes: string[],
@@ -193,7 +195,7 @@ function meshOf(
   const settings = { weld, dropIsolated, storePrev };
   const { mesh, report } = HalfedgeMesh.fromSoup(positions, indices, settings);
   try {
-    if (!repair) refuseMended(report);
+    if (!repair) refuseMended(report, `glTF: ${what}`);
     addAttributes(mesh, report, indices, attributes);
   } catch (error) {
     mesh.dispose();
