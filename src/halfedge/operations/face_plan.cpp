@@ -3,6 +3,7 @@
 #include <halfedge/operations/surgery_refusals.h>
 
 #include <algorithm>
+#include <array>
 
 namespace halfedge::operations::internal {
 
@@ -52,6 +53,50 @@ Result<void> FacePlan::add(const Links& links, std::span<const float> positions,
       break;
   }
   return no_memory();
+}
+
+namespace {
+
+bool has(std::span<const Face> faces, Face f) {
+  return std::find(faces.begin(), faces.end(), f) != faces.end();
+}
+
+/// Plans these faces, then all others. `blocked` becomes the first that can't be cut.
+Result<void> plan_in_order(const Links& links, std::span<const float> positions,
+                           std::span<const Face> before_others, FacePlan& plan, Face& blocked) {
+  const auto add = [&](Face f) {
+    const Halfedge first(links.face_halfedge[f.index()]);
+    Result<void> can = plan.add(links, positions, first, true);
+    if (!can) blocked = f;
+    return can;
+  };
+  for (const Face f : before_others) {
+    if (Result<void> can = add(f); !can) return can;
+  }
+  const Index slots = Index(links.face_halfedge.size());
+  for (Face f(0); f.index() < slots; f = Face(f.index() + 1)) {
+    if (is_deleted_link(links.face_halfedge[f.index()]) || has(before_others, f)) continue;
+    if (Result<void> can = add(f); !can) return can;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> plan_all(const Links& links, std::span<const float> positions, FacePlan& plan) {
+  constexpr std::size_t kMostFirst = 16;
+  std::array<Face, kMostFirst> last_blocked;  // the last one at the front
+  for (std::size_t tries = 0;; ++tries) {
+    const std::span<const Face> before_others = std::span(last_blocked).last(tries);
+    Face blocked;
+    plan = FacePlan();
+    Result<void> can = plan_in_order(links, positions, before_others, plan, blocked);
+    if (can || tries == kMostFirst || can.error().code != "no-triangulation" ||
+        has(before_others, blocked)) {
+      return can;
+    }
+    last_blocked[kMostFirst - tries - 1] = blocked;
+  }
 }
 
 }  // namespace halfedge::operations::internal

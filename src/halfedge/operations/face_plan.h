@@ -37,6 +37,11 @@ class FacePlan {
   std::size_t largest_ = 0;
 };
 
+/// Plans all faces. Where those before it leave a face no way, it goes before them, and all are
+/// planned anew; but no face does so twice, and no more than a few do.
+[[nodiscard]] Result<void> plan_all(const Links& links, std::span<const float> positions,
+                                    FacePlan& plan);
+
 /// The edge between two vertices, or empty. cost: O(the smaller of their valences)
 [[nodiscard]] Edge find_edge(const Links& links, Vertex a, Vertex b);
 

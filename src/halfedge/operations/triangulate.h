@@ -4,8 +4,6 @@
 #include <halfedge/operations/face_plan.h>
 #include <halfedge/operations/requirements.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <span>
 
@@ -94,52 +92,6 @@ template <EditableSurface Mesh>
   return added;
 }
 
-namespace internal {
-
-[[nodiscard]] inline bool has(std::span<const Face> faces, Face f) {
-  return std::find(faces.begin(), faces.end(), f) != faces.end();
-}
-
-/// Plans these faces, then all others. `blocked` becomes the first that can't be cut.
-template <class Mesh>
-[[nodiscard]] Result<void> plan_in_order(const Mesh& mesh, std::span<const Face> before_others,
-                                         FacePlan& plan, Face& blocked) {
-  const auto add = [&](Face f) {
-    Result<void> can = plan.add(mesh.links(), positions_of(mesh), mesh.face_halfedge(f), true);
-    if (!can) blocked = f;
-    return can;
-  };
-  for (const Face f : before_others) {
-    if (Result<void> can = add(f); !can) return can;
-  }
-  for (const Face f : mesh.faces()) {
-    if (has(before_others, f)) continue;
-    if (Result<void> can = add(f); !can) return can;
-  }
-  return {};
-}
-
-/// Plans all faces. Where those before it leave a face no way, it goes before them, and all are
-/// planned anew; but no face does so twice, and no more than a few do.
-template <class Mesh>
-[[nodiscard]] Result<void> plan_all(const Mesh& mesh, FacePlan& plan) {
-  constexpr std::size_t kMostFirst = 16;
-  std::array<Face, kMostFirst> last_blocked;  // the last one at the front
-  for (std::size_t tries = 0;; ++tries) {
-    const std::span<const Face> before_others = std::span(last_blocked).last(tries);
-    Face blocked;
-    plan = FacePlan();
-    Result<void> can = plan_in_order(mesh, before_others, plan, blocked);
-    if (can || tries == kMostFirst || can.error().code != "no-triangulation" ||
-        has(before_others, blocked)) {
-      return can;
-    }
-    last_blocked[kMostFirst - tries - 1] = blocked;
-  }
-}
-
-}  // namespace internal
-
 /// Whether triangulate() can be done: as check_triangulate(f) for all faces, which don't use a
 /// diagonal twice either. Each face avoids those of the faces before it; up to 16 that are left no
 /// way go before all others. Where more stand in each other's way, a mesh that could be cut may be
@@ -147,7 +99,7 @@ template <class Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_triangulate(const Mesh& mesh) {
   internal::FacePlan plan;
-  return internal::plan_all(mesh, plan);
+  return internal::plan_all(mesh.links(), internal::positions_of(mesh), plan);
 }
 
 /// The same for all faces: afterwards the mesh is one of triangles. (CGAL: triangulate_faces)
@@ -159,7 +111,10 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> triangulate(Mesh& mesh) {
   using namespace decorator::internal;
   internal::FacePlan plan;
-  if (Result<void> can = internal::plan_all(mesh, plan); !can) return can.error();
+  if (Result<void> can = internal::plan_all(mesh.links(), internal::positions_of(mesh), plan);
+      !can) {
+    return can.error();
+  }
   const std::size_t added = plan.ears().size();
   internal::Corners corners;
   if (added > kMaxSlots || !corners.reserve(plan.largest()) ||
