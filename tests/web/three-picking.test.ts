@@ -134,6 +134,62 @@ describe('MeshPicker', () => {
     expect(picker.hides(new THREE.Vector3(4.5, 0.25, 1), view.camera)).toBe(false);
   });
 
+  describe('with a camera without perspective', () => {
+    const OFF = 1.5; // of the middle, so that from where the camera stands, a point is seen past the surface
+    const at = (x: number, y: number, z: number) => new THREE.Vector3(x, y, z);
+
+    test.each([3, 1000])('tells what the surface hides along parallel rays, %i away', (height) => {
+      const { picker, view } = scene();
+      view.camera.position.set(5 + OFF, 0, height);
+      view.camera.far = 2 * height;
+      view.camera.updateProjectionMatrix();
+      expect(picker.hides(at(4.1, 0.25, -1), view.camera)).toBe(true);
+      expect(picker.hides(at(4.1, 0.25, -0.1), view.camera)).toBe(true);
+      expect(picker.hides(at(4.1, 0.25, 0), view.camera)).toBe(false);
+      expect(picker.hides(at(4.1, 0.25, 1), view.camera)).toBe(false);
+      expect(picker.hides(at(3.9, 0.25, -1), view.camera)).toBe(false); // beside it
+    });
+
+    test('picks vertices without edges unless the surface hides them', () => {
+      const mesh = HalfedgeMesh.grid(2, 2, { width: 1, height: 1 });
+      mesh.addVertex([0.4, 0.1, -0.5]); // below
+      mesh.addVertex([0.6, 0.1, 2]); // behind the camera
+      const { pick, view } = scene(mesh);
+      view.camera.position.x += OFF;
+      expect(pick(0.8 - OFF, 0.2)).toEqual({ kind: 'face', index: 3 });
+      expect(pick(1.2 - OFF, 0.2)).toBe(null);
+    });
+
+    test.each([-OFF, 0, OFF])('picks boundary arrows unless the surface hides them: %d', (x) => {
+      const square = (half: number, z: number) =>
+        [-half, -half, z, half, -half, z, half, half, z, -half, half, z] as const;
+      const mesh = HalfedgeMesh.fromPolygons(
+        [...square(0.5, 0), ...square(0.3, 0.02), ...square(0.4, -0.1)],
+        [0, 4, 8].map((v) => [v, v + 1, v + 2, v + 3]),
+      );
+      const { pick, view } = scene(mesh);
+      view.camera.position.x += x;
+      const boundary = mesh
+        .halfedges()
+        .toArray()
+        .filter((h) => mesh.isBoundaryHalfedge(h));
+      const above = { kind: 'halfedge', index: mesh.findHalfedge(6, 5) };
+      expect(pick(0.66 - x, 0, { boundary })).toEqual(above);
+      expect(pick(0.865 - x, 0, { boundary })).toEqual({ kind: 'face', index: 0 });
+    });
+
+    test('picks what it sees behind where it stands', () => {
+      const { picker, view, pick } = scene();
+      view.camera.position.z = -2;
+      view.camera.near = -10;
+      view.camera.updateProjectionMatrix();
+      expect(pick(0.5, 0.5)).toEqual({ kind: 'face', index: 3 });
+      expect(pick(0.03, 0.04)).toEqual({ kind: 'vertex', index: 4 });
+      expect(picker.hides(at(4.5, 0.25, -1), view.camera)).toBe(true);
+      expect(picker.hides(at(4.5, 0.25, 1), view.camera)).toBe(false);
+    });
+  });
+
   test('picks a concave polygon as the one face that it is', () => {
     const mesh = HalfedgeMesh.fromPolygons([0, 0, 0, 1, -1, 0, 0, 1, 0, -1, -1, 0], [[0, 1, 2, 3]]);
     const { pick } = scene(mesh);

@@ -1,4 +1,4 @@
-import { type Camera, type Matrix4, Ray, Vector3 } from 'three';
+import { type Camera, type Matrix4, type Ray, Vector3 } from 'three';
 import { checkIterable, indexOfChoice, refuse } from '../checks.js';
 import type { ItemKind } from '../items.js';
 import { checkObject, checkOptions, type OptionNames } from '../options.js';
@@ -6,7 +6,7 @@ import { ARROWS_FROM, arrowSizes } from './arrows.js';
 import type { FaceTree } from './face-tree.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { distanceToArrow, type Nearest, nearestOf } from './nearest.js';
-import { type PickView, Projection, type ScreenPoint } from './projection.js';
+import { type PickView, Projection, type ScreenPoint, sightOf } from './projection.js';
 
 /** What is picked: whatever is nearest, or only items of one kind. */
 export type PickMode = 'auto' | ItemKind;
@@ -52,8 +52,10 @@ const TO_BOUNDARY = 6;
 const TO_ARROW = 5.5;
 /** No more vertices without edges than these can be pointed at: each is looked at. */
 const MOST_ISOLATED = 20_000;
-/** Of the way to a point, where the surface must be to hide it: what lies on it isn't hidden. */
-const CLEARLY_BEFORE = 0.992;
+/** Of the span of a sight, how far before a point the surface must be to hide it: what lies on it isn't hidden. */
+const CLEARLY_BEFORE = 0.008;
+/** The same for an arrow, which is seen from a little beside it. */
+const BEFORE_ARROW = 0.01;
 
 /**
  * Finds the vertex, edge, halfedge or face under the pointer: the face by a ray, then the nearest of what is in
@@ -117,11 +119,9 @@ export class ItemPicker {
 
   /** Whether the surface hides a point of the world from a camera. */
   hides(point: Vector3, camera: Camera): boolean {
-    const origin = new Vector3().setFromMatrixPosition(camera.matrixWorld);
-    const direction = point.clone().sub(origin);
-    const distance = direction.length();
-    const hit = this.cast(new Ray(origin, direction.divideScalar(distance)));
-    return hit !== null && hit.distance < CLEARLY_BEFORE * distance;
+    const { ray, distance, span } = sightOf(point, camera);
+    const hit = this.cast(ray);
+    return hit !== null && hit.distance < distance - CLEARLY_BEFORE * span;
   }
 
   /** Casts a ray of the object's space. `seen`: the same in the world. */
@@ -199,8 +199,8 @@ export class ItemPicker {
       const distance = distanceToArrow(at, this.#glyphs, 0, projection);
       if (!(distance < least)) continue;
       const start = new Vector3().fromArray(this.#glyphs.arrows).applyMatrix4(matrixWorld);
-      start.sub(camera.getWorldPosition(new Vector3()));
-      if (hit && hit.distance < 0.99 * start.length()) continue;
+      const sight = sightOf(start, camera);
+      if (hit && hit.distance < sight.distance - BEFORE_ARROW * sight.span) continue;
       least = distance;
       found = h;
     }

@@ -1,4 +1,12 @@
-import { type Camera, Matrix4, type Ray, Raycaster, Vector2 } from 'three';
+import {
+  type Camera,
+  Matrix4,
+  type OrthographicCamera,
+  Ray,
+  Raycaster,
+  Vector2,
+  Vector3,
+} from 'three';
 
 /** A camera, and the size in CSS pixels of the canvas that shows what it sees. */
 export interface PickView {
@@ -15,6 +23,8 @@ export class Projection {
   readonly #view: PickView;
   /** Takes points of the object to clip space. */
   readonly #clip: readonly number[];
+  /** Takes points of the object to what the camera sees, which lies towards -z. */
+  readonly #seen: readonly number[];
   readonly #toObject: Matrix4;
   /** How long a unit of the object is in the world. */
   readonly #scale: number;
@@ -25,17 +35,16 @@ export class Projection {
     this.#view = view;
     this.#toObject = matrixWorld.clone().invert();
     this.#scale = matrixWorld.getMaxScaleOnAxis();
-    this.#clip = new Matrix4()
-      .multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse)
-      .multiply(matrixWorld).elements;
+    const seen = new Matrix4().multiplyMatrices(camera.matrixWorldInverse, matrixWorld);
+    this.#seen = seen.elements;
+    this.#clip = seen.clone().premultiply(camera.projectionMatrix).elements;
   }
 
   /** Where the point appears that is at `at` of an array; NaN behind the camera. */
   project(points: ArrayLike<number>, at: number): ScreenPoint {
     const [x, y, z] = [points[at], points[at + 1], points[at + 2]];
     const m = this.#clip;
-    const w = this.#depth(x, y, z);
-    const scale = w > 0 ? 0.5 / w : Number.NaN;
+    const scale = this.#isAhead(x, y, z) ? 0.5 / this.#depth(x, y, z) : Number.NaN;
     const right = (m[0] * x + m[4] * y + m[8] * z + m[12]) * scale;
     const up = (m[1] * x + m[5] * y + m[9] * z + m[13]) * scale;
     return [(0.5 + right) * this.#view.width, (0.5 - up) * this.#view.height];
@@ -54,7 +63,14 @@ export class Projection {
     const at = new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
     const raycaster = new Raycaster();
     raycaster.setFromCamera(at, camera);
-    return raycaster.ray.applyMatrix4(this.#toObject);
+    const { ray } = raycaster;
+    ray.origin.addScaledVector(ray.direction, startOf(camera));
+    return ray.applyMatrix4(this.#toObject);
+  }
+
+  #isAhead(x: number, y: number, z: number): boolean {
+    const m = this.#seen;
+    return -(m[2] * x + m[6] * y + m[10] * z + m[14]) > startOf(this.#view.camera);
   }
 
   /** How far in front of a camera with perspective; 1 otherwise. */
@@ -62,6 +78,40 @@ export class Projection {
     const m = this.#clip;
     return m[3] * x + m[7] * y + m[11] * z + m[15];
   }
+}
+
+/** How a camera sees a point of the world. */
+export interface Sight {
+  /** What it is seen along. */
+  readonly ray: Ray;
+  /** How far along the ray it is; negative behind the camera. */
+  readonly distance: number;
+  /** What small distances are measured by: the same, or for a camera without perspective the height of its picture. */
+  readonly span: number;
+}
+
+/** How a camera sees a point of the world: from where it stands, or along with all others. */
+export function sightOf(point: Vector3, camera: Camera): Sight {
+  camera.updateWorldMatrix(true, false);
+  const origin = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+  const direction = point.clone().sub(origin);
+  if (!isOrthographic(camera)) {
+    const distance = direction.length();
+    return { ray: new Ray(origin, direction.divideScalar(distance)), distance, span: distance };
+  }
+  const ahead = camera.getWorldDirection(new Vector3());
+  const distance = direction.dot(ahead) - startOf(camera);
+  const ray = new Ray(point.clone().addScaledVector(ahead, -distance), ahead);
+  return { ray, distance, span: 2 / camera.projectionMatrix.elements[5] };
+}
+
+/** Where a camera begins to see, ahead of where it stands: one without perspective may do so behind. */
+function startOf(camera: Camera): number {
+  return isOrthographic(camera) ? Math.min(0, camera.near) : 0;
+}
+
+function isOrthographic(camera: Camera): camera is OrthographicCamera {
+  return (camera as Partial<OrthographicCamera>).isOrthographicCamera === true;
 }
 
 /** The distance of a place from a line; NaN where an end of that isn't seen. */
