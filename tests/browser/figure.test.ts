@@ -205,6 +205,21 @@ OFF
     expect(await page.events('halfedge-error')).toHaveLength(1);
   });
 
+  test('has nothing to play where the first operation is refused', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:tetrahedron" operation="collapse h2, flip e1" controls></halfedge-figure>',
+    );
+    await page.ready();
+    const disabled = () => page.page.isDisabled('halfedge-figure .play');
+    expect(await disabled()).toBe(false);
+    await page.page.click('halfedge-figure .play');
+    expect(await page.sentence()).toContain('Refused: collapse h2.');
+    expect(await disabled()).toBe(true);
+    await page.page.click('halfedge-figure .restart');
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    expect(await disabled()).toBe(false);
+  });
+
   test('lets the wheel scroll the page until it has the focus', async () => {
     const page = await figures(`${ONE_RING}<div style="height: 4000px"></div>`);
     await page.ready();

@@ -1,5 +1,5 @@
 import type { Edit } from '../teaching/motion.js';
-import type { Story } from './story.js';
+import { isPlayable, type Story } from './story.js';
 
 /** What a player tells its figure. */
 export interface PlayerListener {
@@ -36,11 +36,11 @@ export class Player {
     this.#story = story;
   }
 
-  /** Plays on; from the beginning, where the end is reached. */
+  /** Plays on; from the beginning, where the end is reached, or what is refused. */
   play(): void {
     const story = this.#story;
-    if (!story || story.count === 0 || this.#playing) return;
-    if (story.position >= story.count) this.#go(0);
+    if (!story || !isPlayable(story) || this.#playing) return;
+    if (story.refusal || story.position >= story.count) this.#go(0);
     this.#playing = true;
     this.#listener.played();
     this.#tick();

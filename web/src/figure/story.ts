@@ -22,6 +22,11 @@ export interface Story {
   readonly current: Item | null;
 }
 
+/** Whether there is anything to play: not where the first step is refused. */
+export function isPlayable({ count, position, refusal }: Story): boolean {
+  return count > 0 && (refusal === null || position > 1);
+}
+
 /** One lap of a circulator. */
 export class WalkStory implements Story {
   readonly player: CirculatorPlayer;

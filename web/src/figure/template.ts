@@ -3,7 +3,7 @@ import { FILLED_ICONS, ICONS, type IconName } from '../scene/icons.js';
 import { hasDirection, queryCode } from '../teaching/circulators.js';
 import { type DialectId, dialects } from '../teaching/dialects.js';
 import type { CirculatorPlayer } from '../teaching/player.js';
-import { type Story, WalkStory } from './story.js';
+import { isPlayable, type Story, WalkStory } from './story.js';
 
 /** What the controls of a figure do. */
 export interface Controls {
@@ -35,7 +35,7 @@ export function playerBar(story: Story, playing: boolean, controls: Controls): T
           part="button play"
           title=${`${playing ? 'Pause' : 'Play'} (space)`}
           aria-label=${playing ? 'Pause' : 'Play'}
-          ?disabled=${empty}
+          ?disabled=${!isPlayable(story)}
           @click=${controls.toggle}
         >
           ${icon(playing ? 'pause' : 'play')}
