@@ -198,11 +198,49 @@ OFF
     ['src="shape:cube" overlays="glitter"', 'overlays has “glitter”; expected some of halfedges'],
     ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on an edge'],
     ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
+    ['src="shape:cube" step="abc"', 'step is no number; expected how many steps are made.'],
+    ['src="shape:cube" controls="palyer"', 'controls has “palyer”; expected some of player, code.'],
   ])('with %s says what is wrong', async (attributes, sentence) => {
     const page = await figures(`<halfedge-figure ${attributes}></halfedge-figure>`);
     await page.page.waitForSelector('halfedge-figure [part=error]');
     expect(await page.page.textContent('halfedge-figure [part=error]')).toContain(sentence);
     expect(await page.events('halfedge-error')).toHaveLength(1);
+  });
+
+  test('follows a wrong attribute that is corrected, and tells what is still wrong', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" camera="1 2" controls="palyer"></halfedge-figure>',
+    );
+    await page.ready();
+    const failure = async (attribute: string, value: string) => {
+      await page.page.$eval(
+        'halfedge-figure',
+        (figure, [name, text]) => figure.setAttribute(name, text),
+        [attribute, value],
+      );
+      await page.figure(async (figure) => void (await figure.updateComplete));
+      const error = await page.page.$('halfedge-figure [part=error]');
+      return error && (await error.textContent());
+    };
+    expect(await failure('camera', '1 2 x')).toContain('camera is “1 2 x”; expected three');
+    expect(await failure('select', 'v99')).toContain('select is “v99”');
+    expect(await failure('camera', '0 0 1')).toContain('select is “v99”');
+    expect(await failure('select', 'v1')).toContain('controls has “palyer”');
+    expect(await failure('controls', 'player')).toBe(null);
+    expect(await page.figure(({ state }) => state)).toBe('ready');
+    const before = await page.settled();
+    expect(await failure('camera', '1 0 0')).toBe(null);
+    expect(await page.settled()).toBeGreaterThan(before);
+  });
+
+  test('takes operations back where the attribute names none any more', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:grid(3, 2, triangles)" operation="flip e14" step="1"></halfedge-figure>',
+    );
+    await page.ready();
+    const before = await page.settled();
+    await page.figure((figure) => figure.setAttribute('operation', 'melt e14'));
+    expect(await page.settled()).toBeGreaterThan(before);
   });
 
   test('has nothing to play where the first operation is refused', async () => {

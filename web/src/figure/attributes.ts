@@ -5,6 +5,7 @@ import type { Trail } from './trail-story.js';
 
 /** Steps a second. */
 const DEFAULT_SPEED = 1.5;
+const CONTROLS = ['player', 'code'];
 
 /** What a figure is doing, as its attribute `state` tells. */
 export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
@@ -104,23 +105,39 @@ export abstract class FigureAttributes extends LitElement {
     return this.speed > 0 ? this.speed : DEFAULT_SPEED;
   }
 
+  /** The step to go to, also where `step` is none. */
+  protected get position(): number {
+    return Number.isNaN(this.step) ? 0 : this.step;
+  }
+
   /** The controls that there are. */
   protected get controlNames(): readonly string[] {
     if (this.controls === '') return ['player'];
     return (this.controls ?? '').split(/[\s,]+/).filter(Boolean);
   }
 
-  /** The numbers of `camera`: three, or six; null where it is absent. Throws a sentence for others. */
+  /** The numbers of `camera`: three, or six; null where it is absent or wrong. */
   protected get viewpoint(): readonly number[] | null {
-    if (this.camera === null) return null;
-    const numbers = this.camera
-      .trim()
-      .split(/[\s,]+/)
-      .map(Number);
-    if ([3, 6].includes(numbers.length) && numbers.every(Number.isFinite)) return numbers;
-    throw new Error(
-      `camera is “${this.camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
-    );
+    const numbers = this.camera?.trim().split(/[\s,]+/);
+    const isOne = [3, 6].includes(numbers?.length ?? 0);
+    const viewpoint = numbers?.map(Number) ?? [];
+    return isOne && viewpoint.every(Number.isFinite) ? viewpoint : null;
+  }
+
+  /** What is wrong with an attribute that needs no mesh to tell; null for nothing. */
+  protected get mistake(): Error | null {
+    const { camera, step, controlNames } = this;
+    if (camera !== null && !this.viewpoint) {
+      return new Error(
+        `camera is “${camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
+      );
+    }
+    if (Number.isNaN(step)) {
+      return new Error('step is no number; expected how many steps are made.');
+    }
+    const wrong = controlNames.find((name) => !CONTROLS.includes(name));
+    if (wrong === undefined) return null;
+    return new Error(`controls has “${wrong}”; expected some of ${CONTROLS.join(', ')}.`);
   }
 
   /** Where the mesh comes from. */

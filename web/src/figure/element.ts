@@ -87,11 +87,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   stepForward(): void {
-    this.seek(this.step + 1);
+    this.seek(this.position + 1);
   }
 
   stepBack(): void {
-    this.seek(this.step - 1);
+    this.seek(this.position - 1);
   }
 
   /** Goes to a step, and rests there. */
@@ -146,8 +146,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     // A step that the player has made itself is no reason to rest.
     const { story } = this.#model;
     if ((anew || changed.has('step')) && story && story.position !== this.step) {
-      this.#model.player.seek(this.step);
+      this.#model.player.seek(this.position);
     }
+    this.#complain();
   }
 
   protected override updated(changed: PropertyValues<this>): void {
@@ -243,7 +244,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#follow(false, false);
     this.#view?.show(this.viewpoint);
     this.#view?.update();
-    this.#model.player.seek(this.step);
+    this.#model.player.seek(this.position);
+    this.#complain();
     this.requestUpdate();
     await this.updateComplete;
     if (signal.aborted) return;
@@ -272,15 +274,17 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const { story } = this.#model;
     const settings = this.settings;
     if (!camera && this.#model.follows(settings)) return false;
-    this.failure = null;
-    try {
-      const edit = this.#model.tell(settings);
-      if (camera) this.#view?.look(this.viewpoint);
-      if (draws) this.#view?.update(edit);
-    } catch (error) {
-      this.#fail(error, 'ready');
-    }
+    const edit = this.#model.tell(settings);
+    if (camera) this.#view?.look(this.viewpoint);
+    if (draws) this.#view?.update(edit);
     return this.#model.story !== story;
+  }
+
+  /** Tells what can't be shown, once, and for as long as that is so. */
+  #complain(): void {
+    const error = this.#model.failure ?? this.mistake;
+    if (!error) this.failure = null;
+    else if (error.message !== this.failure) this.#fail(error, 'ready');
   }
 
   #fail(error: unknown, state: FigureStateName): void {

@@ -39,6 +39,8 @@ export class FigureModel {
   selected: Item | null = null;
   hovered: Item | null = null;
   overlays: ReadonlySet<OverlayName> = overlaysNamed(DEFAULT_OVERLAYS);
+  /** What can't be shown of the settings that it was told last; null for nothing. */
+  failure: Error | null = null;
   readonly player: Player;
   /** What the story was made of. */
   #told = '';
@@ -73,7 +75,7 @@ export class FigureModel {
     this.player.story = null;
     this.mesh?.dispose();
     this.mesh = mesh;
-    this.selected = this.hovered = this.#list = null;
+    this.selected = this.hovered = this.#list = this.failure = null;
     this.#told = '';
   }
 
@@ -90,17 +92,13 @@ export class FigureModel {
 
   /**
    * Follows the settings as far as they have changed; returns the change of the mesh, where operations
-   * were taken back. Throws a sentence for what can't be shown, and then shows the rest.
+   * were taken back. What can't be shown is told by `failure`.
    */
   tell(settings: Settings): Edit | null {
     const { mesh } = this;
     if (!mesh || this.follows(settings)) return null;
-    this.#told = JSON.stringify(settings);
-    this.overlays = overlaysNamed(settings.overlays ?? DEFAULT_OVERLAYS);
     const edit = this.story instanceof EditStory ? this.story.seek(0) : null;
-    this.player.story = null;
-    this.selected = settings.select === null ? null : itemNamed(mesh, settings.select);
-    this.#begin(mesh, settings);
+    this.#tell(mesh, settings);
     return edit;
   }
 
@@ -109,6 +107,7 @@ export class FigureModel {
     const { mesh } = this;
     if (!mesh || sameItem(item, this.selected) || (item && !isLive(mesh, item))) return false;
     this.#told = JSON.stringify(settings);
+    this.failure = null;
     this.selected = item;
     if (this.story instanceof EditStory || this.story instanceof TrailStory) return true;
     this.player.story = null;
@@ -125,6 +124,19 @@ export class FigureModel {
     const { mesh, selected } = this;
     if (!mesh || !selected) return null;
     return linksOf(mesh, selected).find((link) => link.key === key)?.target ?? null;
+  }
+
+  #tell(mesh: HalfedgeMesh, settings: Settings): void {
+    const { select, overlays } = settings;
+    this.#told = JSON.stringify(settings);
+    this.player.story = this.selected = this.failure = null;
+    try {
+      this.overlays = overlaysNamed(overlays ?? DEFAULT_OVERLAYS);
+      if (select !== null) this.selected = itemNamed(mesh, select);
+      this.#begin(mesh, settings);
+    } catch (error) {
+      this.failure = error as Error;
+    }
   }
 
   #begin(mesh: HalfedgeMesh, settings: Settings): void {
