@@ -243,6 +243,53 @@ OFF
     expect(await page.settled()).toBeGreaterThan(before);
   });
 
+  test('draws the mesh as a program has left it, and selects nothing that is gone', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    /** Deletes a vertex; tells what is selected then, the step, and the visits in the picture. */
+    const deleted = async (vertex: number) => {
+      await page.page.$eval(
+        'halfedge-figure',
+        async (it, v) => {
+          const figure = it as HalfedgeFigure;
+          figure.mesh?.deleteVertex(v);
+          figure.refresh();
+          await figure.updateComplete;
+        },
+        vertex,
+      );
+      await page.settled();
+      const { select, step } = await page.figure(({ select, step }) => ({ select, step }));
+      const tags = await page.page.$$eval('halfedge-figure .tag:is(.ordinal, .current)', (them) =>
+        them.map(({ textContent }) => textContent),
+      );
+      return { select, step, tags };
+    };
+    const ring = await page.figure((figure) => {
+      figure.seek(5);
+      return [...(figure.mesh?.vertexVertices(3) ?? [])].map(Number);
+    });
+    const { select, step } = await deleted(ring[1]);
+    expect([select, step]).toEqual(['v3', 4]);
+    expect(await page.sentence()).toContain('→ vertex');
+    // Its attributes say now that it goes around the first vertex.
+    expect(await deleted(3)).toEqual({ select: null, step: 4, tags: ['4', '3', '2', '1'] });
+    expect(page.complaints).toEqual([]);
+    expect(await page.events('halfedge-error')).toEqual([]);
+  });
+
+  test('plays on while a program moves vertices', async () => {
+    const page = await figures(ONE_RING, { motion: true });
+    await page.ready();
+    const playing = await page.figure((figure) => {
+      figure.play();
+      (figure.mesh as { positions: Float32Array }).positions[0] += 0.1;
+      figure.refresh();
+      return [figure.playing, figure.step];
+    });
+    expect(playing).toEqual([true, 1]);
+  });
+
   test('has nothing to play where the first operation is refused', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:tetrahedron" operation="collapse h2, flip e1" controls></halfedge-figure>',

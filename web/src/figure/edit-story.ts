@@ -16,7 +16,6 @@ export abstract class EditStory implements Story {
   readonly visits = [];
   abstract readonly count: number;
   refusal: Refusal | null = null;
-  witness: readonly Item[] | null = null;
   readonly #mesh: HalfedgeMesh;
   readonly #done: Done[] = [];
 
@@ -48,6 +47,11 @@ export abstract class EditStory implements Story {
     return this.#done.at(-1)?.words ?? `Before: ${this.title(next)}.`;
   }
 
+  get witness(): readonly Item[] | null {
+    if (!this.refusal) return null;
+    return witnessItems(this.refusal.witness).filter((it) => isLive(this.#mesh, it));
+  }
+
   seek(position: number): Edit | null {
     const target = Math.max(0, Math.min(this.count, Math.round(position)));
     let edit: Edit | null = null;
@@ -63,24 +67,19 @@ export abstract class EditStory implements Story {
         this.#done.push(outcome);
         return outcome.edit;
       }
-      this.#refuse(outcome);
+      this.refusal = outcome;
     } catch (error) {
-      this.#refuse(refusalOf(error));
+      this.refusal = refusalOf(error);
     }
     return null;
   }
 
   #back(): Edit | null {
     if (this.refusal) {
-      this.refusal = this.witness = null;
+      this.refusal = null;
       return null;
     }
     const step = this.#done.pop();
     return step && this.#mesh.history.undo() ? reversed(step.edit) : null;
-  }
-
-  #refuse(refusal: Refusal): void {
-    this.refusal = refusal;
-    this.witness = witnessItems(refusal.witness).filter((it) => isLive(this.#mesh, it));
   }
 }

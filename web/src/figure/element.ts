@@ -2,7 +2,14 @@ import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { HalfedgeMesh } from '../api.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import type { DialectId } from '../teaching/dialects.js';
-import { type Item, itemName, type WalkKey } from '../teaching/items.js';
+import {
+  type Item,
+  isLive,
+  itemName,
+  parseItemName,
+  sameItem,
+  type WalkKey,
+} from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
@@ -113,10 +120,15 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#view?.fit();
   }
 
-  /** Draws the mesh as it is now, after edits by a program. */
+  /** Draws the mesh as it is now, after edits by a program; what is gone is not selected any more. */
   refresh(): void {
-    if (!this.mesh) return;
+    const { mesh, selected, story } = this.#model;
+    if (!mesh) return;
+    const isGone = selected !== null && !isLive(mesh, selected);
+    if (isGone && sameItem(parseItemName(this.select ?? ''), selected)) this.select = null;
+    this.#model.refresh(this.settings);
     this.#view?.show(this.viewpoint ?? this.#view.viewpoint());
+    if (this.#model.story !== story) this.#resume();
     this.requestUpdate();
   }
 
@@ -278,6 +290,13 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     if (camera) this.#view?.look(this.viewpoint);
     if (draws) this.#view?.update(edit);
     return this.#model.story !== story;
+  }
+
+  /** Goes on where it was with a walk that has begun anew. */
+  #resume(): void {
+    const { player } = this.#model;
+    player.seek(this.position);
+    this.step = player.story?.position ?? 0;
   }
 
   /** Tells what can't be shown, once, and for as long as that is so. */

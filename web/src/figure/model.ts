@@ -42,8 +42,9 @@ export class FigureModel {
   /** What can't be shown of the settings that it was told last; null for nothing. */
   failure: Error | null = null;
   readonly player: Player;
-  /** What the story was made of. */
+  /** What the story was made of, and of which version of the mesh. */
   #told = '';
+  #version = -1;
   /** The faces that are to be added one by one. */
   #list: FaceList | null = null;
 
@@ -102,11 +103,25 @@ export class FigureModel {
     return edit;
   }
 
+  /**
+   * Follows edits of the mesh by a program: what is gone is not selected any more, and a walk begins anew
+   * where it may go elsewhere now. Operations stay as they were done.
+   */
+  refresh(settings: Settings): void {
+    const { mesh, selected, story } = this;
+    if (!mesh) return;
+    this.hovered = null;
+    if (selected && !isLive(mesh, selected)) this.selected = null;
+    const isSame = story instanceof EditStory || mesh.version === this.#version;
+    if (isSame || (!story && !this.failure)) this.#remember(mesh, settings);
+    else this.#tell(mesh, settings);
+  }
+
   /** Selects what a reader has picked; where the query does not go around it, its links are shown. */
   choose(item: Item | null, settings: Settings): boolean {
     const { mesh } = this;
     if (!mesh || sameItem(item, this.selected) || (item && !isLive(mesh, item))) return false;
-    this.#told = JSON.stringify(settings);
+    this.#remember(mesh, settings);
     this.failure = null;
     this.selected = item;
     if (this.story instanceof EditStory || this.story instanceof TrailStory) return true;
@@ -128,7 +143,7 @@ export class FigureModel {
 
   #tell(mesh: HalfedgeMesh, settings: Settings): void {
     const { select, overlays } = settings;
-    this.#told = JSON.stringify(settings);
+    this.#remember(mesh, settings);
     this.player.story = this.selected = this.failure = null;
     try {
       this.overlays = overlaysNamed(overlays ?? DEFAULT_OVERLAYS);
@@ -137,6 +152,11 @@ export class FigureModel {
     } catch (error) {
       this.failure = error as Error;
     }
+  }
+
+  #remember(mesh: HalfedgeMesh, settings: Settings): void {
+    this.#told = JSON.stringify(settings);
+    this.#version = mesh.version;
   }
 
   #begin(mesh: HalfedgeMesh, settings: Settings): void {
