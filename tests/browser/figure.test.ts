@@ -334,6 +334,38 @@ OFF
     expect(tags).toEqual(['1', '2', 'v3']);
   });
 
+  test('without WebGL names faintly what is hidden, and follows keys', async () => {
+    const corner = '<halfedge-figure src="shape:cube" select="v0" query="vertexFaces" camera=';
+    const page = await figures(`${corner}"1 1.2 1.4" step="3" controls></halfedge-figure>`, {
+      webgl: false,
+    });
+    await page.ready();
+    /** The names in the picture that are seen well. */
+    const seen = async () => {
+      await page.figure(async (figure) => void (await figure.updateComplete));
+      return page.page.$$eval('halfedge-figure .poster text', (them) =>
+        them.filter((it) => it.getAttribute('opacity') === '1').map((it) => it.textContent),
+      );
+    };
+    const press = (key: string) => page.page.press('halfedge-figure canvas', key);
+    const [x] = await page.figure(({ mesh }) => [...(mesh?.position(0) ?? [])]);
+    expect(x).toBeLessThan(0); // so it looks from the other side
+    expect(await seen()).toEqual([]);
+    await page.figure((figure) => figure.setAttribute('camera', '-1 -1.2 -1.4'));
+    expect(await seen()).toEqual(['1', '2', '3', 'v0']);
+    for (let i = 0; i < 18; i++) await press('ArrowRight');
+    expect((await seen()).length).toBeLessThan(4);
+    const before = await page.page.getAttribute('halfedge-figure .poster polygon', 'points');
+    await press('+');
+    await seen();
+    const after = await page.page.getAttribute('halfedge-figure .poster polygon', 'points');
+    expect(after).not.toBe(before);
+    await press(',');
+    expect(await page.figure(({ step }) => step)).toBe(2);
+    await press('h');
+    expect(await page.figure(({ select }) => select)).toMatch(/^h/);
+  });
+
   test('works where the page forbids to make code of texts', async () => {
     const page = await figures(ONE_RING, { policy: STRICT_POLICY });
     await page.ready();

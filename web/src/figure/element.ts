@@ -15,7 +15,7 @@ import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
 import { actOnKey, KEYS } from './keys.js';
 import { FigureModel } from './model.js';
-import { posterOf } from './poster.js';
+import { Poster } from './poster.js';
 import { openFaces, openSource } from './source.js';
 import { started } from './start.js';
 import { WalkStory } from './story.js';
@@ -41,6 +41,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     played: () => this.requestUpdate(),
   });
   #view: FigureView | null = null;
+  readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
   readonly #watcher = new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
     rootMargin: NEAR,
@@ -117,7 +118,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   /** Shows the whole mesh. */
   fit(): void {
-    this.#view?.fit();
+    this.#picture.fit();
   }
 
   /** Draws the mesh as it is now, after edits by a program; what is gone is not selected any more. */
@@ -128,6 +129,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     if (isGone && sameItem(parseItemName(this.select ?? ''), selected)) this.select = null;
     this.#model.refresh(this.settings);
     this.#view?.show(this.viewpoint ?? this.#view.viewpoint());
+    this.#drawing.forget();
     if (this.#model.story !== story) this.#resume();
     this.requestUpdate();
   }
@@ -205,9 +207,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     `;
   }
 
+  /** What can be turned: the drawing, where there is no WebGL. */
+  get #picture(): Pick<FigureView, 'orbit' | 'zoom' | 'fit'> {
+    return this.#view ?? this.#drawing;
+  }
+
   #poster(): TemplateResult | typeof nothing {
     if (this.#view && this.state === 'ready') return nothing;
-    const drawn = this.state === 'ready' ? posterOf(this.#model, this.viewpoint) : null;
+    const drawn = this.state === 'ready' ? this.#drawing.draw(this.#model, this.viewpoint) : null;
     return html`<div class=${`poster ${this.state}`} part="poster">
       <slot name="poster">${drawn}</slot>
     </div>`;
@@ -318,6 +325,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#abort.abort();
     this.#view?.dispose();
     this.#view = null;
+    this.#drawing.forget();
     this.renderRoot.querySelector('.labels')?.replaceChildren();
     this.#model.take(null);
   }
@@ -361,8 +369,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   #pressed(event: KeyboardEvent): void {
-    const view = this.#view;
-    if (!view) return;
+    const picture = this.#picture;
     const known = actOnKey(event, {
       toggle: () => this.toggle(),
       stepForward: () => this.stepForward(),
@@ -372,8 +379,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
         const item = this.#model.walk(key);
         if (item) this.#choose(item);
       },
-      orbit: (horizontal, vertical) => view.orbit(horizontal, vertical),
-      zoom: (factor) => view.zoom(factor),
+      orbit: (horizontal, vertical) => picture.orbit(horizontal, vertical),
+      zoom: (factor) => picture.zoom(factor),
       fit: () => this.fit(),
     });
     if (known) event.preventDefault();

@@ -46,6 +46,11 @@ const parts = css`
     place-items: center;
     overflow: hidden;
     color: var(--muted);
+    pointer-events: none;
+  }
+
+  .poster ::slotted(*) {
+    pointer-events: auto;
   }
 
   .poster ::slotted(*),
