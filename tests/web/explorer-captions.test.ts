@@ -51,6 +51,32 @@ describe('The attributes of an item', () => {
     expect(texts(mesh, 'edge')).toEqual(['crease: float32: 0.3333']);
   });
 
+  test('have all digits of a position that tell it from others', () => {
+    const positions = [0, 0, 0, 4_500_000.5, -100_000.25, 0.001, 1, 1, 0, 1 / 3, -1, -4.371139e-8];
+    const mesh = HalfedgeMesh.fromPolygons(positions, [[0, 1, 2]]);
+    const positionOf = (index: number) =>
+      attributesOf(mesh, { kind: 'vertex', index }, {}).map(({ text }) => text);
+    expect(positionOf(1)).toEqual(['(4500000.5, -100000.25, 0.001)']);
+    expect(positionOf(3)).toEqual(['(0.33333334, -1, 0)']);
+    mesh.setPosition(0, [1e-30, 2, 5e-7]);
+    expect(positionOf(0)).toEqual(['(0, 2, 5e-7)']);
+    mesh.positions.set([1, Number.POSITIVE_INFINITY, Number.NaN]);
+    expect(positionOf(0)).toEqual(['(1, Infinity, NaN)']);
+  });
+
+  test('have thousandths of large numbers, as far as 32 bits have them', () => {
+    const mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('face', 'height');
+    const heightOf = (height: number) => {
+      mesh.attributes.set('face', 'height', 1, height);
+      return texts(mesh, 'face');
+    };
+    expect(heightOf(100_000.1)).toEqual(['height: float32: 100000.1']);
+    expect(heightOf(-100_000.11)).toEqual(['height: float32: -100000.11']);
+    expect(heightOf(12.34567)).toEqual(['height: float32: 12.346']);
+    expect(heightOf(20_000_000)).toEqual(['height: float32: 20000000']);
+  });
+
   test('have the names of a file where they are places in a list', () => {
     const mesh = HalfedgeMesh.cube();
     mesh.attributes.add('face', 'material', { type: 'int32', default: -1 });

@@ -4,25 +4,16 @@ import { itemName, operations, repairs } from 'halfedge/teaching';
 import type { MeshDocument } from '../../web/explorer/app/documents.js';
 import { Editor } from '../../web/explorer/app/editor.js';
 import { bytesInUse } from './support/core.js';
+import { importWithoutSamples } from './support/explorer.js';
 
 beforeEach(() => import.meta.jest.useFakeTimers()); // what is measured later has no mesh any more
 afterEach(() => import.meta.jest.useRealTimers());
 
-/** What the types of Jest leave out. */
-interface ModuleMocks {
-  unstable_mockModule(path: string, make: () => object): void;
-}
-
 let Explorer: typeof import('../../web/explorer/app/explorer.js').Explorer;
 beforeAll(async () => {
   await init();
-  // One of the samples is a file, which only Vite can import.
-  const noSamples = () => ({ samples: [] });
-  (import.meta.jest as unknown as ModuleMocks).unstable_mockModule(
-    '../../web/explorer/samples/index.js',
-    noSamples,
-  );
-  ({ Explorer } = await import('../../web/explorer/app/explorer.js'));
+  const load = () => import('../../web/explorer/app/explorer.js');
+  ({ Explorer } = await importWithoutSamples(load));
 });
 
 const fillHoles = repairs.find(({ stem }) => stem === 'fillHoles') as Operation;

@@ -27,6 +27,13 @@ describe('the columns of the records', () => {
     const cells = columnsOf(mesh, 'edge', {}).map((column) => column.cell(mesh, 5).text);
     expect(cells).toEqual(['h10', 'h11', '0.75']);
     const uv = columnsOf(mesh, 'halfedge', {}).at(-1);
+    mesh.setPosition(2, [4_500_000.5, 0, -0.12345678]);
+    const xyz = columnsOf(mesh, 'vertex', {}).slice(1, 4);
+    expect(xyz.map((column) => column.cell(mesh, 2).text)).toEqual([
+      '4500000.5',
+      '0',
+      '-0.12345678',
+    ]);
     expect(uv?.cell(mesh, 3)).toEqual({ text: '(0.5, 0.25)', target: null });
     expect([uv?.meaning, uv?.isAttribute]).toEqual(['attribute: 2 float64', true]);
     mesh.dispose();

@@ -18,7 +18,8 @@ export function attributesOf(
 ): ShownAttribute[] {
   const shown: ShownAttribute[] = [];
   if (of.kind === 'vertex') {
-    shown.push({ name: 'position', type: '3 float32', text: tuple(mesh.position(of.index)) });
+    const text = tuple(positionTexts(mesh, of.index));
+    shown.push({ name: 'position', type: '3 float32', text });
   }
   for (const info of mesh.attributes.list()) {
     if (info.kind !== of.kind) continue;
@@ -36,18 +37,43 @@ export function typeOf({ type, components }: AttributeInfo): string {
 /** The values of an item in words. Some are places in a list of names, as those of groups and materials. */
 export function textOf(values: readonly number[], names: readonly string[] | undefined): string {
   const name = values.length === 1 ? names?.[values[0]] : undefined;
-  return name === undefined ? tuple(values) : `${values[0]} “${name}”`;
+  return name === undefined ? tuple(fourDigits(values).map(String)) : `${values[0]} “${name}”`;
 }
 
-function tuple(values: ArrayLike<number>): string {
-  const texts = fourDigits(Array.from(values)).map(String);
+/**
+ * The coordinates of a vertex, with all digits that tell them from others. Rounding errors of a zero are 0; far from
+ * the origin, where a height may be small beside the rest, only those of shapes about as large as 1.
+ */
+export function positionTexts(mesh: HalfedgeMesh, vertex: number): string[] {
+  const position = mesh.position(vertex);
+  const error = Math.min(1, Math.max(...position.map(Math.abs))) * ROUNDING;
+  return position.map((x) => String(Math.abs(x) < error ? 0 : fewestDigits(x)));
+}
+
+/** Half of the distance from 1 to the next 32-bit float. */
+const ROUNDING = 2 ** -24;
+
+function tuple(texts: readonly string[]): string {
   return texts.length === 1 ? texts[0] : `(${texts.join(', ')})`;
 }
 
-/** Fractions rounded to four digits of the largest, so that rounding errors of a zero are shown as 0. */
+/** Rounded to four digits of the largest, at least to thousandths: rounding errors of a zero are shown as 0. */
 function fourDigits(values: readonly number[]): number[] {
   const largest = Math.max(...values.map(Math.abs));
   if (!(largest > 0 && largest < Number.POSITIVE_INFINITY)) return [...values];
-  const unit = 10 ** Math.min(0, Math.floor(Math.log10(largest)) - 3);
-  return values.map((x) => Number((Math.round(x / unit) * unit).toPrecision(9)) + 0);
+  const unit = 10 ** (Math.min(0, Math.floor(Math.log10(largest))) - 3);
+  return values.map((x) => {
+    const rounded = Math.round(fewestDigits(x) / unit) * unit;
+    return Number.isInteger(x) ? x : Number(rounded.toPrecision(15)) + 0;
+  });
+}
+
+/** The number with the fewest digits that is the same 32-bit float; one that is none as it is. */
+function fewestDigits(x: number): number {
+  if (Math.fround(x) !== x) return x;
+  for (let digits = 6; digits < 9; digits++) {
+    const short = Number(x.toPrecision(digits));
+    if (Math.fround(short) === x) return short;
+  }
+  return Number(x.toPrecision(9));
 }

@@ -6,7 +6,7 @@ import {
   NONE,
 } from 'halfedge';
 import { type Item, itemName, itemSlots } from 'halfedge/teaching';
-import { textOf, typeOf } from './item-attributes.js';
+import { positionTexts, textOf, typeOf } from './item-attributes.js';
 
 /** What a cell shows, and where it leads. */
 export interface Cell {
@@ -28,8 +28,8 @@ export interface Column {
 
 /** Links are no narrower, so that the columns of small meshes don't crowd. */
 const LEAST_ROOM = 5;
-/** A coordinate of five digits, as `-0.12345`. Longer ones are cut short in their cells. */
-const COORDINATE_ROOM = 8;
+/** A coordinate of six digits, as `-0.123456`. Longer ones are cut short in their cells. */
+const COORDINATE_ROOM = 9;
 /** Attributes of more components are cut short in their cells. */
 const MOST_ROOM = 34;
 
@@ -95,7 +95,7 @@ function coordinate(axis: 0 | 1 | 2): Column {
   return {
     ...{ name, meaning: `${name} of the position`, room: COORDINATE_ROOM, isAttribute: false },
     cell: (mesh, row) => ({
-      text: String(Number(mesh.positions[3 * row + axis].toPrecision(5))),
+      text: positionTexts(mesh, row)[axis],
       target: null,
     }),
   };

@@ -68,7 +68,7 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   if (explorer.pointers.value) link.set('pointers', 'on');
   if (explorer.showsFile.value) link.set('picture', 'original');
   const viewpoint = sight.viewpoint();
-  if (viewpoint) link.set('camera', viewpoint.map((x) => Number(x.toPrecision(5))).join(','));
+  if (viewpoint) link.set('camera', cameraText(viewpoint));
   // These read better as they are, and are allowed there.
   const text = link.toString().replaceAll('%2C', ',').replaceAll('%3A', ':').replaceAll('+', '%20');
   if (text.length > MOST_LETTERS) {
@@ -218,6 +218,14 @@ function itemOf(name: string): Item {
   const item = parseItemName(name);
   if (!item) throw new Error(`“${name}” in it is no item: expected such as v12, h31, e15 or f7.`);
   return item;
+}
+
+/** With digits enough for where the camera stands, beside what it looks at. */
+function cameraText(viewpoint: Viewpoint): string {
+  const distance = Math.hypot(...[0, 1, 2].map((k) => viewpoint[k] - viewpoint[k + 3]));
+  const decimals = Math.ceil(4 - Math.log10(distance));
+  if (!(Math.abs(decimals) <= 100)) return viewpoint.join(',');
+  return viewpoint.map((x) => Number(x.toFixed(Math.max(0, decimals)))).join(',');
 }
 
 function viewpointOf(text: string): Viewpoint {
