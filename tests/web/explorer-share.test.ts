@@ -5,10 +5,10 @@ import type { Sight, Viewpoint } from '../../web/explorer/app/share.js';
 import { importWithoutSamples } from './support/explorer.js';
 
 let Explorer: typeof import('../../web/explorer/app/explorer.js').Explorer;
-let linkOf: typeof import('../../web/explorer/app/share.js').linkOf;
+let share: typeof import('../../web/explorer/app/share.js');
 beforeAll(async () => {
   await init();
-  ({ linkOf } = await importWithoutSamples(() => import('../../web/explorer/app/share.js')));
+  share = await importWithoutSamples(() => import('../../web/explorer/app/share.js'));
   ({ Explorer } = await import('../../web/explorer/app/explorer.js'));
 });
 
@@ -36,7 +36,23 @@ describe('a link', () => {
   ])('has the digits of the camera that matter where it looks: %j', (viewpoint, text) => {
     const explorer = new Explorer();
     explorer.openMesh('cube', HalfedgeMesh.cube());
-    const link = linkOf(explorer, sightAt(viewpoint));
+    const link = share.linkOf(explorer, sightAt(viewpoint));
     expect(new URLSearchParams(link).get('camera')).toBe(text);
+  });
+
+  test('has the names of the groups of its mesh, and no others', async () => {
+    const explorer = new Explorer();
+    const names = { group: ['left, wheel', 'a+b & c=d', 'Räder'], material: [] };
+    explorer.openMesh('cube', HalfedgeMesh.cube(), names);
+    const link = share.linkOf(explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    expect(link).toContain('&words.group=left,%20wheel&');
+    explorer.openMesh('other', HalfedgeMesh.cube(), { group: ['other'] });
+    await share.follow(link, explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    expect(explorer.document.value?.names).toEqual({ group: names.group });
+    explorer.openMesh('other', HalfedgeMesh.cube());
+    const plain = share.linkOf(explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    await share.follow(link, explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    await share.follow(plain, explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    expect(explorer.document.value?.names).toEqual({});
   });
 });

@@ -1,4 +1,4 @@
-import type { Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
+import type { AttributeNames, Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
 import {
   type Circulator,
   CirculatorPlayer,
@@ -146,9 +146,9 @@ export class Explorer {
     };
   }
 
-  /** Shows a mesh that doesn't come from a file. Whether there is memory for it. */
-  openMesh(name: string, mesh: HalfedgeMesh): boolean {
-    return this.#showMade(name, mesh, null);
+  /** Shows a mesh that doesn't come from a file, with words for its numbers. Whether there is memory for it. */
+  openMesh(name: string, mesh: HalfedgeMesh, names: AttributeNames = {}): boolean {
+    return this.#showMade(name, mesh, names, null);
   }
 
   /**
@@ -156,7 +156,7 @@ export class Explorer {
    * is memory for it.
    */
   openNext(name: string, mesh: HalfedgeMesh, madeBy: string): boolean {
-    return this.#showMade(name, mesh, madeBy);
+    return this.#showMade(name, mesh, this.document.value?.names ?? {}, madeBy);
   }
 
   /** Shows a mesh that has stayed. */
@@ -167,10 +167,14 @@ export class Explorer {
     this.select(selected);
   }
 
-  #showMade(name: string, mesh: HalfedgeMesh, madeBy: string | null): boolean {
+  #showMade(
+    name: string,
+    mesh: HalfedgeMesh,
+    names: AttributeNames,
+    madeBy: string | null,
+  ): boolean {
     this.cancel();
     this.pause();
-    const names = this.document.value?.names ?? {};
     try {
       this.#show({ ...newDocument(name, mesh), stem: name, names }, madeBy);
       return true;

@@ -1,5 +1,5 @@
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
-import { type Direction, HalfedgeMesh } from 'halfedge';
+import { type AttributeNames, type Direction, HalfedgeMesh } from 'halfedge';
 import {
   type Deed,
   type DialectId,
@@ -25,6 +25,8 @@ export interface Sight {
   turnTo(item: Item): void;
 }
 
+/** Before the name of an attribute whose numbers stand for words: `words.group=wheel`, once for each. */
+const WORDS = 'words.';
 /** Longer links break in mails and messengers. */
 const MOST_LETTERS = 32_000;
 /** Bytes of a mesh that pack to no less than that, however regular it is: more would only take time. */
@@ -50,6 +52,9 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
     link.set('name', opened.name);
     const bytes = opened.mesh.toBytes();
     if (bytes.length > MOST_BYTES) throw tooLarge(opened.name, 'far longer');
+    for (const [attribute, words] of Object.entries(opened.names)) {
+      for (const word of words) link.append(WORDS + attribute, word);
+    }
     link.set('mesh', packed(bytes));
   }
   const { value: selected } = explorer.selected;
@@ -112,12 +117,18 @@ async function openMeshOf(link: URLSearchParams, explorer: Explorer): Promise<bo
   const id = link.get('sample');
   const mesh = link.get('mesh');
   if (mesh !== null) {
-    return explorer.openMesh(link.get('name') ?? 'Shared mesh', meshOf(mesh));
+    return explorer.openMesh(link.get('name') ?? 'Shared mesh', meshOf(mesh), wordsOf(link));
   }
   if (id === null) throw new Error('It names no mesh: it has neither “sample” nor “mesh”.');
   const sample = [...samples, ...brokenSamples].find((candidate) => candidate.id === id);
   if (!sample) throw new Error(`It names the sample “${id}”, which this page does not have.`);
   return explorer.open(sample);
+}
+
+/** The words for the numbers of attributes, such as the names of groups. */
+function wordsOf(link: URLSearchParams): AttributeNames {
+  const keys = [...new Set(link.keys())].filter((key) => key.startsWith(WORDS));
+  return Object.fromEntries(keys.map((key) => [key.slice(WORDS.length), link.getAll(key)]));
 }
 
 function meshOf(text: string): HalfedgeMesh {
