@@ -22,6 +22,22 @@ const noRoom = () => {
   throw new HalfedgeError('out-of-memory', 'No room.');
 };
 
+test('An operation does not wait for a second item where the file is shown as it was', () => {
+  const explorer = new Explorer();
+  const mesh = HalfedgeMesh.cube();
+  explorer.openMesh('cube', mesh);
+  const opened = explorer.document.value as MeshDocument;
+  explorer.document.value = { ...opened, diagnosis: {} as MeshDocument['diagnosis'] };
+  explorer.select({ kind: 'halfedge', index: 3 });
+  explorer.editor.run(operations.find(({ second }) => second?.kind === 'halfedge') as Operation);
+  expect(explorer.editor.pending.value).not.toBeNull();
+  explorer.showFile(true);
+  expect(explorer.showsFile.value).toBe(true);
+  expect(explorer.editor.pending.value).toBeNull();
+  explorer.pause();
+  mesh.dispose();
+});
+
 describe('An operation that runs out of memory', () => {
   test.each([
     ['after a part of it was done', true],

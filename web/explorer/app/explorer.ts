@@ -223,7 +223,10 @@ export class Explorer {
   showFile(shows: boolean): void {
     if (shows && !this.document.value?.diagnosis) return;
     this.pause();
-    if (shows) this.select(null);
+    if (shows) {
+      this.select(null);
+      this.editor.cancel(); // a second item can't be picked there
+    }
     this.remark.value = '';
     this.showsFile.value = shows;
   }
