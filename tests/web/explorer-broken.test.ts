@@ -1,8 +1,10 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { Matrix4 } from 'three';
 import { diagnose, FACE_FATES } from '../../web/explorer/app/diagnosis.js';
 import { failureOf, openSource } from '../../web/explorer/app/documents.js';
 import { fileName, fileOf, sizeWords } from '../../web/explorer/app/files.js';
 import { brokenSamples } from '../../web/explorer/samples/broken.js';
+import { SoupShape } from '../../web/explorer/scene/soup-shape.js';
 import { bytesInUse } from './support/core.js';
 
 beforeAll(() => init());
@@ -100,6 +102,26 @@ describe('diagnose', () => {
     expect(fates.slice(2)).toEqual(['dropped', 'dropped', 'dropped']);
     expect(fates.slice(0, 2).filter((fate) => fate === 'turned')).toHaveLength(1);
     expect(diagnosis?.isRepaired).toBe(true);
+  });
+
+  test('tells which problems are somewhere: one that lies nowhere can’t be gone to', () => {
+    const nowhere = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv nan 1 1\nf 1 2 3\nf 1 2 4\nf 3 3 3\n';
+    const content = new TextEncoder().encode(nowhere);
+    const { mesh, report } = HalfedgeMesh.parse(content);
+    mesh.dispose();
+    const diagnosis = diagnose(content, 'obj', report);
+    if (!diagnosis) throw new Error('Nothing was found.');
+    const shape = new SoupShape(diagnosis.soup, new Matrix4());
+    const problems = diagnosis.findings.flatMap((finding) => finding.problems);
+    const told = problems.map((problem) => [problem.code, diagnosis.placed.has(problem)]);
+    expect(told).toEqual([
+      ['non-finite-position', false],
+      ['non-finite-position', false],
+      ['repeated-vertex', true],
+    ]);
+    for (const problem of problems) {
+      expect(shape.place(problem) !== null).toBe(diagnosis.placed.has(problem));
+    }
   });
 
   test('says nothing of a good file, and repairs nothing in one with remarks alone', () => {

@@ -37,6 +37,8 @@ export interface Diagnosis {
   readonly summary: string;
   /** The polygons as they stand in the file. Problems name its vertices and faces. */
   readonly soup: FileSoup;
+  /** The problems that one can go to: of the others, nothing that they name has a position. */
+  readonly placed: ReadonlySet<Problem>;
   /** By face of the file: an index into `FACE_FATES`. */
   readonly fates: Uint8Array;
 }
@@ -128,8 +130,33 @@ export function diagnose(
     isRepaired: findings.some(({ fate }) => fate !== 'noted'),
     summary: report.summary,
     soup,
+    placed: placedIn(soup, report.problems),
     fates: fatesOf(report, soup.faces.sizes.length),
   };
+}
+
+/** Whether a file has such a vertex, at a finite position. */
+export function hasPosition({ positions }: FileSoup, vertex: number): boolean {
+  const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * vertex + axis]);
+  return Number.isFinite(x + y + z);
+}
+
+/** Where the corners of each face of a file begin, and the end. */
+export function cornersFrom({ faces: { sizes } }: FileSoup): Uint32Array {
+  const first = new Uint32Array(sizes.length + 1);
+  for (let f = 0; f < sizes.length; f++) first[f + 1] = first[f] + sizes[f];
+  return first;
+}
+
+function placedIn(soup: FileSoup, problems: readonly Problem[]): Set<Problem> {
+  const first = cornersFrom(soup);
+  const cornersOf = (face: number) => soup.faces.corners.subarray(first[face], first[face + 1]);
+  const isPlaced = (vertex: number) => hasPosition(soup, vertex);
+  const placed = problems.filter(
+    ({ witness }) =>
+      witness?.vertices.some(isPlaced) || witness?.faces.some((f) => cornersOf(f).some(isPlaced)),
+  );
+  return new Set(placed);
 }
 
 function findingsOf({ problems, counts, unlisted }: ParseReport): Finding[] {

@@ -2,6 +2,7 @@ import type { FileSoup, Problem } from 'halfedge';
 import { type Sight, triangulateRing } from 'halfedge/scene';
 import { newellNormal } from 'halfedge/three';
 import { type Matrix4, Vector3 } from 'three';
+import { cornersFrom, hasPosition } from '../app/diagnosis.js';
 
 /** A problem with more faces than this is not outlined whole. */
 const MOST_FACES = 500;
@@ -28,7 +29,7 @@ export class SoupShape {
   readonly points: Float32Array;
   readonly typicalEdge: number;
   readonly #soup: FileSoup;
-  /** Where the corners of each face begin, and the end. */
+  /** See `cornersFrom`. */
   readonly #first: Uint32Array;
 
   constructor(soup: FileSoup, placement: Matrix4) {
@@ -40,27 +41,22 @@ export class SoupShape {
       if (!Number.isFinite(point.x + point.y + point.z)) point.set(0, 0, 0);
       point.toArray(this.points, i);
     }
-    const { sizes } = soup.faces;
-    this.#first = new Uint32Array(sizes.length + 1);
-    for (let f = 0; f < sizes.length; f++) this.#first[f + 1] = this.#first[f] + sizes[f];
+    this.#first = cornersFrom(soup);
     this.typicalEdge = this.#typicalEdge();
   }
 
   /** Whether there is such a vertex, at a finite position. */
   isPlaced(vertex: number): boolean {
-    const { positions } = this.#soup;
-    const at = 3 * vertex;
-    return (
-      at < positions.length &&
-      Number.isFinite(positions[at] + positions[at + 1] + positions[at + 2])
-    );
+    return hasPosition(this.#soup, vertex);
   }
 
   /** The corners of a face that can be drawn, without those that repeat the one before. */
   ring(face: number): number[] {
     const { corners } = this.#soup.faces;
-    const ring = [...corners.subarray(this.#first[face], this.#first[face + 1])];
-    return ring.filter((v, i) => this.isPlaced(v) && v !== ring[(i || ring.length) - 1]);
+    const all = corners.subarray(this.#first[face], this.#first[face + 1]);
+    const ring = [...all].filter((v) => this.isPlaced(v));
+    const distinct = ring.filter((v, i) => v !== ring[(i || ring.length) - 1]);
+    return distinct.length > 0 ? distinct : ring.slice(0, 1);
   }
 
   /** All that can be drawn of it. */

@@ -56,6 +56,7 @@ export class WitnessView {
     if (shape && place) {
       const { points } = shape;
       for (const ring of place.rings) {
+        if (ring.length === 1) this.#discs.add(points, 3 * ring[0], 15, palette.self);
         ring.forEach((v, i) => {
           this.#lines.add(points, 3 * v, 3 * ring[(i + 1) % ring.length], palette.self);
         });

@@ -17,7 +17,7 @@ export function longList(name: string, label: string) {
           class: 'more',
           onclick: () => {
             show(lines, most + MORE);
-            element.querySelectorAll('button')[most]?.focus();
+            element.querySelector<HTMLElement>(`li:nth-child(n + ${most + 1}) button`)?.focus();
           },
         },
         `and ${grouped(rest)} more`,

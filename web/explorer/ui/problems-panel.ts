@@ -29,7 +29,12 @@ export function problemsPanel(
     summary.classList.toggle('repaired', diagnosis?.isRepaired ?? false);
     const state = diagnosis?.isRepaired ? 'warning' : 'check';
     fill(summary, icon(state), h('span', {}, verdict(diagnosis)));
-    fill(findings, ...(diagnosis?.findings ?? []).map((found) => group(explorer, found, focus)));
+    fill(
+      findings,
+      ...(diagnosis?.findings ?? []).map((found) =>
+        group(explorer, found, diagnosis?.placed, focus),
+      ),
+    );
   });
   explorer.problem.subscribe((lit) => {
     for (const button of findings.querySelectorAll<LitButton>('[data-finding] [data-code]')) {
@@ -60,11 +65,19 @@ function verdict(diagnosis: Diagnosis | null): string {
   return `${problems} repaired. The file itself is unchanged.`;
 }
 
-function group(explorer: Explorer, finding: Finding, focus: () => void): HTMLElement {
+function group(
+  explorer: Explorer,
+  finding: Finding,
+  placed: Diagnosis['placed'] | undefined,
+  focus: () => void,
+): HTMLElement {
   const { code, title, deed, fate, problems, unlisted } = finding;
   const list = longList('entries', title);
   list.show(
-    problems.map((problem) => () => entry(explorer, problem, focus)),
+    problems.map((problem) => () => {
+      if (placed?.has(problem)) return entry(explorer, problem, focus);
+      return h('li', {}, h('span', { 'data-code': problem.code }, problem.message));
+    }),
     SHOWN,
   );
   return h(
@@ -79,9 +92,7 @@ function group(explorer: Explorer, finding: Finding, focus: () => void): HTMLEle
 }
 
 function entry(explorer: Explorer, problem: Problem, focus: () => void): HTMLElement {
-  const { witness, message, code } = problem;
-  const items = (witness?.vertices.length ?? 0) + (witness?.faces.length ?? 0);
-  if (items === 0) return h('li', {}, h('span', { 'data-code': code }, message));
+  const { message, code } = problem;
   const button: LitButton = h(
     'button',
     {
