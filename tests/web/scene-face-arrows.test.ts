@@ -1,9 +1,10 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { ARROW_FLOATS, ArrowTracer, arrowSizes } from 'halfedge/three';
-import { Color } from 'three';
+import { Color, Triangle, Vector3 } from 'three';
 import { BoundaryArrows } from '../../dist/scene/boundary-arrows.js';
 import { FaceArrows } from '../../dist/scene/face-arrows.js';
 import { Surface } from '../../dist/scene/surface.js';
+import { cornersAcross } from '../../dist/three/across.js';
 import { Card } from './support/card.js';
 import { describeArrow, drawnArrows, linesInSight } from './support/drawn-arrows.js';
 import { drawLines } from './support/lines-on-card.js';
@@ -64,8 +65,14 @@ class Picture {
       const color = FAINT.clone().lerp(STRONG, strength).toArray();
       const corners: number[] = [];
       const degree = this.surface.corners(face, corners);
+      const { next, toVertex, faceHalfedge } = this.surface.mesh.connectivity;
+      const vertices: number[] = [];
+      for (let h = faceHalfedge[face]; vertices.length < degree; h = next[h]) {
+        vertices.push(toVertex[h]);
+      }
+      const across = cornersAcross(vertices, degree, this.surface.triangleVertices(face));
       const out = new Float32Array(degree * ARROW_FLOATS);
-      tracer.traceFace(corners, degree, arrowSizes(pixel), out, 0);
+      tracer.traceFace(corners, degree, arrowSizes(pixel), out, 0, across);
       for (let i = 0; i < out.length; i += ARROW_FLOATS) {
         arrows.push(describeArrow(out.subarray(i, i + ARROW_FLOATS), color));
       }
@@ -165,6 +172,32 @@ describe('The arrows of faces', () => {
     expect(picture.drawn).toEqual(picture.expected(few));
     picture.show(new Map());
     expect(picture.drawn).toEqual([]);
+    mesh.dispose();
+  });
+
+  test.each([
+    ['a quad', 0.3, [0, 1, 2, 3]],
+    ['a quad that is bent the other way', -0.3, [0, 1, 2, 3]],
+    ['a polygon of five corners', 0.2, [0, 1, 2, 4, 3]],
+  ])('lie on %s that is not flat', (_, height, face) => {
+    const positions = [0, 0, 0, 1, 0, height, 1, 1, 0, 0, 1, height, 0.6, 1.4, -height];
+    const mesh = HalfedgeMesh.fromPolygons(positions, [face]);
+    const picture = new Picture(mesh);
+    picture.show(wishes([0]));
+    const { surface, arrows } = picture;
+    const point = (v: number) => new Vector3().fromArray(surface.points, 3 * v);
+    const vertices = surface.triangleVertices(0);
+    const triangles = Array.from({ length: vertices.length / 3 }, (_it, t) => {
+      const [a, b, c] = [0, 1, 2].map((k) => point(vertices[3 * t + k]));
+      return new Triangle(a, b, c);
+    });
+    for (let i = 0; i < 3 * face.length; i++) {
+      const end = new Vector3().fromArray(arrows.lines.positions, 3 * i);
+      const distances = triangles.map((it) =>
+        it.closestPointToPoint(end, new Vector3()).distanceTo(end),
+      );
+      expect(Math.min(...distances)).toBeLessThan(0.05 * 6.5 * PIXEL);
+    }
     mesh.dispose();
   });
 

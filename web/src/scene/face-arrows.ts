@@ -1,5 +1,6 @@
 import type { Color } from 'three';
 import type { ConnectivityViews } from '../api.js';
+import { cornersAcross } from '../three/across.js';
 import { ARROW_FLOATS, arrowSizes, CappedMitre } from '../three/index.js';
 import { KeptLines } from './kept-lines.js';
 import { pixelOfStep, stepOfPixel } from './pixel-steps.js';
@@ -14,6 +15,7 @@ const SHADE_BITS = 5;
 export class FaceArrows extends KeptLines {
   readonly #mitre = new CappedMitre();
   readonly #corners: number[] = [];
+  readonly #vertices: number[] = [];
   readonly #shades = new Float32Array(3 * (SHADES + 1));
   readonly #sizes = { inset: 0, trim: 0, barb: 0 };
 
@@ -47,9 +49,18 @@ export class FaceArrows extends KeptLines {
     if (next[c] === a) {
       mitre.measureTriangle(surface.points, 3 * toVertex[a], 3 * toVertex[b], 3 * toVertex[c]);
     } else {
-      mitre.measurePolygon(this.#corners, surface.corners(face, this.#corners));
+      const degree = surface.corners(face, this.#corners);
+      mitre.measurePolygon(this.#corners, degree, this.#across(face, degree));
     }
     return mitre.degree;
+  }
+
+  /** By edge, the corner across it in the triangle that is drawn there. */
+  #across(face: number, degree: number): readonly number[] {
+    const { next, toVertex, faceHalfedge } = this.links as ConnectivityViews;
+    const vertices = this.#vertices;
+    for (let i = 0, h = faceHalfedge[face]; i < degree; i++, h = next[h]) vertices[i] = toVertex[h];
+    return cornersAcross(vertices, degree, (this.surface as Surface).triangleVertices(face));
   }
 
   protected override write(first: number, look: number, former: number): void {

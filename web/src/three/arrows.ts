@@ -45,7 +45,8 @@ export class ArrowTracer {
 
   /**
    * Writes the arrows of a face to `out`: arrow i runs along the edge from corner i to corner
-   * i + 1. `corners` holds xyz of `degree` ≥ 3 corners, counter-clockwise. Returns the cap.
+   * i + 1. `corners` holds xyz of `degree` ≥ 3 corners, counter-clockwise. Of a polygon that isn't flat, arrows lie in
+   * the triangles that it is drawn as, where `across` tells, by edge, the corner across it. Returns the cap.
    */
   traceFace(
     corners: ArrayLike<number>,
@@ -53,9 +54,10 @@ export class ArrowTracer {
     sizes: ArrowSizes,
     out: Float32Array,
     offset: number,
+    across?: ArrayLike<number>,
   ): number {
     if (degree === 3) this.#mitre.measureTriangle(corners, 0, 3, 6);
-    else this.#mitre.measurePolygon(corners, degree);
+    else this.#mitre.measurePolygon(corners, degree, across);
     this.#mitre.place(sizes, out, offset);
     return this.#mitre.cap;
   }

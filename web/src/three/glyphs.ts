@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../mesh.js';
+import { cornersAcross } from './across.js';
 import { type ArrowSizes, ArrowTracer } from './arrows.js';
 import { ARROW_FLOATS } from './mitre.js';
 import { newellNormal } from './polygon.js';
@@ -8,6 +9,8 @@ export interface DrawnMesh {
   readonly mesh: HalfedgeMesh;
   /** xyz by vertex. */
   readonly points: ArrayLike<number>;
+  /** Three vertices for each triangle that a face is drawn as. Left out, its arrows lie in one plane. */
+  triangleVertices?(face: number): ArrayLike<number>;
 }
 
 /** Traces the half-arrows of the halfedges of a mesh, a face or a boundary halfedge at a time. */
@@ -17,6 +20,7 @@ export class HalfedgeGlyphs {
   readonly #drawn: DrawnMesh;
   readonly #tracer = new ArrowTracer();
   readonly #corners: number[] = [];
+  readonly #vertices: number[] = [];
   readonly #path = new Float64Array(12);
   readonly #normal = new Float64Array(3);
 
@@ -30,7 +34,9 @@ export class HalfedgeGlyphs {
     if (this.arrows.length < degree * ARROW_FLOATS) {
       this.arrows = new Float32Array(2 * degree * ARROW_FLOATS);
     }
-    this.#tracer.traceFace(this.#corners, degree, sizes, this.arrows, 0);
+    const triangles = degree > 3 ? this.#drawn.triangleVertices?.(face) : undefined;
+    const across = triangles && cornersAcross(this.#vertices, degree, triangles);
+    this.#tracer.traceFace(this.#corners, degree, sizes, this.arrows, 0, across);
     return degree;
   }
 
@@ -64,7 +70,7 @@ export class HalfedgeGlyphs {
     return place * ARROW_FLOATS;
   }
 
-  /** Writes xyz of the corners of a face; returns its degree. */
+  /** Writes the corners of a face, and xyz of them; returns its degree. */
   #readCorners(face: number): number {
     const { mesh, points } = this.#drawn;
     const { next, toVertex, faceHalfedge } = mesh.connectivity;
@@ -72,6 +78,7 @@ export class HalfedgeGlyphs {
     let degree = 0;
     let h = first;
     do {
+      this.#vertices[degree] = toVertex[h];
       for (let k = 0; k < 3; k++) this.#corners[3 * degree + k] = points[3 * toVertex[h] + k];
       degree += 1;
       h = next[h];

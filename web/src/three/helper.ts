@@ -7,6 +7,7 @@ import { checkMesh } from './columns.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { LineBatch, lineMaterial, lines } from './lines.js';
 import { ARROW_FLOATS } from './mitre.js';
+import { quadVertices } from './triangulate.js';
 
 /** What all helpers can be told. */
 export interface HelperOptions {
@@ -57,6 +58,10 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 
   get points(): Float32Array {
     return this.mesh.positions;
+  }
+
+  triangleVertices(face: number): number[] {
+    return quadVertices(this.mesh, face);
   }
 
   /** How many segments of lines it draws. */

@@ -7,6 +7,7 @@ import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
+import { quadVertices } from './triangulate.js';
 
 /** What {@link IndexLabelsHelper} can be told. */
 export interface LabelsOptions {
@@ -91,7 +92,8 @@ export class IndexLabelsHelper extends Group {
   #place(kind: ItemKind, index: number, out: Vector3): void {
     const { mesh } = this;
     if (kind === 'halfedge') {
-      const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions });
+      const triangleVertices = (face: number) => quadVertices(mesh, face);
+      const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions, triangleVertices });
       const at = glyphs.halfedge(index, arrowSizes(this.#options.pixel));
       const [a, b] = [at, at + 3].map((from) => new Vector3().fromArray(glyphs.arrows, from));
       out.addVectors(a, b).multiplyScalar(0.5);

@@ -11,7 +11,8 @@ const PLACE = 0;
 const ALONG = 3;
 const LENGTH = 6;
 const COT = 7;
-const CORNER = 8;
+const INWARD = 8;
+const CORNER = 11;
 
 /** xyz of the start, the end and the tip of the barb. */
 export const ARROW_FLOATS = 9;
@@ -22,12 +23,14 @@ export const CAP_SHARE = 0.35;
 const TRIM_SHARE = 0.12;
 const BARB_SHARE = 0.4;
 const BARB_SLOPE = 0.55;
+/** Sine of the angle between the plane of a polygon and what is drawn of it, below which it is flat. */
+const FLAT = 1e-3;
 
 /**
  * The capped mitre (see `arrows.ts`) of one polygon after another: `measure…` first, then `place…` its arrows, in any
  * sizes. In between, a row of numbers has the cap and the unit normal of the polygon and, of each corner, its place, the
- * direction and the length of the edge that leaves it, and cot(θ/2) of the angle θ, 0 where that is reflex. All of it
- * is written to typed arrays that are used again: thousands of faces take their turns in less than a millisecond.
+ * direction and the length of the edge that leaves it, cot(θ/2) of the angle θ, 0 where that is reflex, and where the
+ * inside of the polygon is beside that edge. All of it is written to typed arrays that are used again: thousands of faces take their turns in less than a millisecond.
  */
 export class CappedMitre {
   #row = new Float64Array(HEAD + 16 * CORNER);
@@ -47,13 +50,22 @@ export class CappedMitre {
     measureTriangle(points, a, b, c, this.#row);
   }
 
-  /** Measures a simple polygon. `corners` holds xyz of `degree` ≥ 3 corners, counter-clockwise. */
-  measurePolygon(corners: ArrayLike<number>, degree: number): void {
+  /**
+   * Measures a simple polygon. `corners` holds xyz of `degree` ≥ 3 corners, counter-clockwise. Where it isn't flat, its
+   * arrows lie in the triangles that it is drawn as: `across` has, by edge, the corner across it (see `cornersAcross`).
+   */
+  measurePolygon(
+    corners: ArrayLike<number>,
+    degree: number,
+    across: ArrayLike<number> = NOTHING,
+  ): void {
     newellNormal(corners, degree, normal);
     this.#measureCorners(corners, degree, normal);
     const row = this.#row;
     row[CAP] = capOf(corners, degree, row);
     cutReflex(row, degree);
+    for (let i = 0; i < across.length; i++)
+      if (across[i] >= 0) lean(row, i, corners, 3 * across[i]);
   }
 
   /** Measures four points, of which the second edge has an arrow, in the plane of this normal. */
@@ -87,6 +99,7 @@ export class CappedMitre {
 }
 
 const normal = new Float64Array(3);
+const NOTHING: ArrayLike<number> = [];
 
 /**
  * In a triangle of semiperimeter s with the sides x, y, z and the inradius r, which is its cap, cot(θ/2) = (s − x) / r at
@@ -163,6 +176,41 @@ function measureTriangle(
   row[C + ALONG + 2] = caz * perCa;
   row[C + LENGTH] = ca;
   row[C + COT] = Math.max(0, half - ab) * perCap;
+  for (let corner = A; corner <= C; corner += CORNER) writeInward(row, corner);
+}
+
+/** The direction to the left of the edge that leaves a corner, in the plane of the polygon. */
+function writeInward(row: Float64Array, corner: number): void {
+  const nx = row[NORMAL];
+  const ny = row[NORMAL + 1];
+  const nz = row[NORMAL + 2];
+  const tx = row[corner + ALONG];
+  const ty = row[corner + ALONG + 1];
+  const tz = row[corner + ALONG + 2];
+  row[corner + INWARD] = ny * tz - nz * ty;
+  row[corner + INWARD + 1] = nz * tx - nx * tz;
+  row[corner + INWARD + 2] = nx * ty - ny * tx;
+}
+
+/** Turns the inside beside an edge to the point that has xyz at `apex` of `points`, unless it lies nearly there. */
+function lean(row: Float64Array, edge: number, points: ArrayLike<number>, apex: number): void {
+  const at = HEAD + CORNER * edge;
+  const tx = row[at + ALONG];
+  const ty = row[at + ALONG + 1];
+  const tz = row[at + ALONG + 2];
+  const x = points[apex] - row[at + PLACE];
+  const y = points[apex + 1] - row[at + PLACE + 1];
+  const z = points[apex + 2] - row[at + PLACE + 2];
+  const along = x * tx + y * ty + z * tz;
+  const ix = x - along * tx;
+  const iy = y - along * ty;
+  const iz = z - along * tz;
+  const length = Math.sqrt(ix * ix + iy * iy + iz * iz);
+  const height = row[NORMAL] * ix + row[NORMAL + 1] * iy + row[NORMAL + 2] * iz;
+  if (!(Math.abs(height) > FLAT * length)) return;
+  row[at + INWARD] = ix / length;
+  row[at + INWARD + 1] = iy / length;
+  row[at + INWARD + 2] = iz / length;
 }
 
 /** Measures all of a polygon but its cap. */
@@ -192,6 +240,7 @@ function measureCorners(
   }
   for (let a = HEAD, before = last; a <= last; before = a, a += CORNER) {
     row[a + COT] = halfAngleCot(row, before + ALONG, a + ALONG);
+    writeInward(row, a);
   }
 }
 
@@ -249,9 +298,6 @@ function placeArrows(
   end: number,
 ): void {
   const cap = row[CAP];
-  const nx = row[NORMAL];
-  const ny = row[NORMAL + 1];
-  const nz = row[NORMAL + 2];
   const last = HEAD + CORNER * (row[DEGREE] - 1);
   const d = Math.min(inset, CAP_SHARE * cap);
   const widest = 0.6 * (cap - d);
@@ -274,10 +320,9 @@ function placeArrows(
     const tx = row[a + ALONG];
     const ty = row[a + ALONG + 1];
     const tz = row[a + ALONG + 2];
-    // To the left of the edge, in the plane of the face.
-    const ix = ny * tz - nz * ty;
-    const iy = nz * tx - nx * tz;
-    const iz = nx * ty - ny * tx;
+    const ix = row[a + INWARD];
+    const iy = row[a + INWARD + 1];
+    const iz = row[a + INWARD + 2];
     const x = row[a + PLACE] + d * ix;
     const y = row[a + PLACE + 1] + d * iy;
     const z = row[a + PLACE + 2] + d * iz;

@@ -91,6 +91,10 @@ class ObjectTarget implements PickTarget {
     return this.#object.geometry.points;
   }
 
+  triangleVertices(face: number): Uint32Array {
+    return this.#object.geometry.triangleVertices(face);
+  }
+
   get matrixWorld(): Matrix4 {
     this.#object.updateWorldMatrix(true, false);
     return this.#object.matrixWorld;

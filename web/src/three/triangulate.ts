@@ -53,6 +53,18 @@ export function triangulateFaces(mesh: HalfedgeMesh, faces: ArrayLike<number>): 
   return { halfedges, faces: faceOf };
 }
 
+/** Three vertices for each of the two triangles of a convex quad, cut in the same way; none of any other face. */
+export function quadVertices(mesh: HalfedgeMesh, face: number): number[] {
+  const { next, faceHalfedge, toVertex } = mesh.connectivity;
+  if (trianglesIn(next, faceHalfedge[face]) !== 2) return [];
+  const corners: number[] = [];
+  for (let h = faceHalfedge[face]; corners.length < 4; h = next[h]) corners.push(toVertex[h]);
+  const [a, b, c, d] = corners;
+  const diagonal = quadDiagonal(mesh.positions, a, b, c, d);
+  if (diagonal === NO_DIAGONAL) return [];
+  return diagonal === 0 ? [a, b, c, a, c, d] : [a, b, d, b, c, d];
+}
+
 /** How many triangles a face becomes, by one of its halfedges; 0 for one that can't be drawn. */
 function trianglesIn(next: Int32Array, first: number): number {
   if (!(first >= 0)) return 0;
