@@ -53,6 +53,26 @@ test('PNG: the picture beside the panel, two pixels to one, with its labels', as
   expect(colours).toContain('255,255,255'); // --raised
 });
 
+test('SVG: labels fit their boxes in any font', async () => {
+  const { content } = await download('svg');
+  const widths = await explorer.page.evaluate((text) => {
+    const host = document.createElement('div');
+    document.body.append(host);
+    const wide = 'font-family="monospace" letter-spacing="0.4em"';
+    host.innerHTML = text.replaceAll(/font-family="[^"]*"/g, wide);
+    const pairs = [...host.querySelectorAll('g > rect')].map((rect) =>
+      [rect, rect.nextElementSibling].map((it) => (it as SVGGraphicsElement).getBBox().width),
+    );
+    host.remove();
+    return pairs;
+  }, content.toString());
+  expect(widths.length).toBeGreaterThan(3);
+  for (const [box, text] of widths) {
+    expect(text).toBeGreaterThan(0);
+    expect(text).toBeLessThanOrEqual(box);
+  }
+});
+
 test('SVG: arrows are paths, discs circles and labels text, where the page has them', async () => {
   const { name, content } = await download('svg');
   expect(name).toBe('bunny.svg');

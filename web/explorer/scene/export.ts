@@ -20,6 +20,8 @@ export interface Frame {
 /** A label as the page shows it. */
 interface Tag extends Frame {
   readonly text: string;
+  /** How wide the text is in the font of the page, which others may not have. */
+  readonly textWidth: number;
   readonly color: string;
   readonly background: string;
   readonly border: string;
@@ -176,12 +178,15 @@ const short = (x: number) => Number(x.toFixed(1));
 /** The labels that are in sight, the most important first. */
 function tagsIn(host: HTMLElement, frame: Frame): Tag[] {
   const origin = host.getBoundingClientRect();
+  const range = document.createRange();
   const tags = [...host.querySelectorAll<HTMLElement>('.tag:not(.away):not([hidden])')];
   return tags.map((tag) => {
     const { left, top, width, height } = tag.getBoundingClientRect();
     const style = getComputedStyle(tag);
+    range.selectNodeContents(tag);
     return {
       text: tag.textContent ?? '',
+      textWidth: range.getBoundingClientRect().width,
       x: left - origin.left - frame.x,
       y: top - origin.top - frame.y,
       width,
@@ -232,7 +237,7 @@ function textOf(tag: Tag): string {
   const text = tag.text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
   const font = `font-family="${tag.fontFamily}" font-size="${tag.fontSize}" font-weight="${tag.fontWeight}"`;
   const middle = y + height / 2 + 0.35 * tag.fontSize;
-  const place = `x="${short(x + width / 2)}" y="${short(middle)}" text-anchor="middle" fill="${tag.color}"`;
+  const place = `x="${short(x + width / 2)}" y="${short(middle)}" text-anchor="middle" fill="${tag.color}" textLength="${short(tag.textWidth)}" lengthAdjust="spacingAndGlyphs"`;
   if (tag.halo !== null) {
     const halo = `stroke="${tag.halo}" stroke-width="${HALO_PX}" stroke-linejoin="round" paint-order="stroke"`;
     return `<text ${place} ${halo} ${font}>${text}</text>`;
