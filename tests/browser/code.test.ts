@@ -45,6 +45,17 @@ describe('The code beside the picture', () => {
     expect(await lit()).toEqual([]);
   });
 
+  test('stays where it is while it is stepped', async () => {
+    await explorer.goTo('v1224');
+    const place = async () => (await explorer.page.locator('.listing-box').boundingBox())?.y;
+    const before = await place();
+    for (let position = 1; position <= 6; position++) {
+      await explorer.press('.');
+      await explorer.until('position', String(position));
+      expect(await place()).toBe(before);
+    }
+  });
+
   test('runs in a page by itself and yields what the page visits', async () => {
     await explorer.goTo('v1224');
     await explorer.press('End');
