@@ -219,6 +219,51 @@ test.each([
   await explorer.close();
 });
 
+test.each([
+  [320, 800],
+  [390, 844],
+  [560, 400],
+  [640, 400],
+])(
+  'In a window of %i by %i, all tabs are in one line, and the keys are told',
+  async (width, height) => {
+    const link = 'sample=three-faces';
+    const explorer = await ExplorerPage.open({
+      width,
+      height,
+      link,
+      mesh: 'Three faces at an edge',
+    });
+    const { page } = explorer;
+    const tabs = await boxes(page, '.tabs button');
+    expect(tabs).toHaveLength(6);
+    expect(new Set(tabs.map(({ y }) => y)).size).toBe(1);
+    const cut = (all: Element[]) => all.filter((it) => it.scrollWidth > it.clientWidth).length;
+    expect(await page.$$eval('.tabs button', cut)).toBe(0);
+    const bar = await boxes(page, '.top-bar button:not([popover] *)');
+    for (const [i, box] of bar.entries()) {
+      expect(box.right).toBeLessThanOrEqual(width);
+      expect(bar.slice(0, i).filter((other) => overlap(box, other))).toEqual([]);
+    }
+    expect(await page.isVisible('.top-bar [aria-label=Keys]')).toBe(true);
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  },
+);
+
+test('The tabs stay where they are, whether a vertex, an edge, a face or nothing is selected', async () => {
+  const explorer = await ExplorerPage.open();
+  const places: (number | undefined)[] = [];
+  for (const item of ['v5', 'e5', 'f5']) {
+    await explorer.goTo(item);
+    places.push((await explorer.page.locator('.tabs').boundingBox())?.y);
+  }
+  await explorer.press('Escape');
+  places.push((await explorer.page.locator('.tabs').boundingBox())?.y);
+  expect(new Set(places).size).toBe(1);
+  await explorer.close();
+});
+
 test('The tab that is marked is the section on show, also when the window becomes wider', async () => {
   const explorer = await ExplorerPage.open({ width: 390, height: 844 });
   const { page } = explorer;
