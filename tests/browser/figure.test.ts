@@ -290,6 +290,34 @@ OFF
     expect(playing).toEqual([true, 1]);
   });
 
+  test('keeps its controls where something is picked that its walk does not go around', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.figure((figure) => figure.seek(3));
+    const heights = () =>
+      page.page.$$eval('halfedge-figure :is(.bar, .code)', (all) =>
+        all.map((each) => each.getBoundingClientRect().height),
+      );
+    const enabled = () =>
+      page.page.$$eval(
+        'halfedge-figure :is(.bar, .code) :is(button, input, select):not(:disabled)',
+        (all) => all.length,
+      );
+    expect(await enabled()).toBeGreaterThan(5);
+    await page.page.focus('halfedge-figure canvas');
+    await page.page.keyboard.press('h');
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    const before = await heights();
+    await page.page.keyboard.press('f');
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    expect(await page.figure(({ select }) => select)).toMatch(/^f/);
+    expect(await enabled()).toBe(0);
+    expect(await page.page.textContent('halfedge-figure output')).toBe('0 of 5');
+    expect(await page.page.$('halfedge-figure .code [aria-current=step]')).toBe(null);
+    expect(await heights()).toEqual(before);
+    expect(await page.events('halfedge-error')).toEqual([]);
+  });
+
   test('has nothing to play where the first operation is refused', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:tetrahedron" operation="collapse h2, flip e1" controls></halfedge-figure>',

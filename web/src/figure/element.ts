@@ -41,6 +41,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     played: () => this.requestUpdate(),
   });
   #view: FigureView | null = null;
+  /** The last walk, whose controls stay where something is picked that it does not go around. */
+  #walk: WalkStory | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
   readonly #watcher = new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
@@ -172,6 +174,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   protected override render(): TemplateResult {
     const { story, player } = this.#model;
     const parts = this.controlNames;
+    if (story instanceof WalkStory) this.#walk = story;
+    const walk = story === null && this.query !== null ? this.#walk : story;
     return html`
       <figure part="figure">
         <div class="stage" part="stage">
@@ -196,9 +200,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             ${icon('focus')}
           </button>
         </div>
-        ${story && parts.includes('player') ? playerBar(story, player.playing, this) : nothing}
+        ${walk && parts.includes('player') ? playerBar(walk, player.playing, this, story === null) : nothing}
         ${this.#sentence(parts.length > 0)}
-        ${story instanceof WalkStory && parts.includes('code') ? codeListing(story.player, this) : nothing}
+        ${walk instanceof WalkStory && parts.includes('code') ? codeListing(walk.player, this, story === null) : nothing}
         <figcaption part="caption" class=${this.hasCaption ? '' : 'empty'}>
           <slot name="caption" @slotchange=${this.#captioned}></slot>
         </figcaption>
@@ -232,7 +236,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const abort = new AbortController();
     this.#abort = abort;
     this.state = 'loading';
-    this.failure = null;
+    this.failure = this.#walk = null;
     try {
       await started();
       const { source } = this;
@@ -324,7 +328,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #close(): void {
     this.#abort.abort();
     this.#view?.dispose();
-    this.#view = null;
+    this.#view = this.#walk = null;
     this.#drawing.forget();
     this.renderRoot.querySelector('.labels')?.replaceChildren();
     this.#model.take(null);

@@ -18,11 +18,17 @@ export function icon(name: IconName): TemplateResult {
   return html`<svg class=${look} viewBox="0 0 24 24" aria-hidden="true">${svg`<path d=${ICONS[name]}></path>`}</svg>`;
 }
 
-/** Buttons and slider of the player. */
-export function playerBar(story: Story, playing: boolean, controls: Controls): TemplateResult {
-  const { position, count } = story;
-  const ended = position >= count || story.refusal !== null;
-  const empty = count === 0;
+/** Buttons and slider of the player; `idle` where it has nothing to play right now. */
+export function playerBar(
+  story: Story,
+  playing: boolean,
+  controls: Controls,
+  idle: boolean,
+): TemplateResult {
+  const { count } = story;
+  const position = idle ? 0 : story.position;
+  const ended = idle || position >= count || story.refusal !== null;
+  const empty = idle || count === 0;
   const turns = story instanceof WalkStory && hasDirection(story.player.query.circulator);
   return html`
     <div class="bar" part="controls" role="group" aria-label="Player">
@@ -35,7 +41,7 @@ export function playerBar(story: Story, playing: boolean, controls: Controls): T
           part="button play"
           title=${`${playing ? 'Pause' : 'Play'} (space)`}
           aria-label=${playing ? 'Pause' : 'Play'}
-          ?disabled=${!isPlayable(story)}
+          ?disabled=${idle || !isPlayable(story)}
           @click=${controls.toggle}
         >
           ${icon(playing ? 'pause' : 'play')}
@@ -56,7 +62,7 @@ export function playerBar(story: Story, playing: boolean, controls: Controls): T
         @input=${(event: InputEvent) => controls.seek(Number((event.target as HTMLInputElement).value))}
       />
       <output>${position} of ${count}</output>
-      ${turns ? directionButton(story, controls) : nothing}
+      ${turns ? directionButton(story, controls, idle) : nothing}
     </div>
   `;
 }
@@ -75,7 +81,7 @@ function button(name: IconName, label: string, disabled: boolean, act: () => voi
   </button>`;
 }
 
-function directionButton({ player }: WalkStory, controls: Controls): TemplateResult {
+function directionButton({ player }: WalkStory, controls: Controls, idle: boolean): TemplateResult {
   const { direction } = player.query;
   const word = direction === 'ccw' ? 'counter-clockwise' : 'clockwise';
   return html`<button
@@ -84,15 +90,20 @@ function directionButton({ player }: WalkStory, controls: Controls): TemplateRes
     part="button direction"
     title=${`Goes ${word}: turn round`}
     aria-label=${`${direction}, ${word}: turn round`}
+    ?disabled=${idle}
     @click=${controls.turn}
   >
     ${icon(direction)}<span>${direction}</span>
   </button>`;
 }
 
-/** The code that runs, its current line lit, in the names of a library. */
-export function codeListing(player: CirculatorPlayer, controls: Controls): TemplateResult {
-  const ran = player.current?.ran ?? [];
+/** The code that runs, its current line lit unless it is idle, in the names of a library. */
+export function codeListing(
+  player: CirculatorPlayer,
+  controls: Controls,
+  idle: boolean,
+): TemplateResult {
+  const ran = (idle ? null : player.current?.ran) ?? [];
   const call = queryCode(player.query);
   return html`
     <div class="code" part="code">
@@ -100,6 +111,7 @@ export function codeListing(player: CirculatorPlayer, controls: Controls): Templ
         <code title=${call}>${call}</code>
         <select
           aria-label="Names of"
+          ?disabled=${idle}
           @change=${(event: Event) =>
             controls.setDialect((event.target as HTMLSelectElement).value as DialectId)}
         >
