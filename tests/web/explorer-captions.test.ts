@@ -51,15 +51,18 @@ describe('The attributes of an item', () => {
     expect(texts(mesh, 'edge')).toEqual(['crease: float32: 0.3333']);
   });
 
-  test('have all digits of a position that tell it from others', () => {
+  test('have the digits of a position that tell it from its neighbours', () => {
     const positions = [0, 0, 0, 4_500_000.5, -100_000.25, 0.001, 1, 1, 0, 1 / 3, -1, -4.371139e-8];
     const mesh = HalfedgeMesh.fromPolygons(positions, [[0, 1, 2]]);
     const positionOf = (index: number) =>
       attributesOf(mesh, { kind: 'vertex', index }, {}).map(({ text }) => text);
     expect(positionOf(1)).toEqual(['(4500000.5, -100000.25, 0.001)']);
     expect(positionOf(3)).toEqual(['(0.33333334, -1, 0)']);
-    mesh.setPosition(0, [1e-30, 2, 5e-7]);
-    expect(positionOf(0)).toEqual(['(0, 2, 5e-7)']);
+    mesh.setPosition(0, [1.00002, 1.00049, -2e-7]);
+    expect(positionOf(0)).toEqual(['(1.00002, 1.00049, 0)']);
+    expect(positionOf(2)).toEqual(['(1, 1, 0)']);
+    mesh.setPosition(2, [1 / 3, 2 / 3, -0]);
+    expect(positionOf(2)).toEqual(['(0.333, 0.667, 0)']);
     mesh.positions.set([1, Number.POSITIVE_INFINITY, Number.NaN]);
     expect(positionOf(0)).toEqual(['(1, Infinity, NaN)']);
   });

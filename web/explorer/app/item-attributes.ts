@@ -41,17 +41,39 @@ export function textOf(values: readonly number[], names: readonly string[] | und
 }
 
 /**
- * The coordinates of a vertex, with all digits that tell them from others. Rounding errors of a zero are 0; far from
- * the origin, where a height may be small beside the rest, only those of shapes about as large as 1.
+ * The coordinates of a vertex: to thousandths, and where edges are short, to so many digits as tell it from its
+ * neighbours. One without any has all digits, but for rounding errors of a zero.
  */
 export function positionTexts(mesh: HalfedgeMesh, vertex: number): string[] {
   const position = mesh.position(vertex);
+  const shortest = shortestEdge(mesh, vertex, position);
+  const unit = 10 ** Math.min(-3, Math.floor(Math.log10(shortest)) - 2);
   const error = Math.min(1, Math.max(...position.map(Math.abs))) * ROUNDING;
-  return position.map((x) => String(Math.abs(x) < error ? 0 : fewestDigits(x)));
+  return position.map((x) => {
+    const digits = fewestDigits(x);
+    if (unit > 0) return String(roundedTo(unit, digits));
+    return String(Math.abs(x) < error ? 0 : digits);
+  });
 }
 
 /** Half of the distance from 1 to the next 32-bit float. */
 const ROUNDING = 2 ** -24;
+/** So many neighbours are looked at: a vertex may have thousands. */
+const MOST_NEIGHBOURS = 32;
+
+/** The length of the shortest edge at a vertex; NaN where there is none that has a length. */
+function shortestEdge(mesh: HalfedgeMesh, vertex: number, from: readonly number[]): number {
+  let shortest = Number.POSITIVE_INFINITY;
+  let left = MOST_NEIGHBOURS;
+  for (const neighbour of mesh.vertexVertices(vertex)) {
+    const to = mesh.position(neighbour);
+    const length = Math.hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+    if (length > 0 && length < shortest) shortest = length;
+    left -= 1;
+    if (left === 0) break;
+  }
+  return Number.isFinite(shortest) ? shortest : Number.NaN;
+}
 
 function tuple(texts: readonly string[]): string {
   return texts.length === 1 ? texts[0] : `(${texts.join(', ')})`;
@@ -62,10 +84,11 @@ function fourDigits(values: readonly number[]): number[] {
   const largest = Math.max(...values.map(Math.abs));
   if (!(largest > 0 && largest < Number.POSITIVE_INFINITY)) return [...values];
   const unit = 10 ** (Math.min(0, Math.floor(Math.log10(largest))) - 3);
-  return values.map((x) => {
-    const rounded = Math.round(fewestDigits(x) / unit) * unit;
-    return Number.isInteger(x) ? x : Number(rounded.toPrecision(15)) + 0;
-  });
+  return values.map((x) => roundedTo(unit, fewestDigits(x)));
+}
+
+function roundedTo(unit: number, x: number): number {
+  return Number.isInteger(x) ? x + 0 : Number((Math.round(x / unit) * unit).toPrecision(15)) + 0;
 }
 
 /** The number with the fewest digits that is the same 32-bit float; one that is none as it is. */
