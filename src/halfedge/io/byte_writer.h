@@ -53,7 +53,7 @@ class ByteWriter {
   template <ByteOrder kOrder, class T>
   void binary(T value) {
     if (std::uint8_t* const p = room(sizeof(T))) {
-      const T ordered = load<T, kOrder>(reinterpret_cast<const std::uint8_t*>(&value));
+      const T ordered = load<T>(reinterpret_cast<const std::uint8_t*>(&value), kOrder);
       std::memcpy(p, &ordered, sizeof(T));
       used(sizeof(T));
     }

@@ -22,7 +22,7 @@ using io::ByteOrder;
 using Bytes = std::span<const std::uint8_t>;
 
 std::uint32_t word_at(Bytes bytes, std::size_t offset) {
-  return io::load<std::uint32_t, ByteOrder::kLittle>(&bytes[offset]);
+  return io::load<std::uint32_t>(&bytes[offset], ByteOrder::kLittle);
 }
 
 Error wrong(std::size_t offset, const std::string& what) {
@@ -108,7 +108,7 @@ Result<Section> read_section(Bytes bytes, std::size_t& offset, std::string_view&
     return truncated(bytes.size(), sentence::of("the header of a section at {}", offset));
   }
   tag = {reinterpret_cast<const char*>(&bytes[offset]), 4};
-  const auto length = io::load<std::uint64_t, ByteOrder::kLittle>(&bytes[offset + 8]);
+  const auto length = io::load<std::uint64_t>(&bytes[offset + 8], ByteOrder::kLittle);
   const std::size_t begin = offset + kSectionHeaderSize;
   const std::size_t left = bytes.size() - begin;
   if (length > left || padded(std::size_t(length)) > left) {

@@ -21,7 +21,6 @@ std::size_t vertex_size(const OffHeader& header) {
 }
 
 /// Reads the counts into the header, and compares them with the size of the file.
-template <ByteOrder kOrder>
 std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
   const std::size_t start = bytes.offset();
   if (bytes.left() < kCounts) {
@@ -30,8 +29,8 @@ std::optional<Error> read_counts(ByteScanner& bytes, OffHeader& header) {
                                       "the end of the file in {}",
                                       sentence::count_of(bytes.left(), "byte")));
   }
-  header.vertices = bytes.take<std::uint32_t, kOrder>();
-  header.faces = bytes.take<std::uint32_t, kOrder>();
+  header.vertices = bytes.take<std::uint32_t>();
+  header.faces = bytes.take<std::uint32_t>();
   bytes.skip(kWord);
   const std::uint64_t left = bytes.left();
   if (header.vertices <= left / vertex_size(header) &&
@@ -63,12 +62,11 @@ struct Fit {
 };
 
 /// pre: read_counts() found nothing wrong
-template <ByteOrder kOrder>
 Fit fit_of(ByteScanner bytes, const OffHeader& header, bool colours) {
   constexpr std::size_t kMaxComponents = 4;
   const auto read_length = [&bytes](std::size_t& length) {
     if (bytes.left() < kWord) return false;
-    length = bytes.take<std::uint32_t, kOrder>();
+    length = bytes.take<std::uint32_t>();
     return length <= bytes.left() / kWord;
   };
   bytes.skip(static_cast<std::size_t>(header.vertices) * vertex_size(header));
@@ -79,7 +77,7 @@ Fit fit_of(ByteScanner bytes, const OffHeader& header, bool colours) {
     if (!read_length(degree)) return fit;
     bool sound = degree >= 3;
     for (std::size_t i = 0; i < degree; ++i) {
-      sound = bytes.take<std::uint32_t, kOrder>() < header.vertices && sound;
+      sound = bytes.take<std::uint32_t>() < header.vertices && sound;
     }
     if (colours && !read_length(components)) return fit;
     bytes.skip(components * kWord);
@@ -89,7 +87,6 @@ Fit fit_of(ByteScanner bytes, const OffHeader& header, bool colours) {
   return fit;
 }
 
-template <ByteOrder kOrder>
 class BinaryReader {
  public:
   /// pre: read_counts() found nothing wrong
@@ -109,7 +106,7 @@ class BinaryReader {
   [[nodiscard]] bool read_face();
   /// Reads how many words of a face follow. False, with an error, where there are not so many.
   [[nodiscard]] bool read_length(std::uint32_t& length, const char* what);
-  [[nodiscard]] std::uint32_t take() { return bytes_.take<std::uint32_t, kOrder>(); }
+  [[nodiscard]] std::uint32_t take() { return bytes_.take<std::uint32_t>(); }
 
   ByteScanner bytes_;
   const OffHeader& header_;
@@ -120,8 +117,7 @@ class BinaryReader {
   Error error_;
 };
 
-template <ByteOrder kOrder>
-Result<ParsedFile> BinaryReader<kOrder>::read() {
+Result<ParsedFile> BinaryReader::read() {
   out_.reserve(
       static_cast<std::size_t>(header_.vertices),
       static_cast<std::size_t>(std::min<std::uint64_t>(3 * header_.faces, bytes_.left() / kWord)));
@@ -141,19 +137,18 @@ Result<ParsedFile> BinaryReader<kOrder>::read() {
   return file;
 }
 
-template <ByteOrder kOrder>
-void BinaryReader<kOrder>::read_vertex() {
+void BinaryReader::read_vertex() {
   out_.reached(bytes_.position());
   out_.begin_vertex(bytes_.text());
   std::array<float, 4> p{0, 0, 0, 1};
   const auto coordinates = static_cast<std::size_t>(header_.coordinates);
-  for (std::size_t i = 0; i < coordinates; ++i) p[i] = bytes_.take<float, kOrder>();
+  for (std::size_t i = 0; i < coordinates; ++i) p[i] = bytes_.take<float>();
   if (coordinates == 4) {
     for (std::size_t i = 0; i < 3; ++i) p[i] /= p[3];
   }
   std::array<float, 9> more{};
   const std::size_t count = static_cast<std::size_t>(header_.columns) - coordinates;
-  for (std::size_t i = 0; i < count; ++i) more[i] = bytes_.take<float, kOrder>();
+  for (std::size_t i = 0; i < count; ++i) more[i] = bytes_.take<float>();
   if (options_.attributes && count > 0) {
     attributes_.vertex_colors().see_floats();
     if (!attributes_.add_vertex(header_, out_.vertex_count(), {more.data(), count})) {
@@ -163,8 +158,7 @@ void BinaryReader<kOrder>::read_vertex() {
   out_.add_vertex(p[0], p[1], p[2]);
 }
 
-template <ByteOrder kOrder>
-bool BinaryReader<kOrder>::read_face() {
+bool BinaryReader::read_face() {
   out_.reached(bytes_.position());
   out_.begin_face(bytes_.text());
   std::uint32_t degree = 0;
@@ -194,7 +188,7 @@ bool BinaryReader<kOrder>::read_face() {
     std::array<float, 4> color{};
     const std::size_t count = std::min<std::size_t>(components, color.size());
     ByteScanner ahead = bytes_;
-    for (std::size_t i = 0; i < count; ++i) color[i] = ahead.take<float, kOrder>();
+    for (std::size_t i = 0; i < count; ++i) color[i] = ahead.take<float>();
     attributes_.face_colors().see_floats();
     if (!attributes_.add_face(out_.face_count(), {color.data(), count})) out_.set_out_of_memory();
   }
@@ -203,8 +197,7 @@ bool BinaryReader<kOrder>::read_face() {
   return true;
 }
 
-template <ByteOrder kOrder>
-bool BinaryReader<kOrder>::read_length(std::uint32_t& length, const char* what) {
+bool BinaryReader::read_length(std::uint32_t& length, const char* what) {
   const std::size_t offset = bytes_.offset();
   const auto name = [&] {
     return sentence::of("{} of face {} of {}", what, out_.face_count(), header_.faces);
@@ -229,21 +222,13 @@ struct Candidate {
   Fit fit;
 };
 
-template <ByteOrder kOrder>
-Result<ParsedFile> read_as(ByteScanner bytes, OffHeader header, bool colours,
-                           const Request& request) {
-  if (auto error = read_counts<kOrder>(bytes, header)) return *error;
-  return BinaryReader<kOrder>(bytes, header, colours, request).read();
-}
-
 /// Tries one byte order, with and without colours, unless there is nothing to be better than.
-template <ByteOrder kOrder>
 void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best) {
   if (best && best->fit.exact && best->fit.odd == 0) return;
-  if (read_counts<kOrder>(bytes, header)) return;
+  if (read_counts(bytes, header)) return;
   for (const bool colours : {true, false}) {
-    const Fit fit = fit_of<kOrder>(bytes, header, colours);
-    if (!best || fit.better_than(best->fit)) best = Candidate{kOrder, colours, fit};
+    const Fit fit = fit_of(bytes, header, colours);
+    if (!best || fit.better_than(best->fit)) best = Candidate{bytes.order(), colours, fit};
   }
 }
 
@@ -251,14 +236,14 @@ void compare(ByteScanner bytes, OffHeader header, std::optional<Candidate>& best
 
 Result<ParsedFile> read_off_binary(std::span<const std::uint8_t> bytes, std::size_t offset,
                                    OffHeader header, const Request& request) {
-  const ByteScanner data(bytes, offset);
   std::optional<Candidate> best;
-  compare<ByteOrder::kBig>(data, header, best);
-  compare<ByteOrder::kLittle>(data, header, best);
+  for (const ByteOrder order : {ByteOrder::kBig, ByteOrder::kLittle}) {
+    compare(ByteScanner(bytes, offset, order), header, best);
+  }
   const Candidate chosen = best.value_or(Candidate{});
-  return chosen.order == ByteOrder::kBig
-             ? read_as<ByteOrder::kBig>(data, header, chosen.colours, request)
-             : read_as<ByteOrder::kLittle>(data, header, chosen.colours, request);
+  ByteScanner data(bytes, offset, chosen.order);
+  if (auto error = read_counts(data, header)) return *std::move(error);
+  return BinaryReader(data, header, chosen.colours, request).read();
 }
 
 }  // namespace halfedge::io

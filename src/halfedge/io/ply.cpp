@@ -32,9 +32,9 @@ Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes, const Request& 
       return read_rows(bytes, header.value(),
                        PlyText(without_padding(bytes), start, header.value().rows()), request);
     case PlyEncoding::kLittleEndian:
-      return read_rows(bytes, header.value(), PlyBinary<ByteOrder::kLittle>(bytes, start), request);
+      return read_rows(bytes, header.value(), PlyBinary(bytes, start, ByteOrder::kLittle), request);
     case PlyEncoding::kBigEndian:
-      return read_rows(bytes, header.value(), PlyBinary<ByteOrder::kBig>(bytes, start), request);
+      return read_rows(bytes, header.value(), PlyBinary(bytes, start, ByteOrder::kBig), request);
   }
   return Error{"parse-error", "the encoding of the file does not exist"};
 }

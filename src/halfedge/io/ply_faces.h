@@ -87,12 +87,12 @@ bool PlyReader<Source>::read_corners(const PlyProperty& list) {
   if (!read_length(list, degree)) return false;
   if constexpr (!std::is_same_v<Source, PlyText>) {
     // A triangle of 32-bit indices, as nearly all are. Negative ones are too large without a sign.
-    constexpr ByteOrder kOrder = Source::kByteOrder;
     if (degree == 3 && (list.type == PlyType::kInt32 || list.type == PlyType::kUint32)) {
       const std::uint8_t* const at = source_.bytes().position();
-      const Index a = load<Index, kOrder>(at);
-      const Index b = load<Index, kOrder>(at + 4);
-      const Index c = load<Index, kOrder>(at + 8);
+      const ByteOrder order = source_.bytes().order();
+      const Index a = load<Index>(at, order);
+      const Index b = load<Index>(at + 4, order);
+      const Index c = load<Index>(at + 8, order);
       if (std::max({a, b, c}) < vertices_) {
         out_.add_triangle(a, b, c);
         source_.bytes().skip(12);

@@ -8,8 +8,7 @@ namespace {
 
 template <class T>
 std::string spelt_as(const std::uint8_t* bytes, ByteOrder order) {
-  const T number = order == ByteOrder::kBig ? load<T, ByteOrder::kBig>(bytes)
-                                            : load<T, ByteOrder::kLittle>(bytes);
+  const T number = load<T>(bytes, order);
   if constexpr (std::is_integral_v<T>) {
     return std::to_string(number);
   } else {

@@ -182,15 +182,10 @@ class PlyText {
 };
 
 /// The values of a binary PLY file.
-template <ByteOrder kOrder>
 class PlyBinary {
  public:
-  static constexpr ByteOrder kByteOrder = kOrder;
-  /// Numbers are turned round from what they are on this machine.
-  static constexpr bool kIsReversed =
-      (kOrder == ByteOrder::kBig) != (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__);
-
-  PlyBinary(std::span<const std::uint8_t> bytes, std::size_t offset) : bytes_(bytes, offset) {}
+  PlyBinary(std::span<const std::uint8_t> bytes, std::size_t offset, ByteOrder order)
+      : bytes_(bytes, offset, order) {}
 
   [[nodiscard]] std::uint64_t room(PlyType type, std::uint64_t others = 0,
                                    PlyType other = {}) const {
@@ -221,7 +216,7 @@ class PlyBinary {
       return true;
     }
     copy_numbers({bytes_.position(), 0}, {reinterpret_cast<std::uint8_t*>(value), 0}, 1,
-                 size_of(type), kIsReversed);
+                 size_of(type), is_reversed(bytes_.order()));
     bytes_.skip(size_of(type));
     return true;
   }
@@ -235,7 +230,7 @@ class PlyBinary {
   void move_to(const ByteScanner& mark) { bytes_ = mark; }
   /// pre: a number of this type is at `mark`
   [[nodiscard]] std::string number_at(const ByteScanner& mark, PlyType type) const {
-    return spelt(mark.position(), type, kOrder);
+    return spelt(mark.position(), type, mark.order());
   }
 
   [[nodiscard]] Error unexpected(const std::string& expected, PlyType type) const {
@@ -268,30 +263,30 @@ class PlyBinary {
   [[nodiscard]] double take(PlyType type) {
     switch (type) {
       case PlyType::kInt8:
-        return bytes_.take<std::int8_t, kOrder>();
+        return bytes_.take<std::int8_t>();
       case PlyType::kUint8:
-        return bytes_.take<std::uint8_t, kOrder>();
+        return bytes_.take<std::uint8_t>();
       case PlyType::kInt16:
-        return bytes_.take<std::int16_t, kOrder>();
+        return bytes_.take<std::int16_t>();
       case PlyType::kUint16:
-        return bytes_.take<std::uint16_t, kOrder>();
+        return bytes_.take<std::uint16_t>();
       case PlyType::kInt32:
-        return bytes_.take<std::int32_t, kOrder>();
+        return bytes_.take<std::int32_t>();
       case PlyType::kUint32:
-        return bytes_.take<std::uint32_t, kOrder>();
+        return bytes_.take<std::uint32_t>();
       case PlyType::kInt64:
       case PlyType::kUint64:
         return take_long(type);
       case PlyType::kFloat32:
-        return static_cast<double>(bytes_.take<float, kOrder>());
+        return static_cast<double>(bytes_.take<float>());
       case PlyType::kFloat64:
-        return bytes_.take<double, kOrder>();
+        return bytes_.take<double>();
     }
     return 0;
   }
 
   HALFEDGE_NOINLINE double take_long(PlyType type) {
-    const auto number = bytes_.take<std::int64_t, kOrder>();
+    const auto number = bytes_.take<std::int64_t>();
     return type == PlyType::kInt64 ? static_cast<double>(number)
                                    : static_cast<double>(static_cast<std::uint64_t>(number));
   }

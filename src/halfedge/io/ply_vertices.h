@@ -99,7 +99,7 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
     const std::size_t rows = std::min(kRows, count - row);
     for (Piece& piece : pieces) {
       copy_numbers({bytes.position() + piece.from, size}, piece.to, rows, piece.size,
-                   Source::kIsReversed);
+                   is_reversed(bytes.order()));
       piece.to.first += rows * piece.to.stride;
     }
     bytes.skip(rows * size);

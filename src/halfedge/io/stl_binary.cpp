@@ -29,7 +29,7 @@ SoupAttribute face_attribute() {
 bool read_values(const std::uint8_t* at, std::size_t face, std::size_t count, std::size_t faces,
                  SoupAttribute& column) {
   for (std::size_t i = 0; i < count; ++i, at += kStlTriangle) {
-    const auto value = load<std::uint16_t, ByteOrder::kLittle>(at + 48);
+    const auto value = load<std::uint16_t>(at + 48, ByteOrder::kLittle);
     if (value == 0) continue;
     if (!column.values.resize(sizeof(value) * faces, std::byte{})) return false;
     std::memcpy(&column.values[sizeof(value) * (face + i)], &value, sizeof(value));
@@ -113,7 +113,7 @@ bool has_stl_triangles(std::span<const std::uint8_t> bytes) {
   for (std::size_t i = 0; i < looked; ++i, at += kStlTriangle) {
     std::array<float, 12> numbers;
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      numbers[k] = load<float, ByteOrder::kLittle>(at + 4 * k);
+      numbers[k] = load<float>(at + 4 * k, ByteOrder::kLittle);
     }
     if (!are_finite(numbers)) return false;
     are_nothing &=
@@ -143,7 +143,7 @@ Result<ParsedFile> read_stl_binary(std::span<const std::uint8_t> bytes, const Re
     for (std::size_t i = 0; i < block; ++i) {
       for (std::size_t k = 0; k < 9; ++k) {
         numbers[9 * i + k] =
-            load<float, ByteOrder::kLittle>(at + kStlTriangle * i + kCorners + 4 * k);
+            load<float>(at + kStlTriangle * i + kCorners + 4 * k, ByteOrder::kLittle);
       }
     }
     const std::span<const float> read = std::span(numbers).first(9 * block);

@@ -22,7 +22,7 @@ inline constexpr std::size_t kStlTriangle = 50;  // normal, three corners, two b
 
 /// The number of triangles that a binary file says it has. pre: kStlStart bytes
 [[nodiscard]] inline std::uint64_t announced_triangles(std::span<const std::uint8_t> bytes) {
-  return load<std::uint32_t, ByteOrder::kLittle>(bytes.data() + kStlHeader);
+  return load<std::uint32_t>(bytes.data() + kStlHeader, ByteOrder::kLittle);
 }
 
 /// Whether that number is four letters, digits or blanks of a text: no file has so many triangles.
