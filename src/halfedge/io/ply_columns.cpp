@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace halfedge::io {
 namespace {
@@ -164,27 +165,81 @@ std::vector<PlyTarget> choose_columns(const PlyElement& element, SoupItem item,
   return ColumnChooser(element, item, taken, columns).choose();
 }
 
-std::vector<SoupAttribute> choose_lists(const PlyElement& element, SoupItem item,
-                                        std::span<const PlyProperty* const> taken,
-                                        std::span<const SoupAttribute> columns,
-                                        std::vector<PlyTarget>& targets) {
-  std::vector<SoupAttribute> lists;
-  for (std::size_t k = 0; k < targets.size(); ++k) {
+bool PlyColumns::begin(const PlyElement& element, SoupItem item,
+                       std::span<const PlyProperty* const> taken, bool keeps) {
+  targets_.assign(element.properties.size(), {});
+  if (keeps) {
+    targets_ = choose_columns(element, item, taken, columns_);
+    choose_lists(element, item, taken);
+  }
+  note_unread(element, taken);
+  if (!keeps) return true;
+  const auto rows = static_cast<std::size_t>(element.count);
+  bool has_room = true;
+  for (SoupAttribute& column : columns_) {
+    if (column.item != item) continue;
+    has_room = column.values.resize(rows * column.stride(), std::byte{}) && has_room;
+  }
+  return has_room;
+}
+
+/// How many components a list has, and whether it can be an attribute, is known when its rows have
+/// been read.
+void PlyColumns::choose_lists(const PlyElement& element, SoupItem item,
+                              std::span<const PlyProperty* const> taken) {
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
     const PlyProperty& property = element.properties[k];
-    if (!property.length_type || columns.size() + lists.size() >= kMostColumns ||
+    if (!property.length_type || columns_.size() + lists_.size() >= kMostColumns ||
         std::find(taken.begin(), taken.end(), &property) != taken.end() ||
-        is_named(columns, item, property.name) || is_named(lists, item, property.name)) {
+        is_named(columns_, item, property.name) || is_named(lists_, item, property.name)) {
       continue;
     }
-    targets[k].column = lists.size();
-    SoupAttribute& column = lists.emplace_back();
+    targets_[k].column = lists_.size();
+    SoupAttribute& column = lists_.emplace_back();
     column.name = property.name;
     column.item = item;
     column.type = scalar_of(property.type);
     column.components = 0;
     column.on_split = policy_of(property.name, property.type);
   }
-  return lists;
+}
+
+/// Says which properties of an element nobody reads, and which change their type.
+void PlyColumns::note_unread(const PlyElement& element, std::span<const PlyProperty* const> taken) {
+  std::vector<bool> unread(element.properties.size());
+  std::vector<bool> changed(element.properties.size());
+  for (std::size_t k = 0; k < element.properties.size(); ++k) {
+    const PlyProperty& property = element.properties[k];
+    const bool is_kept = targets_[k].column != PlyTarget::kNowhere;
+    unread[k] = !is_kept && std::find(taken.begin(), taken.end(), &property) == taken.end();
+    changed[k] = is_kept && is_long(property.type);
+  }
+  if (element.count == 0) return;
+  if (const std::string names = element.name_of(unread); !names.empty()) {
+    notes_.push_back("ignored " + names);
+  }
+  if (const std::string names = element.name_of(changed); !names.empty()) {
+    notes_.push_back("read " + names + ", integers of 64 bits, as doubles");
+  }
+}
+
+// Without rows there is nothing to keep, and nothing to say.
+void PlyColumns::end(const PlyElement& element) {
+  for (SoupAttribute& column : lists_) {
+    if (column.components == kUneven) {
+      notes_.push_back("ignored the list " + quoted(column.name) + " of " + quoted(element.name) +
+                       ": expected 1 to " + std::to_string(Attribute::kMaxComponents) +
+                       " numbers, as many in each row");
+    } else if (column.components > 0) {
+      columns_.push_back(std::move(column));
+    }
+  }
+  lists_.clear();
+}
+
+std::size_t PlyColumns::add(SoupAttribute column) {
+  columns_.push_back(std::move(column));
+  return columns_.size() - 1;
 }
 
 bool is_texture_list(const PlyProperty& property) {

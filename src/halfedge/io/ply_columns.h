@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace halfedge::io {
@@ -26,12 +27,41 @@ struct PlyTarget {
                                                     std::span<const PlyProperty* const> taken,
                                                     std::vector<SoupAttribute>& columns);
 
-/// The same for lists, of which each makes a column of its own. How many components that has, and
-/// whether it can be one, is known when its rows have been read.
-[[nodiscard]] std::vector<SoupAttribute> choose_lists(const PlyElement& element, SoupItem item,
-                                                      std::span<const PlyProperty* const> taken,
-                                                      std::span<const SoupAttribute> columns,
-                                                      std::vector<PlyTarget>& targets);
+/// The attributes that properties become, element by element, and notes on what becomes of others.
+class PlyColumns {
+ public:
+  /// Decides which properties of an element become attributes, if any may, and makes room for its
+  /// rows. Those in `taken` are read otherwise. False when memory is exhausted.
+  [[nodiscard]] bool begin(const PlyElement& element, SoupItem item,
+                           std::span<const PlyProperty* const> taken, bool keeps);
+  /// All rows of the element were read. Lists become attributes if they have the same length in all
+  /// of them.
+  void end(const PlyElement& element);
+
+  /// Where a property of the element goes.
+  [[nodiscard]] const PlyTarget& target(std::size_t property) const { return targets_[property]; }
+  [[nodiscard]] SoupAttribute& column(std::size_t number) { return columns_[number]; }
+  [[nodiscard]] SoupAttribute& list(std::size_t number) { return lists_[number]; }
+  /// Adds a column, and returns its number.
+  std::size_t add(SoupAttribute column);
+
+  [[nodiscard]] std::vector<SoupAttribute>& all() { return columns_; }
+  [[nodiscard]] std::vector<std::string>& notes() { return notes_; }
+
+ private:
+  void choose_lists(const PlyElement& element, SoupItem item,
+                    std::span<const PlyProperty* const> taken);
+  void note_unread(const PlyElement& element, std::span<const PlyProperty* const> taken);
+
+  std::vector<SoupAttribute> columns_;
+  std::vector<PlyTarget> targets_;    // by property of the element that is read
+  std::vector<SoupAttribute> lists_;  // of the same, while it is read
+  std::vector<std::string> notes_;
+};
+
+/// A list with no components knows no length yet, one with more than an attribute can have is given
+/// up.
+inline constexpr Index kUneven = Attribute::kMaxComponents + 1;
 
 /// Whether this list of a face holds the texture coordinates of its corners.
 [[nodiscard]] bool is_texture_list(const PlyProperty& property);

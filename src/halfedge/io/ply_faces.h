@@ -16,8 +16,8 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
   const PlyProperty* const list = element.vertex_list();
   if (list == nullptr) return true;  // and no faces: the header was checked
   if (element.count > 0 && !list->name.starts_with("vertex_ind")) {
-    notes_.push_back(sentence::of("took the list {} of {} for its vertices", quoted(list->name),
-                                  quoted(element.name)));
+    note(sentence::of("took the list {} of {} for its vertices", quoted(list->name),
+                      quoted(element.name)));
   }
   const std::uint64_t corners =
       std::min(3 * element.count, source_.room(list->type, element.count, *list->length_type));
@@ -28,11 +28,8 @@ bool PlyReader<Source>::read_faces(const PlyElement& element) {
   const bool keeps = options_.attributes && out_.face_count() == 0;
   const bool has_texture = keeps && texture != element.properties.end();
   const std::array taken = {list, has_texture ? &*texture : list};
-  choose(element, SoupItem::kFace, taken, keeps);
-  if (has_texture) {
-    texture_ = columns_.size();
-    columns_.push_back(texture_column(*texture));
-  }
+  if (!columns_.begin(element, SoupItem::kFace, taken, keeps)) out_.set_out_of_memory();
+  if (has_texture) texture_ = columns_.add(texture_column(*texture));
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     out_.begin_face(source_.begin_row());
     out_.reached(source_.position());
@@ -54,7 +51,7 @@ template <class Source>
 bool PlyReader<Source>::read_texture(const PlyProperty& list) {
   std::int64_t length = 0;
   if (!read_length(list, length)) return false;
-  Array<std::byte>& values = columns_[*texture_].values;
+  Array<std::byte>& values = columns_.column(*texture_).values;
   const std::size_t size = size_of(list.type);
   const std::size_t begin = 2 * size * texture_begin_;
   const std::size_t end = begin + size * static_cast<std::size_t>(length);
@@ -75,7 +72,7 @@ bool PlyReader<Source>::read_texture(const PlyProperty& list) {
 /// Gives each corner of the face a row, also where the list was too long or too short.
 template <class Source>
 void PlyReader<Source>::end_texture() {
-  SoupAttribute& column = columns_[*texture_];
+  SoupAttribute& column = columns_.column(*texture_);
   const std::size_t end = column.stride() * out_.corner_count();
   wrong_textures_ += column.values.size() != end ? 1U : 0U;
   if (!column.values.resize(end, std::byte{})) out_.set_out_of_memory();
@@ -133,8 +130,7 @@ bool PlyReader<Source>::read_corner(const PlyProperty& list, std::size_t corner,
 template <class Source>
 bool PlyReader<Source>::read_strips(const PlyElement& element) {
   const PlyProperty* const list = element.vertex_list();
-  targets_.clear();
-  note_unread(element, {&list, 1});
+  (void)columns_.begin(element, SoupItem::kFace, {&list, 1}, false);
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
     source_.begin_row();
     out_.reached(source_.position());

@@ -4,16 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
-#include <utility>
 
 /// How PlyReader reads lists of numbers beside vertices and faces: those that have the same length
 /// in all rows become attributes with so many components.
 namespace halfedge::io {
-
-/// A column with no components knows no length yet, one with more than an attribute can have is
-/// given up.
-inline constexpr Index kUneven = Attribute::kMaxComponents + 1;
 
 template <class Source>
 bool PlyReader<Source>::read_list(const PlyElement& element, const PlyProperty& property,
@@ -40,21 +34,6 @@ bool PlyReader<Source>::read_list(const PlyElement& element, const PlyProperty& 
                                    property.type));
   }
   return true;
-}
-
-/// Without rows there is nothing to keep, and nothing to say.
-template <class Source>
-void PlyReader<Source>::keep_even_lists(const PlyElement& element) {
-  for (SoupAttribute& column : lists_) {
-    if (column.components == kUneven) {
-      notes_.push_back("ignored the list " + quoted(column.name) + " of " + quoted(element.name) +
-                       ": expected 1 to " + std::to_string(Attribute::kMaxComponents) +
-                       " numbers, as many in each row");
-    } else if (column.components > 0) {
-      columns_.push_back(std::move(column));
-    }
-  }
-  lists_.clear();
 }
 
 }  // namespace halfedge::io

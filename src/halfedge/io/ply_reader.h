@@ -31,7 +31,7 @@ class PlyReader {
   [[nodiscard]] std::optional<Error> read();
   [[nodiscard]] SoupWriter& out() { return out_; }
   [[nodiscard]] std::vector<std::string> notes();
-  [[nodiscard]] std::vector<SoupAttribute>& columns() { return columns_; }
+  [[nodiscard]] std::vector<SoupAttribute>& columns() { return columns_.all(); }
 
  private:
   [[nodiscard]] bool read_vertices(const PlyElement& element);
@@ -50,17 +50,13 @@ class PlyReader {
   [[nodiscard]] bool keep_or_skip(const PlyElement& element, std::size_t property);
   [[nodiscard]] bool read_list(const PlyElement& element, const PlyProperty& property,
                                SoupAttribute& column);
-  void keep_even_lists(const PlyElement& element);
   [[nodiscard]] bool skip_rows(const PlyElement& element);
 
-  /// Decides which properties become attributes, if any may, and makes room for their rows.
-  void choose(const PlyElement& element, SoupItem item, std::span<const PlyProperty* const> taken,
-              bool keeps);
-  void note_unread(const PlyElement& element, std::span<const PlyProperty* const> read);
   [[nodiscard]] std::string in_row(const PlyElement& element) const {
     return sentence::of(" of {} {} of {}", quoted(element.name), row_, element.count);
   }
   [[nodiscard]] Error wrong_index(std::size_t corner, const PlyProperty& list) const;
+  void note(std::string sentence) { columns_.notes().push_back(std::move(sentence)); }
   [[nodiscard]] bool fail(Error error) {
     error_ = std::move(error);
     return false;
@@ -72,14 +68,11 @@ class PlyReader {
   SoupWriter out_;
   std::uint64_t vertices_;
   std::uint64_t row_ = 0;
-  std::vector<SoupAttribute> columns_;
-  std::vector<PlyTarget> targets_;      // by property of the element that is read
-  std::vector<SoupAttribute> lists_;    // of the same, while it is read
+  PlyColumns columns_;
   std::optional<std::size_t> texture_;  // the column of the corners
   std::size_t texture_begin_ = 0;       // the first corner of the face that is read
   std::size_t wrong_textures_ = 0;
   Error error_;
-  std::vector<std::string> notes_;
 };
 
 template <class Source>
@@ -98,36 +91,20 @@ std::optional<Error> PlyReader<Source>::read() {
     }
     if (!ok) return error_;
     if (out_.out_of_memory()) break;
-    keep_even_lists(element);
+    columns_.end(element);
   }
   if (std::optional<Error> error = check_size(out_)) return error;
   return source_.check_end();
 }
 
-template <class Source>
-void PlyReader<Source>::choose(const PlyElement& element, SoupItem item,
-                               std::span<const PlyProperty* const> taken, bool keeps) {
-  targets_.assign(element.properties.size(), {});
-  if (keeps) {
-    targets_ = choose_columns(element, item, taken, columns_);
-    lists_ = choose_lists(element, item, taken, columns_, targets_);
-  }
-  note_unread(element, taken);
-  for (SoupAttribute& column : columns_) {
-    if (column.item != item) continue;
-    const auto rows = static_cast<std::size_t>(element.count);
-    if (!column.values.resize(rows * column.stride(), std::byte{})) out_.set_out_of_memory();
-  }
-}
-
 /// Reads a value into its column, if it has one. pre: the property is none that is taken
 template <class Source>
 bool PlyReader<Source>::keep_or_skip(const PlyElement& element, std::size_t property) {
-  const PlyTarget& target = targets_[property];
+  const PlyTarget& target = columns_.target(property);
   const PlyProperty& what = element.properties[property];
   if (target.column == PlyTarget::kNowhere) return skip(element, what);
-  if (what.length_type) return read_list(element, what, lists_[target.column]);
-  SoupAttribute& column = columns_[target.column];
+  if (what.length_type) return read_list(element, what, columns_.list(target.column));
+  SoupAttribute& column = columns_.column(target.column);
   const auto row = static_cast<std::size_t>(row_);
   if (source_.read(what.type, &column.values[row * column.stride() + target.offset])) return true;
   return fail(source_.unexpected(
@@ -174,8 +151,8 @@ bool PlyReader<Source>::skip_values(const PlyElement& element, const PlyProperty
 template <class Source>
 bool PlyReader<Source>::skip_rows(const PlyElement& element) {
   if (element.count > 0) {
-    notes_.push_back(sentence::of("ignored the {} {}", sentence::count_of(element.count, "element"),
-                                  quoted(element.name)));
+    note(sentence::of("ignored the {} {}", sentence::count_of(element.count, "element"),
+                      quoted(element.name)));
   }
   if (element.properties.empty()) return true;
   for (; row_ < element.count && !out_.out_of_memory(); ++row_) {
@@ -188,36 +165,15 @@ bool PlyReader<Source>::skip_rows(const PlyElement& element) {
   return true;
 }
 
-/// Says which properties of an element nobody reads, and which change their type.
-template <class Source>
-void PlyReader<Source>::note_unread(const PlyElement& element,
-                                    std::span<const PlyProperty* const> read) {
-  std::vector<bool> unread(element.properties.size());
-  std::vector<bool> changed(element.properties.size());
-  for (std::size_t k = 0; k < element.properties.size(); ++k) {
-    const PlyProperty& property = element.properties[k];
-    const bool is_kept = k < targets_.size() && targets_[k].column != PlyTarget::kNowhere;
-    unread[k] = !is_kept && std::find(read.begin(), read.end(), &property) == read.end();
-    changed[k] = is_kept && is_long(property.type);
-  }
-  if (element.count == 0) return;
-  if (const std::string names = element.name_of(unread); !names.empty()) {
-    notes_.push_back("ignored " + names);
-  }
-  if (const std::string names = element.name_of(changed); !names.empty()) {
-    notes_.push_back("read " + names + ", integers of 64 bits, as doubles");
-  }
-}
-
 template <class Source>
 std::vector<std::string> PlyReader<Source>::notes() {
   if (wrong_textures_ > 0) {
-    notes_.push_back(sentence::of(
+    note(sentence::of(
         "the list \"texcoord\" of {}{} has not two numbers for each corner: what is missing is 0",
         wrong_textures_, wrong_textures_ == 1 ? " face" : " faces"));
   }
-  source_.add_notes(notes_);
-  return std::move(notes_);
+  source_.add_notes(columns_.notes());
+  return std::move(columns_.notes());
 }
 
 }  // namespace halfedge::io

@@ -22,11 +22,13 @@ std::uint8_t* bytes_at(T* value) {
 template <class Source>
 bool PlyReader<Source>::read_vertices(const PlyElement& element) {
   const std::array axes = {element.find("x"), element.find("y"), element.find("z")};
-  choose(element, SoupItem::kVertex, axes, options_.attributes);
+  if (!columns_.begin(element, SoupItem::kVertex, axes, options_.attributes)) {
+    out_.set_out_of_memory();
+  }
   if (std::any_of(axes.begin(), axes.end(),
                   [](const PlyProperty* axis) { return axis->type == PlyType::kFloat64; })) {
-    notes_.push_back(sentence::of("read the positions of {}{}, doubles, as floats", element.count,
-                                  element.count == 1 ? " vertex" : " vertices"));
+    note(sentence::of("read the positions of {}{}, doubles, as floats", element.count,
+                      element.count == 1 ? " vertex" : " vertices"));
   }
   out_.reserve(static_cast<std::size_t>(element.count), 0);
   if (out_.out_of_memory()) return true;
@@ -82,10 +84,10 @@ bool PlyReader<Source>::read_packed_vertices(const PlyElement& element) {
   std::size_t at = 0;
   for (std::size_t k = 0; k < element.properties.size(); ++k) {
     const PlyProperty& property = element.properties[k];
-    const PlyTarget& target = targets_[k];
+    const PlyTarget& target = columns_.target(k);
     const std::size_t axis = std::string_view("xyz").find(property.name);
     if (target.column != PlyTarget::kNowhere) {
-      SoupAttribute& column = columns_[target.column];
+      SoupAttribute& column = columns_.column(target.column);
       std::byte* const to = column.values.data() + target.offset;
       pieces.push_back({at, size_of(property.type), {bytes_at(to), column.stride()}});
     } else if (property.name.size() == 1 && element.find(property.name) == &property && axis < 3) {
