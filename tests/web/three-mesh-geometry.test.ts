@@ -188,6 +188,36 @@ describe('MeshGeometry', () => {
     expect(geometry.boundingBox?.min.x).toBe(-1);
   });
 
+  test.each(LAYOUTS)('keeps bounds around vertices that come back: %s', (_, options) => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('vertex', 'tone');
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    mesh.setPosition(0, [-5, 0, 0]);
+    mesh.history.enabled = true;
+    const geometry = new MeshGeometry(mesh, options);
+    mesh.deleteVertex(0);
+    geometry.update();
+    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
+    mesh.history.undo();
+    geometry.update();
+    expect(geometry.boundingBox?.min.x).toBe(-5);
+    expect(geometry.boundingSphere?.containsPoint(new THREE.Vector3(-5, 0, 0))).toBe(true);
+  });
+
+  test('keeps bounds around what moves while most of it is deleted', () => {
+    using mesh = HalfedgeMesh.icoSphere(4);
+    const geometry = new MeshGeometry(mesh);
+    geometry.computeBoundingBox();
+    geometry.computeBoundingSphere();
+    for (const f of mesh.faces().toArray().slice(0, 4000)) mesh.deleteFace(f);
+    const [v] = mesh.faceVertices(mesh.faces().toArray()[0]);
+    mesh.setPosition(v, [-5, 0, 0]);
+    geometry.update();
+    expect(geometry.boundingBox?.min.x).toBe(-5);
+    expect(geometry.boundingSphere?.containsPoint(new THREE.Vector3(-5, 0, 0))).toBe(true);
+  });
+
   test('is picked by triangles, which tell their face', () => {
     const mesh = HalfedgeMesh.dodecahedron();
     const geometry = new MeshGeometry(mesh);

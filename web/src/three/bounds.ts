@@ -45,16 +45,16 @@ export function fitSphere(mesh: HalfedgeMesh, box: Box3, sphere: Sphere): void {
   sphere.radius = Math.sqrt(squared);
 }
 
-/** Makes bounds wide enough for some of the vertices. */
+/** Makes bounds wide enough for those of some vertices that are alive. */
 export function widen(
   bounds: Box3 | Sphere | null,
-  points: ArrayLike<number>,
+  { positions, connectivity: { vertexHalfedge } }: HalfedgeMesh,
   vertices: readonly number[],
 ): void {
   if (bounds === null) return;
   for (const v of vertices) {
-    if (!isSomewhere(points, 3 * v)) continue;
-    bounds.expandByPoint(point.set(points[3 * v], points[3 * v + 1], points[3 * v + 2]));
+    if (!(vertexHalfedge[v] >= -1 && isSomewhere(positions, 3 * v))) continue;
+    bounds.expandByPoint(point.fromArray(positions, 3 * v));
   }
 }
 

@@ -124,14 +124,15 @@ export class MeshGeometry extends BufferGeometry {
     const triangles = triangulateFaces(mesh, faces.items); // which can detach views
     const placement = this.#triangles.place(mesh, faces.items, triangles);
     this.#rows.writeTriangles(faces.items, triangles, placement, moved);
+    // More than have moved: some may have come back to where they were.
+    widen(this.boundingBox, mesh, vertices.items);
+    widen(this.boundingSphere, mesh, vertices.items);
     const changed = placement.faces.length;
     if (this.#triangles.slots.isWasteful) {
       this.#rebuild();
       this.#tell(null);
       return { faces: changed, bytes: this.#size() };
     }
-    widen(this.boundingBox, this.#rows.points, moved);
-    widen(this.boundingSphere, this.#rows.points, moved);
     const bytes = this.#show();
     if (changed > 0 || moved.length > 0) this.#tell([...placement.faces, ...this.#around(moved)]);
     return { faces: changed, bytes };
