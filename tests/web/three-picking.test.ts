@@ -1,6 +1,6 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { MeshGeometry } from 'halfedge/three';
-import { MeshPicker, type PickOptions } from 'halfedge/three/picking';
+import { type FaceHit, MeshPicker, type PickOptions } from 'halfedge/three/picking';
 import * as THREE from 'three';
 import { grownOver, type TreeSeed } from '../../dist/three/triangle-tree.js';
 import { random } from './support/random.js';
@@ -190,6 +190,65 @@ describe('MeshPicker', () => {
     });
   });
 
+  test('hides, for a camera with a parallel projection, what lies behind along that', () => {
+    const mesh = HalfedgeMesh.grid(2, 2, { width: 1, height: 1 });
+    const { picker, object, pick } = scene(mesh);
+    const { camera } = above(5, 20);
+    expect(picker.hides(new THREE.Vector3(6.2, 0, -2), camera)).toBe(false); // seen beside the grid
+    expect(picker.hides(new THREE.Vector3(5.9, 0, -2), camera)).toBe(true);
+    const beside = mesh.addVertex([0.6, 0, -0.5]);
+    mesh.addVertex([0.6, 0.2, 2]); // behind the camera
+    object.geometry.update();
+    expect(pick(1.2, 0)).toEqual({ kind: 'vertex', index: beside });
+    expect(pick(1.2, 0.4)).toBe(null);
+  });
+
+  test('picks the arrow before a surface that lies behind it, with a parallel projection', () => {
+    const { mesh } = HalfedgeMesh.fromSoup(
+      [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, -1, 9, 0, -1, 0, 9, -1],
+      [0, 1, 2, 3, 4, 5],
+    );
+    const picker = new MeshPicker(new THREE.Mesh(new MeshGeometry(mesh)));
+    const view = above(-3, 8);
+    const { x, y } = new THREE.Vector3(0.6, 0.6, 0).project(view.camera);
+    const outer = mesh.findHalfedge(2, 1);
+    const picked = picker.pick(SIZE * (0.5 + x / 2), SIZE * (0.5 - y / 2), view, {
+      boundary: [outer],
+    });
+    expect(picked).toEqual({ kind: 'halfedge', index: outer });
+  });
+
+  test.each([
+    ['perspective', new THREE.PerspectiveCamera(90, 1, 0.5, 10)],
+    ['parallel projection', new THREE.OrthographicCamera(-2, 2, 2, -2, 0.5, 10)],
+  ])('passes through what lies nearer than a camera sees: %s', (what, camera) => {
+    const mesh = HalfedgeMesh.cube({ size: 2 });
+    const picker = new MeshPicker(new THREE.Mesh(new MeshGeometry(mesh)));
+    camera.position.z = 1.25; // before the cube, of which it sees the inside
+    const view = { camera, width: SIZE, height: SIZE };
+    const { point, distance } = picker.faceAt(220, 230, view) as FaceHit;
+    expect(point.z).toBeCloseTo(-1);
+    const expected = what === 'perspective' ? point.distanceTo(camera.position) : 2.25;
+    expect(distance).toBeCloseTo(expected);
+    expect(picker.hides(new THREE.Vector3(0.1, 0.2, 0.5), camera)).toBe(false);
+    expect(picker.hides(new THREE.Vector3(0.1, 0.2, -1.5), camera)).toBe(true);
+  });
+
+  test('picks edges that begin behind the camera', () => {
+    const floor = [-10, 0, -10, -10, 0, 10, 10, 0, 10, 10, 0, -10];
+    const mesh = HalfedgeMesh.fromPolygons(floor, [[0, 1, 2, 3]]);
+    const picker = new MeshPicker(new THREE.Mesh(new MeshGeometry(mesh)));
+    const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 100);
+    camera.position.set(9, 1, 0);
+    camera.updateMatrixWorld();
+    const { x, y } = new THREE.Vector3(10, 0, -4).project(camera);
+    const place = [SIZE * (0.5 + x / 2) - 1, SIZE * (0.5 - y / 2)] as const;
+    const view = { camera, width: SIZE, height: SIZE };
+    const side = { kind: 'edge', index: mesh.findEdge(2, 3) };
+    expect(picker.pick(...place, view)).toEqual(side);
+    expect(picker.pick(...place, view, { mode: 'edge' })).toEqual(side);
+  });
+
   test('picks a concave polygon as the one face that it is', () => {
     const mesh = HalfedgeMesh.fromPolygons([0, 0, 0, 1, -1, 0, 0, 1, 0, -1, -1, 0], [[0, 1, 2, 3]]);
     const { pick } = scene(mesh);
@@ -226,6 +285,10 @@ describe('MeshPicker', () => {
     [
       [1, 2, { camera: new THREE.Camera() }],
       'view.width is undefined; expected a number of pixels.',
+    ],
+    [
+      [1, 2, { camera: new THREE.Camera(), width: SIZE, height: SIZE }],
+      'view.camera is a Camera; expected a PerspectiveCamera or an OrthographicCamera.',
     ],
     [[1, 2, above(0, 1), { reach: 0 }], 'options.reach is 0; expected a positive number.'],
     [[1, 2, above(0, 1), 2], 'options is 2; expected an object.'],

@@ -6,7 +6,15 @@ import { ARROWS_FROM, arrowSizes } from './arrows.js';
 import type { FaceTree } from './face-tree.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
 import { distanceToArrow, type Nearest, nearestOf } from './nearest.js';
-import { type PickView, Projection, type ScreenPoint, sightOf } from './projection.js';
+import {
+  fromNear,
+  isClearlyBefore,
+  type PickView,
+  Projection,
+  type ScreenPoint,
+  type Sight,
+  sightTo,
+} from './projection.js';
 
 /** What is picked: whatever is nearest, or only items of one kind. */
 export type PickMode = 'auto' | ItemKind;
@@ -52,10 +60,6 @@ const TO_BOUNDARY = 6;
 const TO_ARROW = 5.5;
 /** No more vertices without edges than these can be pointed at: each is looked at. */
 const MOST_ISOLATED = 20_000;
-/** Of the span of a sight, how far before a point the surface must be to hide it: what lies on it isn't hidden. */
-const CLEARLY_BEFORE = 0.008;
-/** The same for an arrow, which is seen from a little beside it. */
-const BEFORE_ARROW = 0.01;
 
 /**
  * Finds the vertex, edge, halfedge or face under the pointer: the face by a ray, then the nearest of what is in
@@ -90,7 +94,7 @@ export class ItemPicker {
     const isolated =
       mode === 'auto' || mode === 'vertex' ? this.#isolatedAt(at, view, projection, reach) : -1;
     if (isolated >= 0) return { kind: 'vertex', index: isolated };
-    const hit = this.#hit(projection.ray(x, y));
+    const hit = this.#hit(projection.sight(x, y));
     if (mode === 'auto' || mode === 'halfedge') {
       const outside = this.#boundaryAt(at, boundary, view, projection, reach, hit);
       if (outside >= 0) return { kind: 'halfedge', index: outside };
@@ -107,31 +111,36 @@ export class ItemPicker {
   /** What the surface shows at a place of the canvas. */
   faceAt(x: number, y: number, view: PickView): FaceHit | null {
     checkPlace(x, y, view);
-    return this.#hit(new Projection(view, this.#target.matrixWorld).ray(x, y));
+    return this.#hit(new Projection(view, this.#target.matrixWorld).sight(x, y));
   }
 
   /** What a ray of the world hits first, from either side. */
   cast(ray: Ray): FaceHit | null {
     const { origin, direction } = Object(ray) as Partial<Ray>;
     if (!origin || !direction) refuse('ray', ray, 'a Ray of three.js, such as raycaster.ray');
-    return this.#hit(ray.clone().applyMatrix4(this.#target.matrixWorld.clone().invert()), ray);
+    return this.#hit(this.#sightOf(ray, origin));
   }
 
   /** Whether the surface hides a point of the world from a camera. */
   hides(point: Vector3, camera: Camera): boolean {
-    const { ray, distance, span } = sightOf(point, camera);
-    const hit = this.cast(ray);
-    return hit !== null && hit.distance < distance - CLEARLY_BEFORE * span;
+    camera.updateWorldMatrix(true, false);
+    const ray = sightTo(point, camera);
+    const hit = this.#hit(this.#sightOf(fromNear(ray, camera), ray.origin));
+    return hit !== null && isClearlyBefore(hit.point, point, camera);
   }
 
-  /** Casts a ray of the object's space. `seen`: the same in the world. */
-  #hit(ray: Ray, seen?: Ray): FaceHit | null {
+  /** Along a ray of the world. */
+  #sightOf(ray: Ray, origin: Vector3): Sight {
+    const toObject = this.#target.matrixWorld.clone().invert();
+    return { ray: ray.clone().applyMatrix4(toObject), origin };
+  }
+
+  #hit({ ray, origin }: Sight): FaceHit | null {
     const { tree, matrixWorld, mesh } = this.#target;
     const hit = tree.cast(ray);
     // An edit may have taken the face away, and the tree not know it yet.
     if (hit === null || !(mesh.connectivity.faceHalfedge[hit.face] >= 0)) return null;
     const point = ray.at(hit.distance, new Vector3()).applyMatrix4(matrixWorld);
-    const origin = seen?.origin ?? ray.origin.clone().applyMatrix4(matrixWorld);
     return { face: hit.face, point, distance: point.distanceTo(origin) };
   }
 
@@ -152,7 +161,7 @@ export class ItemPicker {
     for (let i = 0; i < 8; i++) {
       const [dx, dy] = [Math.cos((Math.PI * i) / 4), Math.sin((Math.PI * i) / 4)];
       const hit = this.#hit(
-        projection.ray(at[0] + BESIDE * reach * dx, at[1] + BESIDE * reach * dy),
+        projection.sight(at[0] + BESIDE * reach * dx, at[1] + BESIDE * reach * dy),
       );
       if (!hit) continue;
       const { vertex, vertexDistance, halfedge, edgeDistance } = this.#nearest(
@@ -199,8 +208,7 @@ export class ItemPicker {
       const distance = distanceToArrow(at, this.#glyphs, 0, projection);
       if (!(distance < least)) continue;
       const start = new Vector3().fromArray(this.#glyphs.arrows).applyMatrix4(matrixWorld);
-      const sight = sightOf(start, camera);
-      if (hit && hit.distance < sight.distance - BEFORE_ARROW * sight.span) continue;
+      if (hit && isClearlyBefore(hit.point, start, camera)) continue;
       least = distance;
       found = h;
     }
@@ -252,6 +260,9 @@ function checkPlace(x: unknown, y: unknown, view: unknown): void {
   if (!camera?.isCamera) refuse('view.camera', camera, 'a Camera of three.js');
   if (typeof width !== 'number') refuse('view.width', width, 'a number of pixels');
   if (typeof height !== 'number') refuse('view.height', height, 'a number of pixels');
+  if (!('isPerspectiveCamera' in camera || 'isOrthographicCamera' in camera)) {
+    refuse('view.camera', camera, 'a PerspectiveCamera or an OrthographicCamera');
+  }
 }
 
 /** What of a face is meant; on short edges its features share the room that there is. */

@@ -40,14 +40,14 @@ export function nearestOf(
   };
   let h = first;
   let place = 0;
-  let from = projection.project(points, 3 * toVertex[h ^ 1]);
   do {
-    const to = projection.project(points, 3 * toVertex[h]);
-    const vertexDistance = Math.hypot(to[0] - at[0], to[1] - at[1]);
+    const [x, y] = projection.project(points, 3 * toVertex[h]);
+    const vertexDistance = Math.hypot(x - at[0], y - at[1]);
     if (vertexDistance < nearest.vertexDistance) {
       nearest.vertexDistance = vertexDistance;
       nearest.vertex = toVertex[h];
     }
+    const [from, to] = projection.projectLine(points, 3 * toVertex[h ^ 1], 3 * toVertex[h]);
     const edgeDistance = distanceToLine(at, from, to);
     if (edgeDistance < nearest.edgeDistance) {
       nearest.edgeDistance = edgeDistance;
@@ -55,7 +55,6 @@ export function nearestOf(
       nearest.edgeLength = Math.hypot(to[0] - from[0], to[1] - from[1]);
       nearest.arrowDistance = distanceToArrow(at, glyphs, place, projection);
     }
-    from = to;
     place += ARROW_FLOATS;
     h = next[h];
   } while (h !== first);
@@ -69,11 +68,7 @@ export function distanceToArrow(
   place: number,
   projection: Projection,
 ): number {
-  return distanceToLine(
-    at,
-    projection.project(arrows, place),
-    projection.project(arrows, place + 3),
-  );
+  return distanceToLine(at, ...projection.projectLine(arrows, place, place + 3));
 }
 
 /** The centre of the corners of a loop, and the mean length of its edges. */

@@ -1,12 +1,4 @@
-import {
-  type Camera,
-  Matrix4,
-  type OrthographicCamera,
-  Ray,
-  Raycaster,
-  Vector2,
-  Vector3,
-} from 'three';
+import { type Camera, Matrix4, Ray, Raycaster, Vector2, Vector3 } from 'three';
 
 /** A camera, and the size in CSS pixels of the canvas that shows what it sees. */
 export interface PickView {
@@ -18,13 +10,21 @@ export interface PickView {
 /** A place on the canvas: CSS pixels from its top left. */
 export type ScreenPoint = readonly [x: number, y: number];
 
+/** What is seen in one direction. */
+export interface Sight {
+  /** Of the object's space, from where the camera begins to see. */
+  readonly ray: Ray;
+  /** Where in the world the camera sees it from: its place, or with a parallel projection one in its plane. */
+  readonly origin: Vector3;
+}
+
 /** Takes points of an object to the canvas, and places on the canvas to rays through the object. */
 export class Projection {
   readonly #view: PickView;
   /** Takes points of the object to clip space. */
   readonly #clip: readonly number[];
-  /** Takes points of the object to what the camera sees, which lies towards -z. */
-  readonly #seen: readonly number[];
+  /** Takes points of the object to what lies before the camera, along the negative z axis. */
+  readonly #eye: readonly number[];
   readonly #toObject: Matrix4;
   /** How long a unit of the object is in the world. */
   readonly #scale: number;
@@ -35,16 +35,37 @@ export class Projection {
     this.#view = view;
     this.#toObject = matrixWorld.clone().invert();
     this.#scale = matrixWorld.getMaxScaleOnAxis();
-    const seen = new Matrix4().multiplyMatrices(camera.matrixWorldInverse, matrixWorld);
-    this.#seen = seen.elements;
-    this.#clip = seen.clone().premultiply(camera.projectionMatrix).elements;
+    const eye = new Matrix4().multiplyMatrices(camera.matrixWorldInverse, matrixWorld);
+    this.#eye = eye.elements;
+    this.#clip = new Matrix4().multiplyMatrices(camera.projectionMatrix, eye).elements;
   }
 
-  /** Where the point appears that is at `at` of an array; NaN behind the camera. */
+  /** Where the point appears that is at `at` of an array; NaN where the camera sees nothing yet, or behind it. */
   project(points: ArrayLike<number>, at: number): ScreenPoint {
+    return this.#beyondNear(points, at) >= 0 ? this.#place(points, at) : UNSEEN;
+  }
+
+  /** The part of the line between two points that the camera can see; NaN if there is none. */
+  projectLine(
+    points: ArrayLike<number>,
+    a: number,
+    b: number,
+  ): readonly [from: ScreenPoint, to: ScreenPoint] {
+    const [before, after] = [this.#beyondNear(points, a), this.#beyondNear(points, b)];
+    if (!(before >= 0 || after >= 0)) return [UNSEEN, UNSEEN];
+    if (before >= 0 && after >= 0) return [this.#place(points, a), this.#place(points, b)];
+    const t = before / (before - after);
+    for (let k = 0; k < 3; k++) cut[k] = points[a + k] + t * (points[b + k] - points[a + k]);
+    return before >= 0
+      ? [this.#place(points, a), this.#place(cut, 0)]
+      : [this.#place(cut, 0), this.#place(points, b)];
+  }
+
+  #place(points: ArrayLike<number>, at: number): ScreenPoint {
     const [x, y, z] = [points[at], points[at + 1], points[at + 2]];
     const m = this.#clip;
-    const scale = this.#isAhead(x, y, z) ? 0.5 / this.#depth(x, y, z) : Number.NaN;
+    const w = this.#depth(x, y, z);
+    const scale = w > 0 ? 0.5 / w : Number.NaN;
     const right = (m[0] * x + m[4] * y + m[8] * z + m[12]) * scale;
     const up = (m[1] * x + m[5] * y + m[9] * z + m[13]) * scale;
     return [(0.5 + right) * this.#view.width, (0.5 - up) * this.#view.height];
@@ -57,20 +78,21 @@ export class Projection {
     return (2 * depth) / (focal * this.#view.height * this.#scale);
   }
 
-  /** The ray of the object's space that is seen as a place on the canvas. */
-  ray(x: number, y: number): Ray {
+  /** What is seen at a place on the canvas. */
+  sight(x: number, y: number): Sight {
     const { width, height, camera } = this.#view;
     const at = new Vector2((2 * x) / width - 1, 1 - (2 * y) / height);
     const raycaster = new Raycaster();
     raycaster.setFromCamera(at, camera);
-    const { ray } = raycaster;
-    ray.origin.addScaledVector(ray.direction, startOf(camera));
-    return ray.applyMatrix4(this.#toObject);
+    const { origin } = raycaster.ray;
+    return { ray: fromNear(raycaster.ray, camera).applyMatrix4(this.#toObject), origin };
   }
 
-  #isAhead(x: number, y: number, z: number): boolean {
-    const m = this.#seen;
-    return -(m[2] * x + m[6] * y + m[10] * z + m[14]) > startOf(this.#view.camera);
+  /** How far behind the plane from which on the camera sees; negative before it. */
+  #beyondNear(points: ArrayLike<number>, at: number): number {
+    const m = this.#eye;
+    const z = m[2] * points[at] + m[6] * points[at + 1] + m[10] * points[at + 2] + m[14];
+    return -z - nearOf(this.#view.camera);
   }
 
   /** How far in front of a camera with perspective; 1 otherwise. */
@@ -80,41 +102,52 @@ export class Projection {
   }
 }
 
-/** How a camera sees a point of the world. */
-export interface Sight {
-  /** What it is seen along. */
-  readonly ray: Ray;
-  /** How far along the ray it is; negative behind the camera. */
-  readonly distance: number;
-  /** What small distances are measured by: the same, or for a camera without perspective the height of its picture. */
-  readonly span: number;
+/** Of what is seen, how far before a point the surface must be to hide it: what lies on it isn't hidden. */
+const CLEARLY_BEFORE = 0.008;
+const UNSEEN: ScreenPoint = [Number.NaN, Number.NaN];
+/** Where a line goes through the plane from which on a camera sees. */
+const cut = new Float64Array(3);
+
+/** Of a camera of three.js that can be looked through. */
+const nearOf = (camera: Camera) => (camera as { near?: number }).near ?? 0;
+const directionOf = ({ matrixWorld }: Camera) =>
+  new Vector3(0, 0, -1).transformDirection(matrixWorld);
+
+/** The part of a ray that a camera sees along. */
+export function fromNear({ origin, direction }: Ray, camera: Camera): Ray {
+  const near = nearOf(camera) / direction.dot(directionOf(camera));
+  return new Ray(origin.clone().addScaledVector(direction, near), direction);
 }
 
-/** How a camera sees a point of the world: from where it stands, or along with all others. */
-export function sightOf(point: Vector3, camera: Camera): Sight {
-  camera.updateWorldMatrix(true, false);
-  const origin = new Vector3().setFromMatrixPosition(camera.matrixWorld);
-  const direction = point.clone().sub(origin);
+/** The ray along which a camera sees a point of the world. */
+export function sightTo(point: Vector3, camera: Camera): Ray {
   if (!isOrthographic(camera)) {
-    const distance = direction.length();
-    return { ray: new Ray(origin, direction.divideScalar(distance)), distance, span: distance };
+    const origin = new Vector3().setFromMatrixPosition(camera.matrixWorld);
+    return new Ray(origin, point.clone().sub(origin).normalize());
   }
-  const ahead = camera.getWorldDirection(new Vector3());
-  const distance = direction.dot(ahead) - startOf(camera);
-  const ray = new Ray(point.clone().addScaledVector(ahead, -distance), ahead);
-  return { ray, distance, span: 2 / camera.projectionMatrix.elements[5] };
+  const forward = directionOf(camera);
+  return new Ray(point.clone().addScaledVector(forward, -depthOf(point, camera)), forward);
 }
 
-/** Where a camera begins to see, ahead of where it stands: one without perspective may do so behind. */
-function startOf(camera: Camera): number {
-  return isOrthographic(camera) ? Math.min(0, camera.near) : 0;
+/** Whether a point of the world lies clearly before another one that a camera sees at about the same place. */
+export function isClearlyBefore(point: Vector3, other: Vector3, camera: Camera): boolean {
+  const depth = depthOf(other, camera);
+  // From far away, the size of what is seen is that of the picture alone.
+  const span = isOrthographic(camera) ? 2 / camera.projectionMatrix.elements[5] : depth;
+  return depthOf(point, camera) < depth - CLEARLY_BEFORE * span;
 }
 
-function isOrthographic(camera: Camera): camera is OrthographicCamera {
-  return (camera as Partial<OrthographicCamera>).isOrthographicCamera === true;
+/** How far a point is from where a camera stands; along its parallel rays, where it is negative behind. */
+function depthOf(point: Vector3, camera: Camera): number {
+  const way = point.clone().sub(new Vector3().setFromMatrixPosition(camera.matrixWorld));
+  return isOrthographic(camera) ? way.dot(directionOf(camera)) : way.length();
 }
 
-/** The distance of a place from a line; NaN where an end of that isn't seen. */
+function isOrthographic(camera: Camera): boolean {
+  return 'isOrthographicCamera' in camera;
+}
+
+/** The distance of a place from a line; NaN where that isn't seen. */
 export function distanceToLine([x, y]: ScreenPoint, a: ScreenPoint, b: ScreenPoint): number {
   const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
   const length = dx * dx + dy * dy;
