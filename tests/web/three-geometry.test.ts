@@ -325,6 +325,19 @@ describe('fromBufferGeometry', () => {
     ],
   ];
 
+  test('gives no morph targets behind one that is missing', () => {
+    using mesh = HalfedgeMesh.cube();
+    const add = (i: number) =>
+      mesh.attributes.add('vertex', `morph position ${i}`, { components: 3 });
+    for (const i of [3, 1, 0]) add(i);
+    const { geometry } = toBufferGeometry(mesh);
+    expect(Object.keys(geometry.morphAttributes.position as object)).toEqual(['0', '1']);
+    expect(geometry.attributes).toHaveProperty('morph position 3');
+    geometry.computeBoundingSphere();
+    mesh.attributes.remove('vertex', 'morph position 0');
+    expect(toBufferGeometry(mesh).geometry.morphAttributes).toEqual({});
+  });
+
   test.each(wrong)(
     'refuses %s with a sentence, and leaves no memory behind',
     (_, code, sentence, change) => {

@@ -3,6 +3,7 @@ import { checkFlag } from '../checks.js';
 import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions } from '../options.js';
+import { morphName } from './attributes.js';
 import { checkMesh, columnsToShow, GEOMETRY_OPTIONS, type GeometryOptions } from './columns.js';
 import { GROUP } from './read.js';
 import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.js';
@@ -26,7 +27,7 @@ export interface MeshBuffers {
  * An indexed geometry of three.js of a mesh as it is now. Polygons are cut into triangles as
  * `mesh.triangulate(face)` cuts them, each for itself; the mesh is not changed. Vertices come in the order of the mesh, then
  * copies of those whose corners have different attributes. Attributes keep their names; the face attribute
- * `group` becomes groups, `morph position 0` and so on morph targets, relative ones.
+ * `group` becomes groups, `morph position 0` and so on, as far as none is missing, morph targets, relative ones.
  *
  * ```ts
  * const { geometry, faces } = toBufferGeometry(mesh, { normals: 'flat' });
@@ -57,21 +58,38 @@ export function toBufferGeometry(
   );
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setIndex(new BufferAttribute(indices, 1));
-  for (const attribute of attributes) addTo(geometry, attribute);
+  const targets = morphTargets(attributes);
+  for (const attribute of attributes) addTo(geometry, attribute, targets.get(attribute.name));
   return { geometry, faces: triangles.faces, vertices: Uint32Array.from(vertexOf) };
 }
 
-function addTo(geometry: BufferGeometry, { name, components, values }: CornerAttribute): void {
+type MorphTarget = readonly [base: 'position' | 'normal' | 'color', i: number];
+
+/** By the name of their attribute. From the first on: three.js takes no list with gaps. */
+function morphTargets(attributes: readonly CornerAttribute[]): Map<string, MorphTarget> {
+  const names = new Set(attributes.map(({ name }) => name));
+  const targets = new Map<string, MorphTarget>();
+  for (const base of ['position', 'normal', 'color'] as const) {
+    for (let i = 0; names.has(morphName(base, i)); i++) targets.set(morphName(base, i), [base, i]);
+  }
+  return targets;
+}
+
+function addTo(
+  geometry: BufferGeometry,
+  { name, components, values }: CornerAttribute,
+  target: MorphTarget | undefined,
+): void {
   const isNormalized = name === 'color' && !(values instanceof Float32Array);
   const attribute = new BufferAttribute(values, components, isNormalized);
-  const [, base, i] = /^morph (\w+) (\d+)$/.exec(name) ?? [];
-  if (base !== 'position' && base !== 'normal' && base !== 'color') {
+  if (target === undefined) {
     geometry.setAttribute(name, attribute);
     return;
   }
+  const [base, i] = target;
   geometry.morphTargetsRelative = true;
   geometry.morphAttributes[base] ??= [];
-  geometry.morphAttributes[base][Number(i)] = attribute;
+  geometry.morphAttributes[base][i] = attribute;
 }
 
 /** The triangles in the order of their groups, which are added; those in none come last. */
