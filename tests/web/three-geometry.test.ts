@@ -316,6 +316,18 @@ describe('fromBufferGeometry', () => {
         ),
     ],
     [
+      'an index without an array',
+      'unsupported-attribute',
+      /^geometry\.index has no array \(a GLBufferAttribute/,
+      (g) => g.setIndex(new THREE.GLBufferAttribute({} as WebGLBuffer, 5125, 1, 4, 6) as never),
+    ],
+    [
+      'an index in rows of three',
+      'unsupported-attribute',
+      /^geometry\.index has 3 components; expected 1, a vertex for each corner\.$/,
+      (g) => g.setIndex(new THREE.BufferAttribute(new Uint16Array([0, 1, 2, 0, 2, 3, 0, 1, 3]), 3)),
+    ],
+    [
       'morph targets of another size',
       'unsupported-attribute',
       /morphAttributes\.normal\[0\] has 3 components; expected those of geometry\.attributes\.normal/,

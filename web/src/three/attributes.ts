@@ -22,13 +22,10 @@ export const geometryError = (code: string, message: string) => new HalfedgeErro
 
 /** The attribute, if it is one with numbers in an array, as many rows as there are positions. */
 export function checkAttribute(name: string, attribute: unknown, rows?: number): AnyAttribute {
-  const { array, count, itemSize, data } = attribute as Partial<InterleavedBufferAttribute>;
-  const numbers: unknown = array ?? data?.array;
-  if (!ArrayBuffer.isView(numbers) || count === undefined || itemSize === undefined) {
-    throw geometryError(
-      'unsupported-attribute',
-      `geometry.attributes.${name} has no array (a GLBufferAttribute has its numbers on the graphics card alone); expected a BufferAttribute or an InterleavedBufferAttribute.`,
-    );
+  const { count, itemSize, data } = attribute as Partial<InterleavedBufferAttribute>;
+  const numbers = arrayOf(attribute);
+  if (numbers === undefined || count === undefined || itemSize === undefined) {
+    throw withoutArray(`geometry.attributes.${name}`);
   }
   if (
     'isInstancedBufferAttribute' in (attribute as object) ||
@@ -58,6 +55,28 @@ export function checkAttribute(name: string, attribute: unknown, rows?: number):
     );
   }
   return attribute as AnyAttribute;
+}
+
+function arrayOf(attribute: unknown): ArrayBufferView | undefined {
+  const { array, data } = attribute as Partial<InterleavedBufferAttribute>;
+  const numbers: unknown = array ?? data?.array;
+  return ArrayBuffer.isView(numbers) ? numbers : undefined;
+}
+
+const withoutArray = (where: string) =>
+  geometryError(
+    'unsupported-attribute',
+    `${where} has no array (a GLBufferAttribute has its numbers on the graphics card alone); expected a BufferAttribute or an InterleavedBufferAttribute.`,
+  );
+
+/** Throws unless it is an index with a number for each corner. */
+export function checkIndex(index: AnyAttribute): void {
+  if (arrayOf(index) === undefined) throw withoutArray('geometry.index');
+  if (index.itemSize === 1) return;
+  throw geometryError(
+    'unsupported-attribute',
+    `geometry.index has ${counted(index.itemSize, 'component')}; expected 1, a vertex for each corner.`,
+  );
 }
 
 /** A copy of the numbers as floats: normalised integers divided, interleaved ones put in a row. */

@@ -10,6 +10,7 @@ import type { Rows } from '../rings.js';
 import {
   checkAttribute,
   checkGeometry,
+  checkIndex,
   columnOf,
   floatsOf,
   geometryError,
@@ -135,6 +136,7 @@ function trianglesOf(
   { index, drawRange, groups }: BufferGeometry,
   rows: number,
 ): { indices: Uint32Array; groups?: Int32Array } {
+  if (index !== null) checkIndex(index);
   const length = index?.count ?? rows;
   const first = Math.max(0, drawRange.start);
   const count = Math.max(0, Math.min(length, first + drawRange.count) - first);
