@@ -223,6 +223,53 @@ test('A ray that hits the surface does not hit the helpers upon it', () => {
   for (const hit of hits) expect(hit.object).toBe(object);
 });
 
+describe('An object with helpers upon it', () => {
+  const options = { color: 0x123456, linewidth: 7, pixel: 0.02 };
+  const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [
+    ['HalfedgesHelper', (m) => new HalfedgesHelper(m, { ...options, faces: [1, 2] })],
+    ['BoundaryLoopsHelper', (m) => new BoundaryLoopsHelper(m, options)],
+    [
+      'CirculatorHelper',
+      (m) => new CirculatorHelper(m, 'vertexFaces', 4, { ...options, direction: 'cw', steps: 3 }),
+    ],
+    [
+      'ProblemsHelper',
+      (m) => new ProblemsHelper(m, { ...options, problems: [{ kind: 'face', index: 0 }] }),
+    ],
+  ];
+
+  test.each(HELPERS)('can be cloned: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const helper = make(mesh);
+    helper.name = 'above';
+    helper.position.z = 0.25;
+    const object = new THREE.Mesh(new MeshGeometry(mesh)).add(helper);
+    const [copy] = object.clone().children as MeshHelper[];
+    expect(copy).toBeInstanceOf(helper.constructor);
+    expect([copy.name, copy.position.z, copy.pixel]).toEqual(['above', 0.25, 0.02]);
+    expect(copy.children).toHaveLength(1);
+    expect(linesOf(copy).material.linewidth).toBe(7);
+    expect(segmentsOf(copy)).toEqual(segmentsOf(helper));
+    expect(colorsOf(copy)).toEqual(colorsOf(helper));
+    helper.dispose();
+    mesh.deleteFace(3);
+    copy.update();
+    copy.dispose();
+  });
+
+  test('is written as JSON, without their lines', () => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const helper = new HalfedgesHelper(mesh);
+    helper.name = 'above';
+    const object = new THREE.Mesh(new MeshGeometry(mesh), new THREE.MeshBasicMaterial());
+    const json = JSON.parse(JSON.stringify(object.add(helper).toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children;
+    expect([read.type, read.name, read.uuid]).toEqual(['Group', 'above', helper.uuid]);
+    expect(read.children).toEqual([]);
+    expect(json.geometries).toHaveLength(1);
+  });
+});
+
 describe('IndexLabelsHelper', () => {
   /** As much of a page as three.js's labels ask for. */
   class Element {
@@ -261,6 +308,14 @@ describe('IndexLabelsHelper', () => {
     ).toHaveLength(20);
     helper.dispose();
     expect(helper.children).toHaveLength(0);
+  });
+
+  test('can be cloned', () => {
+    using mesh = HalfedgeMesh.cube();
+    const helper = new IndexLabelsHelper(mesh, { kinds: ['face'], most: 4 });
+    const [copy] = new THREE.Group().add(helper).clone().children;
+    expect(copy).toBeInstanceOf(IndexLabelsHelper);
+    expect(copy.children).toHaveLength(4);
   });
 
   test('takes options that are inherited, and defaults for those that are undefined', () => {

@@ -280,7 +280,10 @@ describe('MeshGeometry', () => {
   test('copies itself with the options that it was given, inherited ones among them', () => {
     using mesh = HalfedgeMesh.cube();
     const flat = new MeshGeometry(mesh, Object.create({ normals: 'flat' }));
-    expect([flat.index, flat.clone().index]).toEqual([null, null]);
+    Object.assign(flat, { name: 'box', userData: { id: 7 } });
+    const copy = flat.clone();
+    expect([flat.index, copy.index]).toEqual([null, null]);
+    expect([copy.name, copy.userData]).toEqual(['box', { id: 7 }]);
   });
 
   test('refuses what is no list of names, and no listener', () => {

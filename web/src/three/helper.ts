@@ -83,7 +83,18 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.#material.dispose();
   }
 
+  /** A group without what it draws, as three.js has no JSON of such lines. */
+  override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
+    const group = new Group().copy(this as Group, false);
+    return Object.assign(group, { uuid: this.uuid }).toJSON(...meta);
+  }
+
   protected abstract draw(): void;
+
+  /** The options as they are now, for a clone. */
+  protected get options(): HelperOptions {
+    return { color: this.color, linewidth: this.#material.linewidth, pixel: this.pixel };
+  }
 
   /** Draws the arrow of a halfedge: dotted on the boundary. */
   protected drawHalfedge(h: number, color: Color): void {

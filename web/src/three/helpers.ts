@@ -57,6 +57,13 @@ export class HalfedgesHelper extends MeshHelper {
     this.update();
   }
 
+  /** One of its own for the same mesh, with the options that this one has now. */
+  override clone(): this {
+    const { mesh, options, boundaryColor, faces } = this;
+    const other = new HalfedgesHelper(mesh, { ...options, boundaryColor, faces });
+    return other.copy(this, false) as this;
+  }
+
   protected override draw(): void {
     const { mesh } = this;
     const { next, face, faceHalfedge } = mesh.connectivity;
@@ -84,6 +91,12 @@ export class BoundaryLoopsHelper extends MeshHelper {
   constructor(mesh: HalfedgeMesh, options: HelperOptions = {}) {
     super(mesh, checkOptions(options, HELPER_OPTIONS), BOUNDARY, 2.25);
     this.update();
+  }
+
+  /** One of its own for the same mesh, with the options that this one has now. */
+  override clone(): this {
+    const other = new BoundaryLoopsHelper(this.mesh, this.options);
+    return other.copy(this, false) as this;
   }
 
   protected override draw(): void {
@@ -154,6 +167,18 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
     return halfedges;
   }
 
+  /** One of its own for the same mesh, with the options that this one has now. */
+  override clone(): this {
+    const { mesh, kind, item, options, direction, steps, currentColor } = this;
+    const other = new CirculatorHelper(mesh, kind, item, {
+      ...options,
+      direction,
+      steps,
+      currentColor,
+    });
+    return other.copy(this, false) as this;
+  }
+
   protected override draw(): void {
     const halfedges = this.trace();
     halfedges.forEach((h, i) => {
@@ -187,6 +212,13 @@ export class ProblemsHelper extends MeshHelper {
     super(mesh, checkOptions(options, PROBLEMS_OPTIONS), PROBLEM, 3.5);
     this.problems = options.problems;
     this.update();
+  }
+
+  /** One of its own for the same mesh, with the options that this one has now. */
+  override clone(): this {
+    const { mesh, options, problems } = this;
+    const other = new ProblemsHelper(mesh, { ...options, problems });
+    return other.copy(this, false) as this;
   }
 
   protected override draw(): void {

@@ -88,6 +88,11 @@ export class IndexLabelsHelper extends Group {
     this.clear();
   }
 
+  /** A helper of its own for the same mesh, with the same options. */
+  override clone(): this {
+    return new IndexLabelsHelper(this.mesh, this.#options).copy(this as Group, false) as this;
+  }
+
   /** Vertices and the middles of edges, arrows and faces. */
   #place(kind: ItemKind, index: number, out: Vector3): void {
     const { mesh } = this;

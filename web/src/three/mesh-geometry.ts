@@ -152,7 +152,8 @@ export class MeshGeometry extends BufferGeometry {
 
   /** A geometry of its own for the same mesh. */
   override clone(): this {
-    return new MeshGeometry(this.mesh, this.#options) as this;
+    const { name, userData } = this;
+    return Object.assign(new MeshGeometry(this.mesh, this.#options), { name, userData }) as this;
   }
 
   /** The mesh as it is now, as an ordinary geometry without gaps: the loaders of three.js know no other. */
