@@ -6,6 +6,7 @@ import {
   toBufferGeometry,
 } from 'halfedge/three';
 import * as THREE from 'three';
+import { withLeft } from './support/core.js';
 import { addAttributes } from './support/editing.js';
 import { randomPolygons } from './support/meshes.js';
 import { random } from './support/random.js';
@@ -263,6 +264,25 @@ describe('MeshGeometry', () => {
     mesh.compact();
     geometry.update();
     expectSame(geometry, mesh, { normals: 'flat' }, 'after compact()');
+  });
+
+  test.each(LAYOUTS)('takes up later what an update had no room for: %s', (_, options) => {
+    using mesh = HalfedgeMesh.dodecahedron();
+    mesh.attributes.add('vertex', 'tone');
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    const geometry = new MeshGeometry(mesh, options);
+    geometry.computeBoundingBox();
+    const told: unknown[] = [];
+    geometry.onChange((faces) => told.push(faces));
+    mesh.setPosition(0, [3, 3, 3]);
+    mesh.poke(7);
+    withLeft(0, () => expect(() => geometry.update()).toThrow(/^There is no room/));
+    expect(told).toEqual([]);
+    expect(geometry.update().faces).toBe(mesh.faceCount);
+    expect(told).toEqual([null]);
+    expectSame(geometry, mesh, options, 'after an update that failed');
+    expect(geometry.boundingBox?.max.x).toBe(3);
+    expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
   });
 
   test('refuses what is no living mesh', () => {

@@ -61,6 +61,8 @@ export class MeshGeometry extends BufferGeometry {
   readonly #triangles = new TriangleIndex();
   readonly #rows: GeometryRows;
   readonly #listeners = new Set<ChangeListener>();
+  /** Whether an update has failed halfway, such as for want of memory: the next one makes everything anew. */
+  #isTorn = false;
 
   /**
    * @throws TypeError or RangeError for wrong options; HalfedgeError `out-of-memory`
@@ -116,24 +118,26 @@ export class MeshGeometry extends BufferGeometry {
    */
   update(): GeometryUpdate {
     const mesh = checkMesh(this.mesh);
+    if (this.#isTorn) return this.#renew(mesh.faceCount);
     const { faces, vertices } = this.#changes;
+    this.#isTorn = true; // unless all of the following is done
     this.#changes.find(mesh);
     const isLess = this.#triangles.hasLostFaces(mesh);
-    if (faces.items.length === 0 && vertices.items.length === 0 && !isLess) return UNCHANGED;
+    if (faces.items.length === 0 && vertices.items.length === 0 && !isLess) {
+      this.#isTorn = false;
+      return UNCHANGED;
+    }
     const moved = this.#rows.writeVertices(vertices.items, faces);
     const triangles = triangulateFaces(mesh, faces.items); // which can detach views
     const placement = this.#triangles.place(mesh, faces.items, triangles);
+    const changed = placement.faces.length;
+    if (this.#triangles.slots.isWasteful) return this.#renew(changed);
     this.#rows.writeTriangles(faces.items, triangles, placement, moved);
     // More than have moved: some may have come back to where they were.
     widen(this.boundingBox, mesh, vertices.items);
     widen(this.boundingSphere, mesh, vertices.items);
-    const changed = placement.faces.length;
-    if (this.#triangles.slots.isWasteful) {
-      this.#rebuild();
-      this.#tell(null);
-      return { faces: changed, bytes: this.#size() };
-    }
     const bytes = this.#show();
+    this.#isTorn = false;
     if (changed > 0 || moved.length > 0) this.#tell([...placement.faces, ...this.#around(moved)]);
     return { faces: changed, bytes };
   }
@@ -163,7 +167,17 @@ export class MeshGeometry extends BufferGeometry {
     return Object.assign(geometry, { uuid, name, userData }).toJSON();
   }
 
-  /** Everything anew, without gaps. */
+  /** Makes everything anew, of which so many faces have changed. */
+  #renew(faces: number): GeometryUpdate {
+    this.#rebuild();
+    if (this.boundingBox) this.computeBoundingBox();
+    if (this.boundingSphere) this.computeBoundingSphere();
+    this.#isTorn = false;
+    this.#tell(null);
+    return { faces, bytes: this.#size() };
+  }
+
+  /** Everything, without gaps. */
   #rebuild(): void {
     const { mesh } = this;
     this.#changes.skip(mesh);
