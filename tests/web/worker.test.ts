@@ -417,6 +417,37 @@ describe('A worker that can not be started', () => {
     );
   });
 
+  test.each([
+    ['an object', '{ ready: true }', 'an Object'],
+    ['nothing', 'null', 'null'],
+  ])('because it runs another script, which sends %s, is one, too', async (_, message, what) => {
+    const worker = given(
+      `const { parentPort } = require('node:worker_threads');
+      parentPort.on('message', () => parentPort.postMessage(${message}));`,
+    );
+    const error = await rejection(worker.parse(SQUARE));
+    worker.terminate();
+    expect(error).toMatchObject({
+      code: 'worker-failed',
+      message: `The worker failed: it sent ${what}; expected a worker that runs halfedge/worker-thread, of the same version, and sends nothing else.`,
+    });
+  });
+
+  test('because it was used before is one, too', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    const one = new Worker(new URL(threadScript));
+    const worker = createMeshWorker({ worker: () => one });
+    const controller = new AbortController();
+    const job = worker.parse(SQUARE, { signal: controller.signal });
+    controller.abort(new Error('No more.'));
+    await expect(job).rejects.toThrow('No more.');
+    const message =
+      'The worker failed: TypeError: options.worker returned a worker that it has returned before; expected a new one each time.';
+    await expect(worker.parse(SQUARE)).rejects.toMatchObject({ code: 'worker-failed', message });
+    expect(() => createMeshWorker({ worker: () => one })).toThrow(message);
+    worker.terminate();
+  });
+
   test('before init is an error that says what to call', async () => {
     import.meta.jest.resetModules();
     const fresh = (await import('halfedge/worker')) as typeof import('halfedge/worker');

@@ -3,12 +3,21 @@ import { connect, type Listener, type Thread, type WorkerLike, workerOf } from '
 
 export type { Thread, WorkerLike } from './connection.js';
 
+/** Those that have been connected: each has one listener, who ends it. */
+const connected = new WeakSet<WorkerLike>();
+
 /** Starts a thread that runs worker-thread.js, or takes one that was made elsewhere. */
 export function startThread(listener: Listener, make: () => WorkerLike = newMeshWorker): Thread {
   const worker: WorkerLike | undefined = make();
   if (typeof worker?.postMessage !== 'function') {
     throw new TypeError(`options.worker returned ${describe(worker)}; expected a worker.`);
   }
+  if (connected.has(worker)) {
+    throw new TypeError(
+      'options.worker returned a worker that it has returned before; expected a new one each time.',
+    );
+  }
+  connected.add(worker);
   return connect(worker, listener);
 }
 

@@ -33,6 +33,11 @@ export type Reply =
     }
   | { readonly kind: 'failed'; readonly error: SentError };
 
+/** Whether it is what our script sends, as far as its kind tells. */
+export function isReply(data: unknown): data is Reply {
+  return ['progress', 'done', 'failed'].includes(Object(data).kind);
+}
+
 /** An error as it is sent: classes don't survive. */
 export interface SentError {
   readonly name: string;

@@ -1,7 +1,7 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { bytesOf } from './arguments.js';
+import { bytesOf, describe } from './arguments.js';
 import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
 import { HalfedgeError } from './errors.js';
@@ -22,7 +22,7 @@ import {
 } from './repair.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
-import { canBeSent, fromSent, isBlob, type Job, type Reply } from './worker-messages.js';
+import { canBeSent, fromSent, isBlob, isReply, type Job, type Reply } from './worker-messages.js';
 
 export type { WorkerLike } from './thread.js';
 
@@ -229,7 +229,7 @@ export class MeshWorker {
     try {
       thread = startThread(
         {
-          message: (reply) => isCurrent() && this.#receive(reply as Reply),
+          message: (data) => isCurrent() && this.#receive(data),
           failure: (why) => isCurrent() && this.#fail(why),
         },
         this.#make,
@@ -249,15 +249,19 @@ export class MeshWorker {
     thread?.terminate();
   }
 
-  #receive(reply: Reply): void {
+  #receive(data: unknown): void {
     const task = this.#running;
-    if (reply.kind === 'progress') {
-      this.#tell(task, reply);
+    if (!isReply(data)) {
+      if (task !== undefined) this.#fail(`it sent ${describe(data)}; ${WRONG_SCRIPT}`);
+      return;
+    }
+    if (data.kind === 'progress') {
+      this.#tell(task, data);
       return;
     }
     this.#running = undefined;
-    if (reply.kind === 'done') task?.resolve(reply);
-    else task?.reject(fromSent(reply.error));
+    if (data.kind === 'done') task?.resolve(data);
+    else task?.reject(fromSent(data.error));
     this.#next();
   }
 
@@ -321,6 +325,9 @@ export async function parseInWorker(
 
 const failed = (why: string, cause?: unknown) =>
   new HalfedgeError('worker-failed', `The worker failed: ${why.replace(/\.\s*$/, '')}.`, { cause });
+
+const WRONG_SCRIPT =
+  'expected a worker that runs halfedge/worker-thread, of the same version, and sends nothing else';
 
 const meshOf = (bytes: Uint8Array) => new HalfedgeMesh(linksOfBytes(bytes, true));
 
