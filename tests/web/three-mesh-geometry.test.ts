@@ -266,6 +266,23 @@ describe('MeshGeometry', () => {
     expectSame(geometry, mesh, { normals: 'flat' }, 'after compact()');
   });
 
+  test.each(LAYOUTS)('has nothing to be seen beyond its draw range: %s', (_, options) => {
+    using mesh = HalfedgeMesh.icoSphere(4);
+    mesh.attributes.add('vertex', 'tone');
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    const geometry = new MeshGeometry(mesh, options);
+    for (const f of mesh.faces().toArray().slice(0, 4000)) mesh.deleteFace(f);
+    geometry.update(); // which makes it anew
+    const { attributes } = geometry.index ? geometry.toNonIndexed() : geometry;
+    const triangle = new THREE.Triangle();
+    let count = 0;
+    for (let row = 0; row < attributes.position.count; row += 3) {
+      triangle.setFromAttributeAndIndices(attributes.position, row, row + 1, row + 2);
+      if (triangle.getArea() > 0) count += 1;
+    }
+    expect(count).toBe(mesh.faceCount);
+  });
+
   test.each(LAYOUTS)('takes up later what an update had no room for: %s', (_, options) => {
     using mesh = HalfedgeMesh.dodecahedron();
     mesh.attributes.add('vertex', 'tone');

@@ -37,6 +37,7 @@ export class CornerRows extends GeometryRows {
     const position = this.position.array;
     const smooth = this.normal && !this.#isFlat ? vertexNormals(this.mesh) : undefined;
     const normals = this.normal?.array;
+    position.fill(0, 3 * halfedges.length); // as in the index: no triangle that has an area
     for (let row = 0; row < halfedges.length; row++) {
       const from = 3 * toVertex[halfedges[row]];
       const to = 3 * row;

@@ -45,7 +45,8 @@ export type ChangeListener = (faces: readonly number[] | null) => void;
  *
  * Without attributes of halfedges and with smooth normals it is indexed, and vertex v of it is vertex v of the
  * mesh. Otherwise each triangle has three vertices of its own. Its buffers are longer than what they hold, so
- * that they can grow: the draw range tells how far they are used. Triangles that show nothing have no area.
+ * that they can grow: the draw range tells how far they are used. Triangles that show nothing have no area; exporters
+ * write them, too, so give those what `toBufferGeometry` makes.
  * Groups and morph targets are not shown: see `toBufferGeometry`. The attributes are those that the mesh had
  * when the geometry was made.
  *

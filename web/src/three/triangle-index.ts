@@ -52,6 +52,8 @@ export class TriangleIndex {
     const { toVertex } = mesh.connectivity;
     const array = this.buffer.array as Uint32Array;
     for (let i = 0; i < halfedges.length; i++) array[i] = toVertex[halfedges[i]];
+    // Many who read a geometry, exporters among them, take all that is there for drawn.
+    array.fill(0, halfedges.length);
   }
 
   /** Gives these faces their triangles, which come in the same order. */
