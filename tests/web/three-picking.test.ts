@@ -351,6 +351,19 @@ describe('After edits, MeshPicker', () => {
     mesh.dispose();
   });
 
+  test('stays with its geometry where the object has got another one', () => {
+    const { mesh, object, picker, pick } = scene();
+    const { geometry } = object;
+    for (const other of [new THREE.BoxGeometry(), new MeshGeometry(HalfedgeMesh.cube())]) {
+      object.geometry = other as MeshGeometry;
+      expect(pick(0.03, 0.04)).toEqual({ kind: 'vertex', index: 4 });
+    }
+    mesh.deleteFace(3);
+    geometry.update();
+    expect(pick(0.5, 0.5)).toBe(null);
+    picker.dispose();
+  });
+
   test('no longer follows once it is disposed of', () => {
     const { mesh, object, picker, pick } = scene();
     picker.dispose();

@@ -34,7 +34,8 @@ export type { TriangleHit, Triangles } from './triangle-tree.js';
  * const item = picker.pick(event.offsetX, event.offsetY, view); // { kind: 'halfedge', index: 12 }
  * ```
  *
- * It follows the updates of the geometry by itself; each costs what it changes.
+ * It follows the updates of the geometry by itself; each costs what it changes. It stays with the geometry that the
+ * object had when it was made: another one needs another picker.
  */
 export class MeshPicker extends ItemPicker {
   readonly object: Mesh<MeshGeometry>;
@@ -53,7 +54,7 @@ export class MeshPicker extends ItemPicker {
     const shown = new GeometryFaces(geometry);
     const { worker = newPickingWorker, ...rest } = checkOptions(options, FACE_TREE_OPTIONS);
     const tree = new FaceTree(shown, { worker, ...rest });
-    super(new ObjectTarget(object, tree));
+    super(new ObjectTarget(object, geometry, tree));
     this.object = object;
     this.#tree = tree;
     this.#leave = geometry.onChange((faces) => tree.update(faces, shown));
@@ -80,15 +81,18 @@ class ObjectTarget implements PickTarget {
   readonly mesh: HalfedgeMesh;
   readonly tree: FaceTree;
   readonly #object: Mesh<MeshGeometry>;
+  /** The object may have got another one, which the tree knows nothing of. */
+  readonly #geometry: MeshGeometry;
 
-  constructor(object: Mesh<MeshGeometry>, tree: FaceTree) {
+  constructor(object: Mesh<MeshGeometry>, geometry: MeshGeometry, tree: FaceTree) {
     this.#object = object;
-    this.mesh = object.geometry.mesh;
+    this.#geometry = geometry;
+    this.mesh = geometry.mesh;
     this.tree = tree;
   }
 
   get points(): Float32Array {
-    return this.#object.geometry.points;
+    return this.#geometry.points;
   }
 
   triangleVertices(face: number): Uint32Array {
