@@ -46,9 +46,9 @@ export type ChangeListener = (faces: readonly number[] | null) => void;
  * Without attributes of halfedges and with smooth normals it is indexed, and vertex v of it is vertex v of the
  * mesh. Otherwise each triangle has three vertices of its own. Its buffers are longer than what they hold, so
  * that they can grow: the draw range tells how far they are used. Triangles that show nothing have no area; exporters
- * write them, too, so give those what `toBufferGeometry` makes.
- * Groups and morph targets are not shown: see `toBufferGeometry`. The attributes are those that the mesh had
- * when the geometry was made.
+ * write them, too, so give those what `toBufferGeometry` makes. Nobody else may reorder them, as a MeshBVH does that
+ * isn't `indirect`. Groups and morph targets are not shown: see `toBufferGeometry`. The attributes are those that the
+ * mesh had when the geometry was made.
  *
  * To find what has changed, `update` makes a digest of the links, positions and attributes shown: of a
  * million triangles that takes some 5 ms, and 1 ms while the links are as they were. What was found costs
