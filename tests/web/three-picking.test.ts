@@ -52,8 +52,8 @@ class FakeWorker {
   postMessage(seed: TreeSeed): void {
     this.#seed = seed;
   }
-  answer(): void {
-    this.#listener({ data: structuredClone(grownOver(this.#seed as TreeSeed).grown) });
+  answer(data: unknown = structuredClone(grownOver(this.#seed as TreeSeed).grown)): void {
+    this.#listener({ data });
   }
   terminate(): void {
     this.isTerminated = true;
@@ -420,6 +420,17 @@ describe('Of many faces, MeshPicker', () => {
     mesh.history.undo();
     object.geometry.update();
     expect(faceAt(100, 90)).toBe(face);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('grows the tree itself where the worker answers something else', async () => {
+    const thread = new FakeWorker();
+    const { mesh, picker, faceAt } = many(() => thread as never);
+    thread.answer(null);
+    await picker.ready;
+    expect(thread.isTerminated).toBe(true);
+    expect((faceAt(100, 90) as number) >> 1).toBe(90 * ROWS + 100);
     picker.dispose();
     mesh.dispose();
   });

@@ -133,19 +133,22 @@ export class FaceTree {
         resolve();
       };
       this.#stopWorker = () => end(() => {});
+      const growHere = () => {
+        tree.grow();
+        this.#settle();
+      };
       worker.addEventListener('message', ({ data }) =>
         end(() => {
-          tree.adopt(data);
+          try {
+            tree.adopt(data);
+          } catch {
+            return growHere(); // it has another release of three-mesh-bvh, or another script
+          }
           this.#settle();
         }),
       );
-      worker.addEventListener('error', () =>
-        // From some sites no worker can be started that imports three.js.
-        end(() => {
-          tree.grow();
-          this.#settle();
-        }),
-      );
+      // From some sites no worker can be started that imports three.js.
+      worker.addEventListener('error', () => end(growHere));
       const post = () => {
         if (this.#young?.tree !== tree) return; // given up in the meantime
         const seed = tree.seed;
