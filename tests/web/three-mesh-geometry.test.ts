@@ -302,6 +302,29 @@ describe('MeshGeometry', () => {
     expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
   });
 
+  test('refuses to show an attribute that is gone or another, until it is back', () => {
+    using mesh = HalfedgeMesh.cube();
+    const { attributes } = mesh;
+    attributes.add('vertex', 'tone', { components: 2 });
+    const geometry = new MeshGeometry(mesh);
+    const refused = (what: string) =>
+      expect(() => geometry.update()).toThrow(
+        `The vertex attribute "tone" ${what}; expected 2 × float32, as when the geometry was made: make another one.`,
+      );
+    attributes.remove('vertex', 'tone');
+    mesh.poke(2);
+    refused('is gone');
+    attributes.add('vertex', 'tone', { components: 3 });
+    refused('has 3 × float32');
+    attributes.remove('vertex', 'tone');
+    attributes.add('vertex', 'tone', { components: 2, type: 'uint8' });
+    refused('has 2 × uint8');
+    attributes.remove('vertex', 'tone');
+    attributes.add('vertex', 'tone', { components: 2, default: 1 });
+    geometry.update();
+    expectSame(geometry, mesh, {}, 'with the attribute again');
+  });
+
   test('refuses what is no living mesh', () => {
     expect(() => new MeshGeometry({} as never)).toThrow(
       'mesh is an Object; expected a HalfedgeMesh.',

@@ -7,6 +7,7 @@ import type { Column, CornerValues } from '../gltf/corners.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import type { OptionNames } from '../options.js';
+import { geometryError } from './attributes.js';
 import { cornerNormals, vertexNormals } from './normals.js';
 
 /** How normals are made: see {@link GeometryOptions}. */
@@ -64,6 +65,21 @@ export function shownAttributes(
   throw new RangeError(
     `options.attributes names ${describe(missing)}; expected attributes of the vertices or halfedges of the mesh.`,
   );
+}
+
+/** Throws a sentence unless the mesh has these attributes still, as they were. */
+export function checkShown(mesh: HalfedgeMesh, shown: readonly AttributeInfo[]): void {
+  if (shown.length === 0) return;
+  const list = mesh.attributes.list();
+  for (const { kind, name, type, components } of shown) {
+    const now = list.find((info) => info.kind === kind && info.name === name);
+    if (now?.type === type && now.components === components) continue;
+    const has = now ? `has ${now.components} × ${now.type}` : 'is gone';
+    throw geometryError(
+      'unsupported-attribute',
+      `The ${kind} attribute ${describe(name)} ${has}; expected ${components} × ${type}, as when the geometry was made: make another one.`,
+    );
+  }
 }
 
 /** Whether its integers stand for numbers from 0 to 1. */

@@ -1,4 +1,5 @@
 import { Box3, BufferGeometry, Sphere } from 'three';
+import type { AttributeInfo } from '../attributes.js';
 import { refuse } from '../checks.js';
 import { type Face, type FaceLike, NONE } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
@@ -7,6 +8,7 @@ import { fitBox, fitSphere, widen } from './bounds.js';
 import {
   checkMesh,
   checkNormals,
+  checkShown,
   GEOMETRY_OPTIONS,
   type GeometryOptions,
   shownAttributes,
@@ -58,6 +60,7 @@ export class MeshGeometry extends BufferGeometry {
   override readonly type = 'MeshGeometry' as 'BufferGeometry';
   readonly mesh: HalfedgeMesh;
   readonly #options: GeometryOptions;
+  readonly #shown: readonly AttributeInfo[];
   readonly #changes: MeshChanges;
   readonly #triangles = new TriangleIndex();
   readonly #rows: GeometryRows;
@@ -74,6 +77,7 @@ export class MeshGeometry extends BufferGeometry {
     this.mesh = checkMesh(mesh);
     const way = checkNormals(options.normals);
     const attributes = shownAttributes(mesh, options);
+    this.#shown = attributes;
     const normals = way !== 'none' && attributes.every(({ name }) => name !== 'normal');
     const isIndexed = way !== 'flat' && attributes.every(({ kind }) => kind === 'vertex');
     const shown = { mesh, attributes, normals };
@@ -115,10 +119,12 @@ export class MeshGeometry extends BufferGeometry {
   /**
    * Takes up what has changed in the mesh since the last time.
    *
-   * @throws HalfedgeError `disposed`, `out-of-memory`
+   * @throws HalfedgeError `disposed`, `out-of-memory`, `unsupported-attribute` where an attribute that it shows is
+   * gone, or another
    */
   update(): GeometryUpdate {
     const mesh = checkMesh(this.mesh);
+    checkShown(mesh, this.#shown);
     if (this.#isTorn) return this.#renew(mesh.faceCount);
     const { faces, vertices } = this.#changes;
     this.#isTorn = true; // unless all of the following is done
