@@ -351,6 +351,20 @@ describe('After edits, MeshPicker', () => {
     mesh.dispose();
   });
 
+  test('passes over boundary halfedges that are gone, or have a face now', () => {
+    const { mesh, object, pick } = scene();
+    mesh.history.enabled = true;
+    const outer = mesh.findHalfedge(8, 5);
+    const boundary = [mesh.findHalfedge(1, 0), outer];
+    mesh.deleteFace(0);
+    object.geometry.update();
+    expect(pick(1.065, 0.5, { boundary })).toEqual({ kind: 'halfedge', index: outer });
+    mesh.history.undo();
+    mesh.fillHole(outer);
+    object.geometry.update();
+    expect(pick(1.065, 0.5, { boundary })).not.toEqual({ kind: 'halfedge', index: outer });
+  });
+
   test('stays with its geometry where the object has got another one', () => {
     const { mesh, object, picker, pick } = scene();
     const { geometry } = object;

@@ -198,10 +198,11 @@ export class ItemPicker {
     hit: FaceHit | null,
   ): number {
     const { mesh, points, matrixWorld } = this.#target;
-    const { toVertex } = mesh.connectivity;
+    const { toVertex, next, face } = mesh.connectivity;
     let found = -1;
     let least = TO_BOUNDARY * reach;
     for (const h of boundary) {
+      if (!(next[h] >= 0 && face[h] < 0)) continue; // deleted or filled since it was named
       const from = 3 * toVertex[h ^ 1];
       const pixel = projection.pixelAt(points[from], points[from + 1], points[from + 2]);
       this.#glyphs.boundary(h, arrowSizes(pixel));
