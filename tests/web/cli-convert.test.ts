@@ -1,5 +1,13 @@
 import { spawn } from 'node:child_process';
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import {
+  chmodSync,
+  readdirSync,
+  readFileSync,
+  readlinkSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh, init } from 'halfedge';
 import { readGltf } from 'halfedge/gltf';
@@ -28,6 +36,41 @@ describe('halfedge convert', () => {
     expect(readdirSync(folder).filter((name) => name.includes('.part'))).toEqual([]);
     expect(await run(['convert', 'ball.obj', 'ball.obj'])).toMatchObject({ status: 0, err: '' });
     expect(written('ball.obj').mesh.faceCount).toBe(mesh.faceCount);
+  });
+
+  test('leaves nothing behind where it is ended while it writes', async () => {
+    const before = HalfedgeMesh.icoSphere(7).write('obj');
+    writeFileSync(join(folder, 'large.obj'), before);
+    const drafts = () => readdirSync(folder).filter((name) => name.includes('.part'));
+    const child = spawn(process.execPath, [program, 'convert', 'large.obj', 'large.obj'], {
+      cwd: folder,
+      stdio: 'ignore',
+    });
+    const ended = new Promise((resolve) => child.on('close', (_, signal) => resolve(signal)));
+    while (child.exitCode === null && drafts().length === 0) {
+      await new Promise((resolve) => setTimeout(resolve, 1));
+    }
+    child.kill('SIGINT');
+    expect(['SIGINT', null]).toContain(await ended); // null if the file was written before
+    expect(drafts()).toEqual([]);
+    expect(readFileSync(join(folder, 'large.obj')).length).toBeGreaterThanOrEqual(before.length);
+  });
+
+  test('keeps the permissions of a file that it writes anew, and links to files', async () => {
+    const modeOf = (name: string) => (statSync(join(folder, name)).mode & 0o777).toString(8);
+    for (const mode of [0o664, 0o600]) {
+      writeFileSync(join(folder, 'shared.obj'), QUAD);
+      chmodSync(join(folder, 'shared.obj'), mode);
+      expect(await run(['convert', 'shared.obj', 'shared.obj'])).toMatchObject({ status: 0 });
+      expect(modeOf('shared.obj')).toBe(mode.toString(8));
+    }
+    for (const target of ['shared.obj', 'not-there-yet.obj']) {
+      const link = join(folder, `link-to-${target}`);
+      symlinkSync(target, link);
+      expect(await run(['convert', 'square.off', link])).toMatchObject({ status: 0 });
+      expect(readlinkSync(link)).toBe(target);
+      expect(written(target).mesh.faceCount).toBe(2);
+    }
   });
 
   test.each(['obj', 'off', 'ply', 'stl'] as const)(

@@ -1,4 +1,16 @@
-import { access, constants, open, realpath, rename, rm, stat, writeFile } from 'node:fs/promises';
+import { rmSync, type Stats } from 'node:fs';
+import {
+  access,
+  constants,
+  type FileHandle,
+  lstat,
+  open,
+  realpath,
+  rename,
+  rm,
+  stat,
+  writeFile,
+} from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import { writeGltf } from '../gltf/index.js';
 import type { AttributeNames, FileEncoding, HalfedgeMesh, WriteOptions } from '../index.js';
@@ -67,25 +79,53 @@ export async function save(
 
 /**
  * Writes a file under another name first, so that what was there is lost only to the whole of the new one:
- * `repair scan.ply scan.ply` on a full disk. What is no file (a pipe, a device), and what lies in a folder that
- * takes no new file, is written to as it is.
+ * `repair scan.ply scan.ply` on a full disk. What is no file (a pipe, a device, a link to nothing), and what lies
+ * in a folder that takes no new file, is written to as it is.
  */
 async function replaceFile(path: string, content: string | Uint8Array): Promise<void> {
-  const known = await stat(path).catch(() => undefined);
+  const known = await stat(path)
+    .catch(() => lstat(path))
+    .catch(() => undefined);
   if (known !== undefined && !known.isFile()) return writeFile(path, content);
   if (known !== undefined) await access(path, constants.W_OK);
   const target = known === undefined ? path : await realpath(path);
   const draft = join(dirname(target), `.${basename(target)}.${process.pid}.part`);
-  const file = await open(draft, 'wx', known?.mode).catch(() => undefined);
-  if (file === undefined) return writeFile(path, content);
+  await unlessEnded(draft, async () => {
+    const file = await open(draft, 'wx', known?.mode).catch(() => undefined);
+    if (file === undefined) return writeFile(path, content);
+    try {
+      if (known !== undefined) await giveTo(file, known);
+      await file.writeFile(content);
+      await file.close();
+      await rename(draft, target);
+    } catch (error) {
+      await file.close().catch(() => {});
+      await rm(draft, { force: true });
+      throw error;
+    }
+  });
+}
+
+/** Gives a file the owner and the permissions of another, as far as that is allowed. */
+async function giveTo(file: FileHandle, { uid, gid, mode }: Stats): Promise<void> {
+  await file.chown(uid, gid).catch(() => {});
+  await file.chmod(mode & 0o777).catch(() => {});
+}
+
+/** The signals that end a program: Ctrl-C, `kill`, a terminal that is closed. */
+const ENDING = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
+
+/** Does some work; a signal that ends the program meanwhile takes a file with it. */
+async function unlessEnded(path: string, work: () => Promise<void>): Promise<void> {
+  const end = (signal: NodeJS.Signals) => {
+    rmSync(path, { force: true });
+    process.kill(process.pid, signal); // nobody listens to it any more
+  };
+  for (const signal of ENDING) process.once(signal, end);
   try {
-    await file.writeFile(content);
-    await file.close();
-    await rename(draft, target);
-  } catch (error) {
-    await file.close().catch(() => {});
-    await rm(draft, { force: true });
-    throw error;
+    await work();
+  } finally {
+    for (const signal of ENDING) process.off(signal, end);
   }
 }
 
