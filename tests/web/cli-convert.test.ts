@@ -122,6 +122,17 @@ describe('halfedge convert', () => {
     });
   });
 
+  test('says where buffers of glTF are looked for that standard input has not', async () => {
+    const json = JSON.stringify({
+      asset: { version: '2.0' },
+      buffers: [{ uri: 'box.bin', byteLength: 1 }],
+    });
+    expect(await run(['info'], json)).toMatchObject({
+      status: 2,
+      err: 'halfedge: standard input: glTF: buffers[0] is in another file, "box.bin"; expected the name of the file, beside which it is looked for, instead of standard input.\n',
+    });
+  });
+
   test('cuts polygons into triangles if asked to', async () => {
     await run(['convert', 'quad.obj', 'cut.off', '--triangulate']);
     expect(written('cut.off').mesh.faceCount).toBe(2);

@@ -49,7 +49,7 @@ async function meshOf(
 ) {
   // Buffers in other files lie beside it.
   const asGltf = () =>
-    readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) }).catch(refuseDraco);
+    readGltf(bytes, path === '-' ? {} : { baseUrl: pathToFileURL(path) }).catch(refuseOptions);
   if (looksLikeGltf(bytes)) return asGltf();
   if (!isGltf(format)) {
     return HalfedgeMesh.parse(bytes, { ...(format === undefined ? {} : { format }), onProgress });
@@ -63,15 +63,20 @@ async function meshOf(
   }
 }
 
-/** The package asks for an option that there is none of here: Draco's decoder needs workers as browsers have them. */
-function refuseDraco(error: unknown): never {
-  if (!(error instanceof HalfedgeError && error.message.includes('options.dracoLoader')))
-    throw error;
-  throw new HalfedgeError(
-    error.code,
-    'glTF: Draco has compressed the geometry, which this program does not decode: the explorer does, and saves it in other formats.',
-    { cause: error },
-  );
+/**
+ * The package asks for options that there are none of here: Draco's decoder needs workers as browsers have them,
+ * and nothing lies beside standard input.
+ */
+function refuseOptions(error: unknown): never {
+  if (!(error instanceof HalfedgeError)) throw error;
+  const { code, message } = error;
+  const told = message.includes('options.dracoLoader')
+    ? 'glTF: Draco has compressed the geometry, which this program does not decode: the explorer does, and saves it in other formats.'
+    : message.replace(
+        'expected options.baseUrl or options.resource to get it',
+        'expected the name of the file, beside which it is looked for, instead of standard input',
+      );
+  throw told === message ? error : new HalfedgeError(code, told, { cause: error });
 }
 
 /** The bytes of a file, read into memory once. */
