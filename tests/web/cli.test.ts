@@ -65,6 +65,8 @@ describe('halfedge', () => {
       '--keep-largest is "many"; expected a number from 1.',
     ],
     [['info', '-', '-'], 'Standard input (-) is named twice'],
+    [['check', 'quad.obj', ''], 'The name of a file is empty ("").'],
+    [['convert', 'quad.obj', '', '--to', 'off'], 'The name of a file is empty ("").'],
     [['info', 'nowhere.obj'], "nowhere.obj can't be read: no such file or directory (ENOENT)."],
     [['info', '.'], '. is a folder; expected a file.'],
     [['info', 'broken.off'], 'broken.off: Line 5: '],

@@ -126,11 +126,17 @@ export function inputsOf(operands: readonly string[]): readonly string[] {
   if (operands.filter((path) => path === '-').length > 1) {
     throw new Complaint('Standard input (-) is named twice; it can be read once.');
   }
+  refuseEmptyNames(operands);
   if (operands.length > 0) return operands;
   if (process.stdin.isTTY) {
     throw new Complaint('No file is named; expected one, or - for standard input.');
   }
   return ['-'];
+}
+
+/** A name is empty where a variable of a script is, and then no message could tell which. */
+export function refuseEmptyNames(paths: readonly string[]): void {
+  if (paths.includes('')) throw new Complaint('The name of a file is empty ("").');
 }
 
 /**

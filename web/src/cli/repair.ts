@@ -3,7 +3,7 @@ import type { Arguments, Options } from './arguments.js';
 import { COMMON, type Command, progressMode, WRITING } from './command.js';
 import { Complaint, orComplain } from './complaint.js';
 import { outputFormat } from './formats.js';
-import { inputsOf, loadOrTell, nameOf } from './input.js';
+import { inputsOf, loadOrTell, nameOf, refuseEmptyNames } from './input.js';
 import { type Done, MENDING, plan } from './mend.js';
 import { adaptTextures, nameOfOutput, print, printError, save } from './output.js';
 import { Progress } from './progress.js';
@@ -77,5 +77,7 @@ export function inputAndOutput(args: Arguments): { input: string; output: string
       `${JSON.stringify(tooMany[0])} is one file too many; expected one to read and one to write.`,
     );
   }
-  return { input, output: named ?? second ?? '-' };
+  const output = named ?? second ?? '-';
+  refuseEmptyNames([output]);
+  return { input, output };
 }
