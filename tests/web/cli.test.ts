@@ -44,6 +44,8 @@ describe('halfedge', () => {
     [['chekc', 'a'], '"chekc" is no command of halfedge. Did you mean check?'],
     [['frobnicate'], '"frobnicate" is no command of halfedge. `halfedge --help` lists them.'],
     [['--vresion'], '"--vresion" is no option of halfedge. Did you mean --version?'],
+    [['--json', 'info', 'a'], '--json follows the command: `halfedge <command> --json`.'],
+    [['-o', 'b.obj', 'convert', 'a'], '-o follows the command: `halfedge <command> -o`.'],
     [['info', '--jsn', 'a'], '--jsn is no option of `halfedge info`. Did you mean --json?'],
     [['info', '-x'], '-x is no option of `halfedge info`. `halfedge info --help` lists them.'],
     [['info', '--constructor'], '--constructor is no option of'],

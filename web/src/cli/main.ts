@@ -39,12 +39,23 @@ function version(): string {
 function commandNamed(name: string): Command {
   const command = COMMANDS.find((candidate) => candidate.name === name);
   if (command !== undefined) return command;
+  if (isOptionOfACommand(name)) {
+    throw new Complaint(`${name} follows the command: \`halfedge <command> ${name}\`.`);
+  }
   const what = name.startsWith('-') ? 'option' : 'command';
   const names = COMMANDS.map((candidate) => candidate.name);
   const alike =
     what === 'command' ? suggestion(name, names) : suggestion(name, ['--help', '--version']);
   throw new Complaint(
     `${JSON.stringify(name)} is no ${what} of halfedge.${alike || ' `halfedge --help` lists them.'}`,
+  );
+}
+
+/** Whether a word is an option of some command, with or without its value. */
+function isOptionOfACommand(word: string): boolean {
+  const spelt = word.replace(/=.*/s, '');
+  return COMMANDS.flatMap(({ options }) => Object.entries(options)).some(
+    ([name, { short }]) => spelt === `--${name}` || (short !== undefined && spelt === `-${short}`),
   );
 }
 
