@@ -254,6 +254,20 @@ describe('What is refused half-way', () => {
     expect(err.trimEnd()).not.toContain('\n');
   });
 
+  test('by too little memory to start with is told without what only we understand', async () => {
+    const little = '--wasm-max-mem-pages=10';
+    const child = spawn(process.execPath, [little, program, 'info', 'quad.obj'], {
+      cwd: folder,
+      stdio: ['ignore', 'ignore', 'pipe'],
+    });
+    let err = '';
+    child.stderr.on('data', (chunk) => {
+      err += chunk;
+    });
+    expect(await new Promise((resolve) => child.on('close', resolve))).toBe(2);
+    expect(err).toMatch(/^halfedge: The WebAssembly module can't be started: .*\n$/);
+  });
+
   const full = '/dev/full';
   (existsSync(full) ? test : test.skip)(
     'by a full disk behind standard output is told',

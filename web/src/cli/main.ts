@@ -2,7 +2,7 @@
 // The command-line tool. It uses the package as its users do; nothing of the package uses this.
 
 import { readFileSync } from 'node:fs';
-import { init } from '../index.js';
+import { HalfedgeError, init } from '../index.js';
 import { readArguments, suggestion } from './arguments.js';
 import { check } from './check.js';
 import { type Command, helpOf } from './command.js';
@@ -86,7 +86,8 @@ async function main(line: string[]): Promise<number> {
 
 /** The sentence of what a user can change; of anything else, which is our fault, all that is known. */
 function told(error: unknown): string {
-  if (error instanceof Complaint) return error.message;
+  const isOfTheMachine = error instanceof HalfedgeError && error.code === 'init-failed';
+  if (error instanceof Complaint || isOfTheMachine) return error.message;
   const all = error instanceof Error ? (error.stack ?? error.message) : String(error);
   return `An unexpected error, which is worth reporting: ${all}`;
 }
