@@ -1,7 +1,9 @@
 import { spawn } from 'node:child_process';
 import { closeSync, existsSync, openSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import type { WriteStream } from 'node:tty';
 import { HalfedgeMesh, init } from 'halfedge';
+import { Progress } from '../../web/src/cli/progress.js';
 import { folder, program, run, texts } from './support/cli.js';
 import { collected } from './support/collection.js';
 
@@ -301,6 +303,22 @@ describe('Progress', () => {
     expect(err).toBe('quad.obj: reading 100 %\nquad.obj: building 0 %\nquad.obj: building 100 %\n');
     expect((await run(['info', 'quad.obj', '--progress', '--quiet'])).err).toBe('');
     expect((await run(['info', 'quad.obj'])).err).toBe('');
+  });
+
+  test('stays in one line of a terminal, however long the name', async () => {
+    const lines: string[] = [];
+    const terminal = { isTTY: true, columns: 40, write: (line: string) => lines.push(line) };
+    const progress = new Progress('automatic', terminal as unknown as WriteStream);
+    await new Promise((resolve) => setTimeout(resolve, 600)); // shorter work shows nothing
+    progress.begin('short.obj');
+    progress.update('reading', 0.5);
+    await new Promise((resolve) => setTimeout(resolve, 150));
+    progress.begin(`${'folder/'.repeat(10)}long.obj`);
+    progress.update('reading', 0.5);
+    expect(lines).toEqual([
+      '\r\x1b[Kshort.obj: reading 50 %',
+      '\r\x1b[K…r/folder/folder/long.obj: reading 50 %', // 39 letters
+    ]);
   });
 });
 

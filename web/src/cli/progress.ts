@@ -40,7 +40,16 @@ export class Progress {
     const now = performance.now();
     if (now - this.#start < DELAY || now - this.#last < INTERVAL) return;
     this.#last = now;
-    this.#print(`\r\x1b[K${this.#file}: ${stage} ${percent} %`);
+    const told = `: ${stage} ${percent} %`;
+    this.#print(`\r\x1b[K${this.#fitted(told.length)}${told}`);
+  }
+
+  /** The end of the file's name, beside so many letters: a line that goes on in the next can't be cleared. */
+  #fitted(letters: number): string {
+    const room = Math.max(1, (this.#stream.columns || 80) - 1 - letters);
+    return this.#file.length <= room
+      ? this.#file
+      : `…${this.#file.slice(this.#file.length + 1 - room)}`;
   }
 
   /** Removes the line, so that something else can be written. */
