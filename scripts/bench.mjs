@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { argv } from 'node:process';
 import { build, buildPreset } from './build.mjs';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
-import { asProgram, root, run } from './lib/run.mjs';
+import { asProgram, Failure, root, run } from './lib/run.mjs';
 import { setup } from './setup.mjs';
 
 const native = join(root, 'build/bench/bench/native');
@@ -87,4 +87,7 @@ const benchmarks = {
 };
 
 const [, , kind, ...args] = argv;
-await asProgram(() => benchmarks[kind](args));
+await asProgram(() => {
+  if (kind in benchmarks) return benchmarks[kind](args);
+  throw new Failure(`Name a benchmark: ${Object.keys(benchmarks).join(', ')}.`);
+});

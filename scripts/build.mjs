@@ -12,9 +12,8 @@ import {
 } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { argv } from 'node:process';
-import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
-import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
+import { asProgram, capture, Failure, isProgram, root, run } from './lib/run.mjs';
 
 const dist = join(root, 'dist');
 const sources = join(root, 'web/src');
@@ -126,7 +125,16 @@ export async function build() {
   await buildWeb();
 }
 
-if (argv[1] === fileURLToPath(import.meta.url)) {
-  const part = { wasm: buildWasm, web: buildWeb }[argv[2]] ?? build;
-  await asProgram(part);
+if (isProgram(import.meta.url)) {
+  const parts = { wasm: buildWasm, web: buildWeb };
+  const [, , name] = argv;
+  await asProgram(() => {
+    if (name === undefined) return build();
+    if (!(name in parts)) {
+      throw new Failure(
+        `There is no part ${name}: the parts are ${Object.keys(parts).join(', ')}.`,
+      );
+    }
+    return parts[name]();
+  });
 }

@@ -5,10 +5,9 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { join } from 'node:path';
 import { argv } from 'node:process';
-import { fileURLToPath } from 'node:url';
 import { build, configurePreset } from './build.mjs';
 import { cppFiles } from './lib/files.mjs';
-import { asProgram, capture, Failure, root, run } from './lib/run.mjs';
+import { asProgram, capture, Failure, isProgram, root, run } from './lib/run.mjs';
 import { counts, Steps } from './lib/steps.mjs';
 import { setup } from './setup.mjs';
 
@@ -104,7 +103,7 @@ function withoutCounts(output) {
     .join('\n');
 }
 
-if (argv[1] === fileURLToPath(import.meta.url)) {
+if (isProgram(import.meta.url)) {
   await asProgram(async () => {
     await setup(['build', 'tests']);
     if (argv[2] === '--fix') return format();

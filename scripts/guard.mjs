@@ -5,10 +5,9 @@
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { argv } from 'node:process';
-import { fileURLToPath } from 'node:url';
 import { configurePreset } from './build.mjs';
 import { compare, measures, relativeToFlat, tableOf } from './guard/compare.mjs';
-import { asProgram, capture, Failure, root, run, which } from './lib/run.mjs';
+import { asProgram, capture, Failure, isProgram, root, run, which } from './lib/run.mjs';
 import { counts } from './lib/steps.mjs';
 import { setup } from './setup.mjs';
 
@@ -123,7 +122,7 @@ function print(loops) {
   }
 }
 
-if (argv[1] === fileURLToPath(import.meta.url)) {
+if (isProgram(import.meta.url)) {
   await asProgram(async () => {
     await setup(['build', 'tests']);
     if (argv.includes('--update')) return update();

@@ -6,10 +6,9 @@ import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { argv } from 'node:process';
-import { fileURLToPath } from 'node:url';
 import { emscriptenToolchain } from './lib/emscripten.mjs';
 import { filesBelow } from './lib/files.mjs';
-import { asProgram, capture, Failure, root, run, which } from './lib/run.mjs';
+import { asProgram, capture, Failure, isProgram, root, run, which } from './lib/run.mjs';
 
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 
@@ -70,6 +69,7 @@ const hasApt = () => onPath('apt-get');
 
 /** Makes the machine ready for the given purposes: 'build', 'tests', 'bench'. */
 export async function setup(purposes = ['build']) {
+  checkPurposes(purposes);
   checkNode();
   const missing = () => requirements.filter((it) => purposes.includes(it.purpose) && !it.found());
   const before = missing();
@@ -84,6 +84,14 @@ export async function setup(purposes = ['build']) {
     }
   }
   await installNpmPackages();
+}
+
+function checkPurposes(purposes) {
+  const known = [...new Set(requirements.map((it) => it.purpose))];
+  const unknown = purposes.filter((purpose) => !known.includes(purpose));
+  if (unknown.length > 0) {
+    throw new Failure(`There is no purpose ${unknown}: the purposes are ${known.join(', ')}.`);
+  }
 }
 
 /** The version that package.json asks for: an older Node fails later, and less clearly. */
@@ -145,6 +153,6 @@ async function installNpmPackages() {
   writeFileSync(stamp, digest);
 }
 
-if (argv[1] === fileURLToPath(import.meta.url)) {
+if (isProgram(import.meta.url)) {
   await asProgram(() => setup(['build', ...argv.slice(2)]));
 }

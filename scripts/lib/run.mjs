@@ -1,7 +1,7 @@
 // Running other programs, and finding them.
 
 import { spawn } from 'node:child_process';
-import { accessSync, constants } from 'node:fs';
+import { accessSync, constants, realpathSync } from 'node:fs';
 import { delimiter, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -65,12 +65,19 @@ export function which(name) {
   return undefined;
 }
 
-/** Runs `main` and turns a Failure into one printed sentence and exit code 1. */
+/** Whether a module is what Node was started with, were it by a link. */
+export function isProgram(url) {
+  const [, started] = process.argv;
+  return started !== undefined && realpathSync(started) === fileURLToPath(url);
+}
+
+/** Runs `main` and turns a Failure, or an option that there is not, into one printed sentence and exit code 1. */
 export async function asProgram(main) {
   try {
     await main();
   } catch (error) {
-    if (!(error instanceof Failure)) throw error;
+    const isOfArguments = String(error.code).startsWith('ERR_PARSE_ARGS_');
+    if (!(error instanceof Failure || isOfArguments)) throw error;
     console.error(`\n${error.message}`);
     process.exitCode = 1;
   }
