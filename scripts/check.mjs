@@ -2,7 +2,7 @@
 // the formatting instead.
 
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
+import os from 'node:os'; // by name, a Node too old to have it would tell of that alone
 import { join } from 'node:path';
 import { argv } from 'node:process';
 import { build, configurePreset } from './build.mjs';
@@ -61,7 +61,7 @@ async function clangTidy() {
       if (!ok) complaints.push(withoutCounts(output));
     }
   };
-  await Promise.all(Array.from({ length: availableParallelism() }, worker));
+  await Promise.all(Array.from({ length: os.availableParallelism() }, worker));
   if (complaints.length === 0) return counts(count);
   console.log(complaints.join('\n'));
   const failure = new Failure(`clang-tidy objects in ${complaints.length} of ${count} runs.`);

@@ -1,7 +1,7 @@
 // `npm run setup`: installs what this machine lacks to build (and, with `tests` or `bench`, to test
 // or benchmark) the project: the system's packages on Debian and Ubuntu, then the npm packages.
 
-import { execFileSync } from 'node:child_process';
+import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
@@ -12,6 +12,10 @@ import { asProgram, capture, Failure, isProgram, root, run, which } from './lib/
 
 const includeFolders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
 
+const read = (name) => JSON.parse(readFileSync(join(root, name), 'utf8'));
+const { major, minor } = read('CMakePresets.json').cmakeMinimumRequired;
+const leastCMake = `${major}.${minor}`;
+
 const onPath = (...names) => names.some((name) => which(name) !== undefined);
 const header = (path) => includeFolders.some((folder) => existsSync(join(folder, path)));
 
@@ -21,8 +25,8 @@ const header = (path) => includeFolders.some((folder) => existsSync(join(folder,
  */
 const requirements = [
   need('build', 'Emscripten (an activated emsdk)', 'emscripten', () => emscriptenToolchain()),
-  need('build', 'CMake', 'cmake', () => onPath('cmake')),
-  need('build', 'Ninja', 'ninja-build', () => onPath('ninja')),
+  need('build', `CMake ${leastCMake} or newer`, 'cmake', hasCMake),
+  need('build', 'Ninja', 'ninja-build', () => onPath('ninja', 'ninja-build')),
   need('build', 'fast_float', 'libfast-float-dev', hasFastFloat),
   need('tests', 'g++', 'g++', () => onPath('g++')),
   need('tests', 'clang', 'clang', () => onPath('clang++')),
@@ -50,6 +54,18 @@ function need(purpose, title, aptPackage, found) {
   return { purpose, title, aptPackage, found };
 }
 
+/** An older one doesn't know presets, or not these. */
+function hasCMake() {
+  const [version] = /[\d.]+/.exec(printedBy('cmake', '--version')) ?? [];
+  return version !== undefined && !isOlder(version, leastCMake);
+}
+
+/** What a program prints; nothing where there is none, or only what stands for it until it is installed. */
+function printedBy(program, ...args) {
+  const { stdout } = spawnSync(program, args, { encoding: 'utf8' });
+  return stdout ?? '';
+}
+
 /** CMake downloads fast_float where there is no package of it, so it is asked for on Debian only. */
 function hasFastFloat() {
   return process.env.HALFEDGE_FAST_FLOAT_DIR || header('fast_float/fast_float.h') || !hasApt();
@@ -57,8 +73,8 @@ function hasFastFloat() {
 
 /** Whether clang can link AddressSanitizer and libFuzzer, which Debian packs apart from it. */
 function hasSanitizers() {
-  if (!onPath('clang++')) return false;
-  const folder = execFileSync('clang++', ['-print-resource-dir'], { encoding: 'utf8' }).trim();
+  const folder = printedBy('clang++', '-print-resource-dir').trim();
+  if (folder === '') return false;
   const libraries = filesBelow(join(folder, 'lib')).map((path) => basename(path));
   return ['asan', 'fuzzer'].every((part) =>
     libraries.some((name) => name.startsWith(`libclang_rt.${part}`)),
@@ -70,6 +86,7 @@ const hasApt = () => onPath('apt-get');
 /** Makes the machine ready for the given purposes: 'build', 'tests', 'bench'. */
 export async function setup(purposes = ['build']) {
   checkPurposes(purposes);
+  checkSystem();
   checkNode();
   const missing = () => requirements.filter((it) => purposes.includes(it.purpose) && !it.found());
   const before = missing();
@@ -94,15 +111,38 @@ function checkPurposes(purposes) {
   }
 }
 
-/** The version that package.json asks for: an older Node fails later, and less clearly. */
+/** Programs are found, and started, as Linux and macOS do it. */
+function checkSystem() {
+  if (process.platform !== 'win32') return;
+  throw new Failure('The project is built and tested on Linux and macOS: on Windows, take WSL.');
+}
+
+/** What the tools of npm ask for, the pickiest first, and the package: an older Node fails later, and less clearly. */
 function checkNode() {
-  const { engines } = JSON.parse(readFileSync(join(root, 'package.json'), 'utf8'));
-  const needed = engines.node.replace('>=', '');
-  const older = needed.localeCompare(process.versions.node, 'en', { numeric: true }) > 0;
-  if (older) {
-    throw new Failure(`This is Node ${process.versions.node}: install Node ${needed} or newer.`);
+  const { engines, devDependencies } = read('package.json');
+  const { packages } = read('package-lock.json');
+  const tools = ['vite', 'jest', ...Object.keys(devDependencies)].map((name) => {
+    return [name, packages[`node_modules/${name}`]?.engines?.node];
+  });
+  for (const [name, range] of [...tools, ['halfedge', engines.node]]) {
+    if (range === undefined || isInRange(process.versions.node, range)) continue;
+    throw new Failure(
+      `This is Node ${process.versions.node}, and ${name} needs ${range}: install a newer one.`,
+    );
   }
 }
+
+/** Whether a version is in a range such as "^20.19.0 || >=22.12.0". */
+function isInRange(version, range) {
+  return range.split('||').some((part) => {
+    const [, sign, least] = /^\s*(\^|>=|)\s*v?([\d.]+)/.exec(part) ?? [];
+    if (least === undefined) return true; // it is said in another way: npm tells
+    const isSameMajor = Number.parseInt(version, 10) === Number.parseInt(least, 10);
+    return !isOlder(version, least) && (sign === '>=' || isSameMajor);
+  });
+}
+
+const isOlder = (version, other) => other.localeCompare(version, 'en', { numeric: true }) > 0;
 
 function sentenceOf(missing) {
   const titles = [...new Set(missing.map((it) => it.title))];

@@ -2,9 +2,19 @@
 // programs that a test puts there.
 
 import { spawn } from 'node:child_process';
-import { cpSync, mkdirSync, mkdtempSync, realpathSync, rmSync, symlinkSync } from 'node:fs';
+import {
+  chmodSync,
+  cpSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  realpathSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { root } from '../../scripts/lib/run.mjs';
 
 let folder: string;
@@ -20,6 +30,26 @@ beforeEach(() => {
 });
 
 afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+function write(path: string, text: string) {
+  mkdirSync(dirname(join(folder, path)), { recursive: true });
+  writeFileSync(join(folder, path), text);
+}
+
+/** Puts a program on PATH, written in the language of the shell. */
+function install(name: string, script = '') {
+  write(`bin/${name}`, `#!/bin/sh\n${script}\n`);
+  chmodSync(join(folder, 'bin', name), 0o755);
+}
+
+/** All that a build needs. */
+function installTools() {
+  install('cmake', 'echo cmake version 3.30.1');
+  install('ninja');
+  write('emsdk/upstream/emscripten/cmake/Modules/Platform/Emscripten.cmake', '');
+  // It keeps what it was called with.
+  install('npm', `echo "$@" >> "${folder}/npm.log"; /bin/mkdir -p node_modules`);
+}
 
 /** Runs Node in the copy, perhaps as another user; returns all that was printed. */
 function node(args: string[], { uid }: { uid?: number } = {}) {
@@ -45,6 +75,38 @@ const fails = (sentence: string) => ({
 });
 
 describe('The set-up', () => {
+  test('names what has to be installed, and how new', async () => {
+    expect(await node(['scripts/setup.mjs'])).toEqual(
+      fails('Install Emscripten .an activated emsdk., CMake 3.22 or newer and Ninja, then run .*'),
+    );
+    installTools();
+    install('cmake', 'echo cmake version 3.18.4');
+    expect(await node(['scripts/setup.mjs'])).toEqual(
+      fails('Install CMake 3.22 or newer, then run this again.'),
+    );
+  });
+
+  test('takes a compiler that only stands for one as missing', async () => {
+    installTools();
+    install('clang++', 'echo no developer tools were found >&2; exit 1');
+    const { status, printed } = await node(['scripts/setup.mjs', 'tests']);
+    expect(status).toBe(1);
+    expect(printed).toMatch(/^Install .*clang's sanitizers and fuzzer.*, then run this again\.$/);
+  });
+
+  test('refuses a Node that a tool refuses', async () => {
+    const path = join(checkout, 'package-lock.json');
+    const lock = JSON.parse(readFileSync(path, 'utf8'));
+    const major = Number.parseInt(process.versions.node, 10);
+    lock.packages['node_modules/vite'].engines.node = `^${major - 1}.1.0 || >=${major + 1}.0.0`;
+    writeFileSync(path, JSON.stringify(lock));
+    expect(await node(['scripts/setup.mjs'])).toEqual(
+      fails(
+        `This is Node ${process.versions.node}, and vite needs .${major - 1}.1.0 .* install a newer one.`,
+      ),
+    );
+  });
+
   test('refuses what there is not', async () => {
     const sentence = 'There is no purpose test: the purposes are build, tests, bench.';
     expect(await node(['scripts/setup.mjs', 'test'])).toEqual(fails(sentence));
