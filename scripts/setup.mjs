@@ -92,7 +92,7 @@ export async function setup(purposes = ['build']) {
   const before = missing();
   if (before.length > 0) {
     if (!hasApt()) throw new Failure(`Install ${sentenceOf(before)}, then run this again.`);
-    await installByApt([...new Set(before.map((it) => it.aptPackage))]);
+    await installByApt(before);
     const after = missing();
     if (after.length > 0) {
       throw new Failure(
@@ -150,9 +150,18 @@ function sentenceOf(missing) {
   return titles.length > 0 ? `${titles.join(', ')} and ${last}` : last;
 }
 
-async function installByApt(packages) {
+async function installByApt(missing) {
+  const packages = [...new Set(missing.map((it) => it.aptPackage))];
   console.log(`Installing with apt-get: ${packages.join(' ')}`);
-  if (!(await areKnownToApt(packages))) await apt(['update', '-qq']);
+  await becomeRoot(packages);
+  if ((await unknownToApt(packages)).length > 0) await apt(['update', '-qq']);
+  const unknown = await unknownToApt(packages);
+  if (unknown.length > 0) {
+    const titles = sentenceOf(missing.filter((it) => unknown.includes(it.aptPackage)));
+    throw new Failure(
+      `apt-get has no ${unknown.join(', ')}: install ${titles} in another way, then run this again.`,
+    );
+  }
   const install = ['install', '-y', '-q', '--no-install-recommends', ...packages];
   try {
     await apt(install);
@@ -164,21 +173,35 @@ async function installByApt(packages) {
   }
 }
 
-/** Whether apt's lists name a version of each package; in a fresh container they are empty. */
-async function areKnownToApt(packages) {
+/** The packages of which apt's lists name no version; in a fresh container that is all. */
+async function unknownToApt(packages) {
   const { output } = await capture('apt-cache', ['policy', ...packages], { env: { LC_ALL: 'C' } });
-  return (output.match(/Candidate: (?!\(none\))/g) ?? []).length === packages.length;
+  const known = new Set();
+  for (const [, name] of output.matchAll(/^(\S+):\n(?: .*\n)*? *Candidate: (?!\(none\))/gm)) {
+    known.add(name);
+  }
+  return packages.filter((name) => !known.has(name));
+}
+
+const isRoot = () => process.getuid() === 0;
+
+/** Sees that apt-get can run as root: sudo may be missing, or refuse, or have no terminal to ask on. */
+async function becomeRoot(packages) {
+  if (isRoot()) return;
+  try {
+    await run('sudo', ['true'], { input: 'inherit' });
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    const command = `apt-get update && apt-get install ${packages.join(' ')}`;
+    throw new Failure(`As root, run \`${command}\`, then run this again.`);
+  }
 }
 
 /** Runs apt-get as root, by sudo where that is needed. */
 async function apt(args) {
-  const isRoot = process.getuid() === 0;
-  if (!isRoot && !onPath('sudo')) {
-    throw new Failure(`As root, run \`apt-get ${args.join(' ')}\`, then run this again.`);
-  }
   // Through sudo, since it drops the environment of its caller.
   const command = ['env', 'DEBIAN_FRONTEND=noninteractive', 'apt-get', '-o', 'Dpkg::Use-Pty=0'];
-  const [program, ...rest] = isRoot ? command : ['sudo', ...command];
+  const [program, ...rest] = isRoot() ? command : ['sudo', ...command];
   await run(program, [...rest, ...args], { input: 'inherit' });
 }
 

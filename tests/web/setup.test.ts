@@ -112,6 +112,29 @@ describe('The set-up', () => {
     expect(await node(['scripts/setup.mjs', 'test'])).toEqual(fails(sentence));
   });
 
+  test('says what to run as root where sudo refuses', async () => {
+    const sentence = 'As root, run `apt-get update && apt-get install .*cmake.*`, then run this .*';
+    install('apt-get', 'exit 100');
+    expect(await node(['scripts/setup.mjs'], { uid: 1000 })).toEqual(fails(sentence));
+    install('sudo', 'echo sudo: a terminal is required >&2; exit 1');
+    expect(await node(['scripts/setup.mjs'], { uid: 1000 })).toEqual(fails(sentence));
+  });
+
+  test('names what the system has no package of', async () => {
+    installTools();
+    rmSync(join(folder, 'bin/ninja'));
+    install('cmake', 'echo cmake version 3.18.4');
+    install('env', '/usr/bin/env "$@"');
+    install('apt-get');
+    install(
+      'apt-cache',
+      `printf 'cmake:\\n  Installed: 1\\n  Candidate: 1\\nninja-build:\\n  Candidate: (none)\\n'`,
+    );
+    expect((await node(['scripts/setup.mjs'], { uid: 0 })).printed).toMatch(
+      /^apt-get has no ninja-build.*: install Ninja.* in another way, then run this again\.$/m,
+    );
+  });
+
   test('runs by a link, too', async () => {
     symlinkSync(checkout, join(folder, 'link'));
     const script = join(folder, 'link/scripts/setup.mjs');
