@@ -212,7 +212,9 @@ async function installNpmPackages() {
   const digest = createHash('sha256').update(lock).digest('hex');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === digest) return;
   console.log('Installing the npm packages (npm ci)');
-  await run('npm', ['ci', '--no-progress', '--loglevel=error']);
+  // Also with NODE_ENV=production, as many containers have it, and with settings that leave packages out.
+  const all = ['dev', 'optional', 'peer'].map((kind) => `--include=${kind}`);
+  await run('npm', ['ci', ...all, '--no-progress', '--loglevel=error']);
   writeFileSync(stamp, digest);
 }
 

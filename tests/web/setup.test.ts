@@ -135,6 +135,18 @@ describe('The set-up', () => {
     );
   });
 
+  test('installs all npm packages, until that has been done once', async () => {
+    installTools();
+    const calls = () => readFileSync(join(folder, 'npm.log'), 'utf8').trim().split('\n');
+    install('npm', `echo "$@" >> "${folder}/npm.log"; /bin/mkdir -p node_modules; exit 1`);
+    expect(await node(['scripts/setup.mjs'])).toMatchObject({ status: 1 });
+    installTools();
+    expect(await node(['scripts/setup.mjs'])).toMatchObject({ status: 0 });
+    expect(await node(['scripts/setup.mjs'])).toMatchObject({ status: 0 });
+    expect(calls()).toHaveLength(2);
+    expect(calls()[1]).toMatch(/^ci --include=dev --include=optional --include=peer /);
+  });
+
   test('runs by a link, too', async () => {
     symlinkSync(checkout, join(folder, 'link'));
     const script = join(folder, 'link/scripts/setup.mjs');
