@@ -49,10 +49,11 @@ await asProgram(async () => {
     );
   }
   const steps = new Steps();
-  await steps.run('Set-up', async () => {
+  const isReady = await steps.run('Set-up', async () => {
     await setup(['build', 'tests']);
     return counts(0);
   });
-  for (const name of names) await parts[name](steps);
+  // Without what is missing all else fails, and the sentence that names it is out of sight.
+  if (isReady) for (const name of names) await parts[name](steps);
   if (!steps.close()) process.exitCode = 1;
 });

@@ -12,6 +12,7 @@ export class Steps {
   /**
    * Runs `action` under a heading. It returns the counts of its runner; a step without a runner
    * counts as one test, passed unless it throws. A thrown Failure is told, and the run goes on.
+   * Returns whether nothing failed.
    */
   async run(title, action) {
     console.log(`\n── ${title}`);
@@ -27,6 +28,7 @@ export class Steps {
     const seconds = (performance.now() - start) / 1000;
     this.#rows.push({ title, seconds, ...result });
     console.log(`── ${title}: ${inWords(result)} (${seconds.toFixed(1)} s)`);
+    return result.failed === 0;
   }
 
   /** Prints a table of the steps and the closing line. Returns whether nothing failed. */

@@ -154,6 +154,16 @@ describe('The set-up', () => {
   });
 });
 
+describe('`npm test`', () => {
+  test('tries nothing without what it needs', async () => {
+    const { status, printed } = await node(['scripts/test.mjs']);
+    expect(status).toBe(1);
+    expect(printed).toMatch(/\nInstall .*, then run this again\.\n── Set-up: 0 passed, 1 failed/);
+    expect(printed.match(/^── .*: /gm)).toHaveLength(1);
+    expect(printed).toMatch(/\n0 passed, 1 failed, 0 skipped$/);
+  });
+});
+
 test('Parts, benchmarks and options that there are not are refused in a sentence', async () => {
   const part = 'There is no part wsm: the parts are wasm, web.';
   expect(await node(['scripts/build.mjs', 'wsm'])).toEqual(fails(part));
