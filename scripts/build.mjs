@@ -7,6 +7,7 @@ import {
   mkdirSync,
   readdirSync,
   readFileSync,
+  realpathSync,
   rmSync,
   writeFileSync,
 } from 'node:fs';
@@ -18,9 +19,11 @@ import { asProgram, capture, Failure, isProgram, root, run } from './lib/run.mjs
 const dist = join(root, 'dist');
 const sources = join(root, 'web/src');
 const compiled = join(root, 'build/web');
+const toolchainOption = '-DCMAKE_TOOLCHAIN_FILE=';
 
 /** Configures a CMake preset. What CMake says is shown only if it fails. */
 export async function configurePreset(preset, options = []) {
+  forgetStale(preset, options);
   const { ok, output } = await capture('cmake', ['--preset', preset, ...options]);
   if (!ok) throw new Failure(`${output}\nThe preset ${preset} cannot be configured.`);
 }
@@ -35,8 +38,8 @@ export async function buildPreset(preset, options = []) {
 export async function buildWasm() {
   const toolchain = emscriptenToolchain();
   if (!toolchain) throw new Failure('There is no Emscripten here: `npm run setup` installs it.');
-  forgetOtherToolchain(toolchain);
-  await buildPreset('wasm', [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`]);
+  needPackages();
+  await buildPreset('wasm', [`${toolchainOption}${toolchain}`]);
 
   const { transform } = await import('esbuild');
   const built = join(root, 'build/wasm/wasm');
@@ -47,19 +50,35 @@ export async function buildWasm() {
   writeFileSync(join(dist, 'core.wasm'), readFileSync(join(built, 'core.wasm')));
 }
 
-/** A build folder keeps the compiler it was made with: start afresh when Emscripten has changed. */
-function forgetOtherToolchain(toolchain) {
-  const folder = join(root, 'build/wasm');
+/**
+ * A build folder keeps the toolchain and the place that it was made with: start afresh where another toolchain is
+ * asked for, or the project has been moved.
+ */
+function forgetStale(preset, options) {
+  const folder = join(root, 'build', preset);
   const cache = join(folder, 'CMakeCache.txt');
   if (!existsSync(cache)) return;
-  const used = /^CMAKE_TOOLCHAIN_FILE:\w+=(.*)$/m.exec(readFileSync(cache, 'utf8'))?.[1];
-  if (used !== toolchain) rmSync(folder, { recursive: true });
+  const text = readFileSync(cache, 'utf8');
+  const used = (name) => new RegExp(`^${name}:\\w+=(.*)$`, 'm').exec(text)?.[1];
+  const place = used('CMAKE_HOME_DIRECTORY') ?? '';
+  const isHere = existsSync(place) && realpathSync(place) === root;
+  const toolchain = options.find((option) => option.startsWith(toolchainOption));
+  const isSame =
+    toolchain === undefined || toolchain === `${toolchainOption}${used('CMAKE_TOOLCHAIN_FILE')}`;
+  if (!(isHere && isSame)) rmSync(folder, { recursive: true });
+}
+
+/** The tools that are npm packages. */
+function needPackages() {
+  if (existsSync(join(root, 'node_modules/typescript'))) return;
+  throw new Failure('The npm packages are missing: `npm run setup` installs them.');
 }
 
 /** Compiles the TypeScript package into dist/, beside the WebAssembly module. */
 export async function buildWeb() {
   const wasm = join(dist, 'core.wasm');
   if (!existsSync(wasm)) throw new Failure('dist/core.wasm is missing: run `npm run build:wasm`.');
+  needPackages();
   rmSync(compiled, { recursive: true, force: true });
   // The command-line tool apart: the rest must not know that there are such things as Node's modules.
   for (const program of ['tsconfig.build.json', 'tsconfig.cli.json']) {

@@ -5,6 +5,7 @@ import { spawn } from 'node:child_process';
 import {
   chmodSync,
   cpSync,
+  existsSync,
   mkdirSync,
   mkdtempSync,
   readFileSync,
@@ -173,4 +174,33 @@ test('Parts, benchmarks and options that there are not are refused in a sentence
   expect(await node(['scripts/fuzz.mjs', '--minuts', '1'])).toEqual(
     fails("Unknown option '--minuts'.*"),
   );
+});
+
+describe('The build', () => {
+  test('can not do without the npm packages', async () => {
+    write('a checkout/dist/core.wasm', '');
+    const packages = 'The npm packages are missing: `npm run setup` installs them.';
+    expect(await node(['scripts/build.mjs', 'web'])).toEqual(fails(packages));
+  });
+
+  test('starts afresh where the project was moved or has another toolchain', async () => {
+    installTools();
+    const isKept = async (place: string, toolchain: string) => {
+      write(
+        'a checkout/build/wasm/CMakeCache.txt',
+        `CMAKE_HOME_DIRECTORY:INTERNAL=${place}\nCMAKE_TOOLCHAIN_FILE:FILEPATH=${toolchain}\n`,
+      );
+      const call = `configurePreset('wasm', ['-DCMAKE_TOOLCHAIN_FILE=/emscripten.cmake'])`;
+      const script = `(await import('./scripts/build.mjs')).${call}`;
+      const ran = await node(['--input-type=module', '-e', `await ${script}`]);
+      expect(ran).toEqual({ status: 0, printed: '' });
+      return existsSync(join(checkout, 'build/wasm'));
+    };
+    symlinkSync(checkout, join(folder, 'link'));
+    expect(await isKept(checkout, '/emscripten.cmake')).toBe(true);
+    expect(await isKept(join(folder, 'link'), '/emscripten.cmake')).toBe(true);
+    expect(await isKept(join(folder, 'emsdk'), '/emscripten.cmake')).toBe(false);
+    expect(await isKept('/no/such/folder', '/emscripten.cmake')).toBe(false);
+    expect(await isKept(checkout, '/other.cmake')).toBe(false);
+  });
 });
