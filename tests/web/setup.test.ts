@@ -16,6 +16,7 @@ import {
 } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
+import { filesBelow } from '../../scripts/lib/files.mjs';
 import { root } from '../../scripts/lib/run.mjs';
 
 let folder: string;
@@ -203,4 +204,10 @@ describe('The build', () => {
     expect(await isKept('/no/such/folder', '/emscripten.cmake')).toBe(false);
     expect(await isKept(checkout, '/other.cmake')).toBe(false);
   });
+});
+
+test('Links to nothing, such as the locks of an editor, are none of the files', () => {
+  write('src/a.h', '');
+  symlinkSync('nobody@nowhere', join(folder, 'src/.#a.h'));
+  expect(filesBelow(join(folder, 'src'))).toEqual([join(folder, 'src/a.h')]);
 });
