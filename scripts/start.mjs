@@ -12,9 +12,15 @@ async function serve() {
     root: join(root, 'web/explorer'),
     server: { port: requestedPort() ?? 5173, strictPort: requestedPort() !== undefined },
   });
-  await server.listen();
+  await server.listen().catch(refusePort);
   const [address] = server.resolvedUrls.local;
   console.log(`\nThe explorer is at ${address}  (Ctrl-C stops it)\n`);
+}
+
+/** A port that is taken, or that not everybody may take. */
+function refusePort(error) {
+  if (!/already in use|EADDRINUSE|EACCES/.test(error.message)) throw error;
+  throw new Failure(`${error.message}: choose another PORT, or none.`);
 }
 
 function requestedPort() {
