@@ -2,9 +2,9 @@
 # compilers we support has no std::from_chars for floating point), and sets
 # HALFEDGE_FAST_FLOAT_INCLUDE_DIR, a folder with fast_float/fast_float.h in it.
 #
-# Order: -DHALFEDGE_FAST_FLOAT_DIR, the system's headers, a download of the pinned release.
+# Order: HALFEDGE_FAST_FLOAT_DIR (-D, or in the environment), the system's headers, a download of the pinned release.
 
-set(HALFEDGE_FAST_FLOAT_DIR "" CACHE PATH "A folder with fast_float/fast_float.h in it")
+set(HALFEDGE_FAST_FLOAT_DIR "$ENV{HALFEDGE_FAST_FLOAT_DIR}" CACHE PATH "A folder with fast_float/fast_float.h in it")
 set(HALFEDGE_FAST_FLOAT_VERSION v3.9.0)
 
 if(HALFEDGE_FAST_FLOAT_DIR)
@@ -22,6 +22,11 @@ else()
   if(HALFEDGE_FAST_FLOAT_SYSTEM_DIR)
     set(fast_float_source "${HALFEDGE_FAST_FLOAT_SYSTEM_DIR}")
   else()
+    find_package(Git QUIET)
+    if(NOT Git_FOUND)
+      message(FATAL_ERROR "There is neither fast_float here, nor Git to download it: install one of them, "
+        "or name a folder with fast_float/fast_float.h in it by HALFEDGE_FAST_FLOAT_DIR.")
+    endif()
     message(STATUS "fast_float is not installed: downloading ${HALFEDGE_FAST_FLOAT_VERSION}")
     include(FetchContent)
     FetchContent_Declare(fast_float
