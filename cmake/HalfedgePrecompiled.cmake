@@ -5,7 +5,8 @@
 # would have those that it uses compiled anew.
 function(halfedge_precompile target)
   target_precompile_headers(${target} PRIVATE ${ARGN})
-  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang" OR CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12
+     OR APPLE) # whose linker has no --gc-sections
     return()
   endif()
   target_compile_options(${target} PRIVATE -fpch-codegen -Wno-unused-command-line-argument)
