@@ -11,6 +11,7 @@ import {
 import { join } from 'node:path';
 import { HalfedgeMesh, init } from 'halfedge';
 import { readGltf } from 'halfedge/gltf';
+import { capture } from '../../scripts/lib/run.mjs';
 import { folder, program, run, texts, written } from './support/cli.js';
 
 const { QUAD } = texts;
@@ -130,6 +131,19 @@ describe('halfedge convert', () => {
     expect(await run(['info'], json)).toMatchObject({
       status: 2,
       err: 'halfedge: standard input: glTF: buffers[0] is in another file, "box.bin"; expected the name of the file, beside which it is looked for, instead of standard input.\n',
+    });
+  });
+
+  test.each([
+    ['ply', '--encoding text'],
+    ['glb', '--to gltf'],
+  ])('does not print binary %s on a terminal, and tells to ask for %s', async (format, inText) => {
+    const terminal = 'data:text/javascript,process.stdout.isTTY = true';
+    const args = ['--import', terminal, program, 'convert', 'quad.obj', '--to', format];
+    expect(await capture(process.execPath, args, { cwd: folder })).toEqual({
+      ok: false,
+      output: `halfedge: Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for ${inText}.\n`,
+      printed: '',
     });
   });
 

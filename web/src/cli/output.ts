@@ -57,8 +57,9 @@ export async function save(
     }),
   );
   if (path === '-' && process.stdout.isTTY && typeof content !== 'string') {
+    const inText = isGltf(format) ? '--to gltf' : '--encoding text';
     throw new Complaint(
-      `Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for --encoding text.`,
+      `Binary ${format.toUpperCase()} is nothing for a terminal; name a file for it, or ask for ${inText}.`,
     );
   }
   try {
