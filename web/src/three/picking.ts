@@ -96,7 +96,7 @@ class ObjectTarget implements PickTarget {
   }
 
   triangleVertices(face: number): Uint32Array {
-    return this.#object.geometry.triangleVertices(face);
+    return this.#geometry.triangleVertices(face);
   }
 
   get matrixWorld(): Matrix4 {
