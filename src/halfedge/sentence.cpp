@@ -7,11 +7,11 @@
 namespace halfedge::sentence {
 
 void Part::append_to(std::string& sentence) const {
-  sentence += text_;
-  if (text_.data() == &kUnsigned) {
+  if (text_.data() == kUnsigned) {
     sentence += std::to_string(static_cast<std::uint64_t>(number_));
     return;
   }
+  sentence += text_;
   if (number_ == kNoNumber) return;
   if (!text_.empty()) sentence += ' ';
   sentence += !text_.empty() && number_ == kNone ? "none" : std::to_string(number_);

@@ -24,7 +24,7 @@ class Part {
       : number_(static_cast<std::int64_t>(number)) {
     // Numbers beyond have no other text.
     if constexpr (sizeof(Number) == sizeof number_ && std::unsigned_integral<Number>) {
-      if (number_ < 0) text_ = {&kUnsigned, 0};
+      if (number_ < 0) text_ = kUnsigned;
     }
   }
   template <class Tag>
@@ -34,7 +34,7 @@ class Part {
 
  private:
   static constexpr std::int64_t kNoNumber = std::numeric_limits<std::int64_t>::min();
-  static constexpr char kUnsigned = 'u';  // known by its address
+  static constexpr char kUnsigned[] = "u";  // known by its address
 
   std::string_view text_;
   std::int64_t number_ = kNoNumber;

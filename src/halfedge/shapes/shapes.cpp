@@ -28,7 +28,8 @@ struct Corner {
 Result<PolygonSoup> solid(const char* name, std::span<const Corner> corners, std::size_t degree,
                           std::span<const std::uint8_t> faces, double radius) {
   if (Error error; refused({check_lengths(name, {radius})}, error)) return error;
-  Maker maker(name, double(corners.size()), double(faces.size() / degree), double(faces.size()));
+  const std::size_t face_count = faces.size() / degree;
+  Maker maker(name, double(corners.size()), double(face_count), double(faces.size()));
   if (!maker.ready()) return maker.take();
   for (const Corner& c : corners) {
     const double scale = radius / std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
