@@ -365,7 +365,7 @@ export abstract class EulerOperations extends Construction {
    * Inverse: `makeHole(returned)`.
    *
    * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex` (if the loop passes a pinched vertex
-   * twice)
+   * twice), `degree-below-three` (of a degenerate complex)
    */
   fillHole(h: HalfedgeLike): Face {
     const links = linksOf(this);

@@ -39,7 +39,7 @@ export abstract class Surgery extends EulerOperations {
    * Glues `count` edges at once: `h` to `g`, `next(h)` to `prev(g)`, and so on. Whole boundary loops are glued
    * by {@link joinLoop}.
    *
-   * Inverse: {@link cutPath} along the same edges, from the last on.
+   * Inverse: {@link cutPath} along the same edges, from the last on, where none of their ends is pinched.
    *
    * @returns the edge of `h`
    * @throws HalfedgeError those of {@link glue}, `not-a-path`
@@ -87,7 +87,8 @@ export abstract class Surgery extends EulerOperations {
    * Cuts the surface open along a path of edges, each beginning where the one before ends; it may end where it
    * began. Copies of edges and vertices get the faces on its right. Inside the surface it leaves a slit.
    *
-   * Inverse: `gluePath(opposite(last of the path), returned, count)`, if it passes no boundary vertex.
+   * Inverse: `gluePath(opposite(last of the path), returned, count)`, if it passes no boundary vertex, and no
+   * vertex twice; of a path that ends where it began, inside, `joinLoop` of the same two halfedges.
    *
    * @returns the copy, without a face, of the last halfedge of the path
    * @throws HalfedgeError `not-a-path`, `loop-edge`, `boundary-edge`, `no-boundary-end`
@@ -137,11 +138,11 @@ export abstract class Surgery extends EulerOperations {
    * degree. Their faces disappear, and the vertices and edges of the loop of `g`. In one component this adds a
    * handle; of two it makes one.
    *
-   * Inverse: {@link splitLoop} along the loop.
+   * Inverse: {@link splitLoop} along the loop of `h`, and {@link makeHole} where there was no face.
    *
    * @returns `h`
    * @throws HalfedgeError `same-loop`, `different-degrees`, `repeated-vertex`, `edge-without-face`,
-   * `edge-exists`, `duplicate-edge`
+   * `edge-exists`, `duplicate-edge`, `last-edge` (of a segment)
    */
   joinLoop(h: HalfedgeLike, g: HalfedgeLike): Halfedge {
     const links = linksOf(this);

@@ -166,8 +166,8 @@ template <Editable Mesh>
 }  // namespace internal
 
 /// Whether join_loop(h, g) can be done: else not-a-halfedge; same-loop; different-degrees;
-/// repeated-vertex, if a vertex occurs twice in the two loops; edge-without-face; out-of-memory.
-/// cost: O(n log n) of loops of n halfedges
+/// repeated-vertex, if a vertex occurs twice in the two loops; edge-without-face; last-edge, of a
+/// segment; out-of-memory. cost: O(n log n) of loops of n halfedges
 template <Editable Mesh>
 [[nodiscard]] Result<void> check_join_loop(const Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;

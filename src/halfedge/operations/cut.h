@@ -148,7 +148,8 @@ template <EditableSurface Mesh>
 /// returns: the copy without a face of the last halfedge of the path
 /// cost: O(n log n + sum of the valences along the path)
 /// inverse: glue_path(opposite(last of the path), returned, n), if it passes no vertex on the
-///          boundary; of a path that ends where it began, inside, join_loop of the same two
+///          boundary, and none twice; of a path that ends where it began, inside, join_loop of the
+///          same two
 /// errors: those of check_cut_path, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> cut_path(Mesh& mesh, std::span<const Halfedge> path) {

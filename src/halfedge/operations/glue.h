@@ -171,7 +171,7 @@ template <EditableSurface Mesh>
 ///             that of the face it gets
 /// returns: the edge of h
 /// cost: O(product of the valences of two vertices that become one, degrees of the faces there)
-/// inverse: cut(opposite(h))
+/// inverse: cut(opposite(h)), where none of the ends is pinched
 /// errors: those of check_glue
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> glue(Mesh& mesh, Halfedge h, Halfedge g) {
@@ -202,7 +202,7 @@ template <EditableSurface Mesh>
 ///
 /// attributes: as glue
 /// returns: the edge of h. cost: as n times glue, and O(n log n)
-/// inverse: cut_path along the same edges, from the last on
+/// inverse: cut_path along the same edges, from the last on, where none of their ends is pinched
 /// errors: those of check_glue_path
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> glue_path(Mesh& mesh, Halfedge h, Halfedge g, std::size_t n) {

@@ -36,7 +36,8 @@ template <EditableSurface Mesh>
 /// Whether join_loop(h, g) can be done: else not-a-halfedge; same-loop; different-degrees;
 /// repeated-vertex, if a vertex occurs twice in the two loops, or a face has two that would become
 /// one; edge-without-face; edge-exists, if two that would become one are joined; duplicate-edge, if
-/// they are joined to a third; out-of-memory. cost: as glue_path along the loops
+/// they are joined to a third; last-edge, of a segment; out-of-memory. cost: as glue_path along the
+/// loops
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_join_loop(const Mesh& mesh, Halfedge h, Halfedge g) {
   if (Result<void> can = decorator::check_join_loop(mesh, h, g); !can) return can;
