@@ -85,6 +85,7 @@ describe('Whatever the operation', () => {
       'addFace',
       'deleteComponent',
       'compact',
+      'reorder',
     ];
     names.push('cutPath', 'splitLoop', 'reverse', 'dual', 'append', 'makeLoop', 'makeSegment');
     names.push('deleteIsolatedVertices', 'keepLargestComponents');
@@ -95,6 +96,7 @@ describe('Whatever the operation', () => {
     expect(mesh.checkAddVertex([0, 1, 2])).toBeNull();
     expect(mesh.checkDeleteComponent('edge', 3)).toBeNull();
     expect(mesh.checkCompact()).toBeNull();
+    expect(mesh.checkReorder('breadth-first')).toBeNull();
     expect(mesh.checkReverse()).toBeNull();
     expect(mesh.checkReverseComponent(5)).toBeNull();
     expect(mesh.checkMakeLoop()).toBeNull();
@@ -107,6 +109,7 @@ describe('Whatever the operation', () => {
     expect(() => mesh.checkAppend({} as never)).toThrow('other is an Object; expected a Halfedge');
     expect(() => mesh.checkDeleteComponent('loop' as never, 0)).toThrow('kind is "loop"');
     expect(() => mesh.checkDeleteComponent('edge', 12)).toThrow('item is 12; expected an edge');
+    expect(() => mesh.checkReorder('hilbert' as never)).toThrow('order is "hilbert"; expected');
     mesh.dispose();
     expect(() => mesh.checkCompact()).toThrow(/disposed/);
     expect(() => mesh.checkReverse()).toThrow(/disposed/);

@@ -298,6 +298,13 @@ export abstract class Construction extends Circulation {
     return takeMaps(core, unwrap(raw));
   }
 
+  /** Why {@link reorder} would be refused: never, so null. */
+  checkReorder(order: VertexOrder = 'morton'): Refusal | null {
+    linksOf(this).checkAlive();
+    indexOfChoice('order', order, VERTEX_ORDERS);
+    return null;
+  }
+
   /**
    * Makes room for so many slots, live and deleted, so that adding items up to there moves no array.
    */
