@@ -142,6 +142,18 @@ describe('A shape', () => {
         ),
       ],
       [
+        () => HalfedgeMesh.icosahedron({ radius: 3.4028235e38 }),
+        new RangeError(
+          'options.radius is 3.4028235e+38; expected a positive number that fits a 32-bit float.',
+        ),
+      ],
+      [
+        () => HalfedgeMesh.torus(3, 3, { radius: 2e38, tube: 2e38 }),
+        new RangeError(
+          'options.radius + options.tube is 4e+38; expected a positive number that fits a 32-bit float.',
+        ),
+      ],
+      [
         () => HalfedgeMesh.torus(3, 3, { tube: null as never }),
         new TypeError('options.tube is null; expected a positive number that fits a 32-bit float.'),
       ],

@@ -118,7 +118,7 @@ export function makeMeshesWith(make: typeof meshOf): void {
  * parts come first, lengths are options. All take `storePrev`, too.
  *
  * @throws RangeError or TypeError for a number of parts that is too small or no integer, and a
- * length that is not positive; HalfedgeError `too-large`, `out-of-memory`
+ * length that is not positive, or fits no 32-bit float; HalfedgeError `too-large`, `out-of-memory`
  */
 export abstract class Shapes extends Neighbourhoods {
   /** 4 vertices, 6 edges, 4 triangles. */
@@ -195,6 +195,8 @@ export abstract class Shapes extends Neighbourhoods {
   static torus(rings = 32, sides = 16, options: TorusOptions = {}): HalfedgeMesh {
     const { radius = 1, tube = 0.4 } = checkOptions(options, TORUS_OPTIONS);
     const parts = [count('rings', rings, 3), count('sides', sides, 3)];
+    const outer = length('options.radius', radius) + length('options.tube', tube);
+    length('options.radius + options.tube', outer);
     return make('torus', options, { parts, lengths: { radius, tube } });
   }
 
@@ -238,7 +240,9 @@ function make(
 ): HalfedgeMesh {
   const withPrev = storesPrev(options);
   const faces = trianglesAsked(options) ? 1 : 0;
-  const [x, y = 1] = Object.entries(lengths).map(([name, value]) => length(name, value));
+  const [x, y = 1] = Object.entries(lengths).map(([name, value]) =>
+    length(`options.${name}`, value),
+  );
   const wasm = core();
   const raw = wasm.shape(SHAPES.indexOf(shape), a, b, x, y, faces, caps, withPrev);
   return meshOf(new Links(wasm, unwrap(raw).mesh));
@@ -251,10 +255,12 @@ function count(argument: string, value: unknown, least: number): number {
   refuse(argument, value, `an integer from ${least} ${range}`, 'number');
 }
 
-function length(option: string, value: unknown): number {
-  const stored = typeof value === 'number' ? Math.fround(value) : 0;
-  if (stored > 0 && Number.isFinite(stored)) return value as number;
-  refuse(`options.${option}`, value, 'a positive number that fits a 32-bit float', 'number');
+/** The largest number that a 32-bit float holds. */
+const LARGEST_FLOAT = (2 - 2 ** -23) * 2 ** 127;
+
+function length(argument: string, value: unknown): number {
+  if (typeof value === 'number' && Math.fround(value) > 0 && value <= LARGEST_FLOAT) return value;
+  refuse(argument, value, 'a positive number that fits a 32-bit float', 'number');
 }
 
 function cap(option: string, value: unknown = 'polygon'): number {
