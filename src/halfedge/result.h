@@ -38,7 +38,7 @@ struct Witness {
   friend bool operator==(const Witness&, const Witness&) = default;
 };
 
-/// Why something was refused: a stable code in kebab-case for programs ("edge-with-three-faces"),
+/// Why something was refused: a stable code in kebab-case for programs ("edge-with-many-faces"),
 /// one sentence for people that names the item, its value and what was expected, and the witness.
 struct Error {
   HALFEDGE_COLD Error();

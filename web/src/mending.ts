@@ -111,7 +111,7 @@ const FILL_OPTIONS: OptionNames<FillOptions> = { maxEdges: true, maxAngle: true 
  * level 4 stays so; live items keep their indices; each repair is one step of history.
  *
  * Beside wrong arguments (a TypeError or a RangeError) and a mesh that is `disposed`, the only error is
- * `out-of-memory`. Without room for the work a part may have been done then, which is a step of history as
+ * `out-of-memory`, and of {@link removeDegenerateFaces} `corrupt-connectivity`. Without room for the work a part may have been done then, which is a step of history as
  * long as that finds room; without room in JavaScript for the report, all was done.
  */
 export abstract class Mending extends Modelling {
