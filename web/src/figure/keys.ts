@@ -17,7 +17,7 @@ const ZOOM = 1.2;
 
 /** The keys, for a description that is read out. */
 export const KEYS =
-  'Arrow keys turn it, plus and minus zoom, 0 shows it whole, space plays, comma and full stop step, n p o v e f h walk along links.';
+  'Arrow keys turn it, plus and minus zoom, 0 shows it whole, space plays, comma and full stop step, n p o v u e f h walk along links.';
 
 /** Does what a key of a focused picture means. False for one that means nothing. */
 export function actOnKey(event: KeyboardEvent, actions: KeyActions): boolean {
