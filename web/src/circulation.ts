@@ -80,7 +80,7 @@ export abstract class Circulation extends BulkRings {
     return aroundVertex(linksOf(this), v, direction, start, ITSELF);
   }
 
-  /** The halfedges that arrive at `v`; `start` is still one that leaves it. */
+  /** The halfedges that arrive at `v`; `start` is one of them, or one that leaves it: then its opposite is first. */
   vertexIncomingHalfedges(
     v: VertexLike,
     direction: Direction = 'ccw',

@@ -69,9 +69,11 @@ Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
  * vertex of a closed mesh, positions included. The three halfedges of face f are 3 f, 3 f + 1, 3 f + 2, so
  * that `next`, `prev` and `face` are arithmetic; boundary halfedges come after those of all faces.
  *
- * Everything is asked as of a {@link HalfedgeMesh}, in the same order, with the same errors. What differs:
- * it is not edited (convert it with {@link toMesh} for that); `opposite(h)` is not `h ^ 1`; and an edge has
- * the index of the smaller of its two halfedges, so that the indices of edges have gaps.
+ * Links, circulators and what is asked of one item are those of a {@link HalfedgeMesh}, in the same order, with
+ * the same errors. What differs: it is not edited; `opposite(h)` is not `h ^ 1`; and an edge has the index of
+ * the smaller of its two halfedges, so that the indices of edges have gaps. For edits, and for all else that a
+ * HalfedgeMesh has (rows of all rings, neighbourhoods, components, attributes, files), convert it with
+ * {@link toMesh}.
  *
  * ```ts
  * await init();
