@@ -36,7 +36,7 @@ export const NO_WITNESS: Witness = Object.freeze({
 /**
  * Whatever the library refuses that is not simply a wrong argument (those are a `TypeError` or a
  * `RangeError`): `code` is stable, `message` one sentence for people, `witness` the items that show
- * why. A refused build lists all it found in `problems`.
+ * why. A refused build lists what it found in `problems`, up to a thousand.
  */
 export class HalfedgeError extends Error {
   readonly code: string;

@@ -79,7 +79,7 @@ export class HalfedgeMesh extends Shapes {
    *
    * @param positions x, y, z of each vertex
    * @param indices three vertices of each face, counter-clockwise
-   * @throws HalfedgeError with all `problems` found: `edge-with-many-faces`, `opposite-orientation`,
+   * @throws HalfedgeError with the `problems` found, up to a thousand: `edge-with-many-faces`, `opposite-orientation`,
    * `duplicate-face`, `repeated-vertex`, `pinched-vertex`, `index-out-of-range`,
    * `non-finite-position`, `out-of-memory`; TypeError or RangeError for what is no such array.
    */
@@ -319,8 +319,8 @@ export class HalfedgeMesh extends Shapes {
   /**
    * Checks the invariants of the mesh, those of `level` (0 to 4) and below: an empty list means that
    * it is valid. Levels 0 to 3 check the links, level 4 adds the rules of polygon meshes. Isolated
-   * and pinched vertices are told, as information and as a warning, but are no error. Linear time,
-   * whatever the arrays hold.
+   * and pinched vertices are told, as information and as a warning, but are no error. At most 1000 of
+   * each code are listed, and how many more there are. Linear time, whatever the arrays hold.
    *
    * `'geometry'` adds to level 4 where the vertices lie: `non-finite-position`, an error; and as
    * warnings `zero-length-edge`, `degenerate-face` (no wider than 10^-6 of its length, or without area:
