@@ -20,14 +20,15 @@ struct MissingVertex {
 };
 
 /// Several, how they are moved and freed compiled once: soups are in many places, and few have any.
+/// Not as cold: whoever makes a soup would be taken for cold, too.
 class MissingVertices : public std::vector<MissingVertex> {
  public:
-  HALFEDGE_COLD MissingVertices();
-  HALFEDGE_COLD MissingVertices(MissingVertices&& other) noexcept;
-  HALFEDGE_COLD MissingVertices& operator=(MissingVertices&& other) noexcept;
+  HALFEDGE_NOINLINE MissingVertices();
+  HALFEDGE_NOINLINE MissingVertices(MissingVertices&& other) noexcept;
+  HALFEDGE_NOINLINE MissingVertices& operator=(MissingVertices&& other) noexcept;
   MissingVertices(const MissingVertices&) = delete;
   MissingVertices& operator=(const MissingVertices&) = delete;
-  HALFEDGE_COLD ~MissingVertices();
+  HALFEDGE_NOINLINE ~MissingVertices();
 
   HALFEDGE_COLD void add(std::size_t corner, std::string name);
 };

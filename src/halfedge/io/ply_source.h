@@ -203,6 +203,10 @@ class PlyBinary {
   }
   [[nodiscard]] bool read(PlyType type, std::int64_t& value) {
     if (room(type) == 0) return false;
+    if (type == PlyType::kUint8) {  // as lengths nearly always are
+      value = bytes_.take<std::uint8_t>();
+      return true;
+    }
     const ByteScanner start = bytes_;
     if (to_whole(take(type), value)) return true;
     bytes_ = start;

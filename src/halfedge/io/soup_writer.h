@@ -104,8 +104,8 @@ class SoupWriter {
     look_for_next_vertex();
   }
   /// Each of the next `count` vertices starts `stride` bytes behind the one before.
-  HALFEDGE_COLD void begin_vertices(std::size_t count, const std::uint8_t* position,
-                                    std::size_t stride);
+  HALFEDGE_NOINLINE void begin_vertices(std::size_t count, const std::uint8_t* position,
+                                        std::size_t stride);
   /// The next face starts at `position`.
   void begin_face(const char* position) {
     if (faces_ != next_wanted_face_) return;
@@ -113,8 +113,8 @@ class SoupWriter {
     look_for_next_face();
   }
   /// The same of faces.
-  HALFEDGE_COLD void begin_faces(std::size_t count, const std::uint8_t* position,
-                                 std::size_t stride);
+  HALFEDGE_NOINLINE void begin_faces(std::size_t count, const std::uint8_t* position,
+                                     std::size_t stride);
   void add_corner(Index vertex) {
     largest_ = std::max(largest_, vertex);
     if (Index* const p = append(soup_.corners, 1)) *p = vertex;
