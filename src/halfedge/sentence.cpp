@@ -67,4 +67,9 @@ std::string number(double value) {
   return text;
 }
 
+std::string in_full(double value) {
+  const bool has_digits = std::trunc(value) == value && std::abs(value) < 0x1p53;
+  return has_digits ? std::to_string(static_cast<std::int64_t>(value)) : number(value);
+}
+
 }  // namespace halfedge::sentence

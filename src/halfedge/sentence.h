@@ -79,5 +79,7 @@ template <class... Parts>
 
 /// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30".
 [[nodiscard]] std::string number(double value);
+/// The same, with all digits if it is whole, and a double has them.
+[[nodiscard]] std::string in_full(double value);
 
 }  // namespace halfedge::sentence

@@ -23,9 +23,6 @@ namespace halfedge::io {
 /// A number that counts, or is an index. What 64 bits cannot hold becomes the nearest value that
 /// they can. False if it is not whole.
 [[nodiscard]] HALFEDGE_NOINLINE bool to_whole(double number, std::int64_t& value);
-/// What is at `bytes`, in full if it is whole.
-[[nodiscard]] HALFEDGE_COLD std::string spelt(const std::uint8_t* bytes, PlyType type,
-                                              ByteOrder order);
 
 /// The values of a PLY file in text form. Rows are lines, so that one with too few or too many
 /// values is found where it is; unless there are more lines than rows, or fewer: then rows are
@@ -233,9 +230,7 @@ class PlyBinary {
   [[nodiscard]] ByteScanner mark() const { return bytes_; }
   void move_to(const ByteScanner& mark) { bytes_ = mark; }
   /// pre: a number of this type is at `mark`
-  [[nodiscard]] std::string number_at(const ByteScanner& mark, PlyType type) const {
-    return spelt(mark.position(), type, mark.order());
-  }
+  [[nodiscard]] HALFEDGE_COLD std::string number_at(const ByteScanner& mark, PlyType type) const;
 
   [[nodiscard]] Error unexpected(const std::string& expected, PlyType type) const {
     if (room(type) > 0) {

@@ -4,25 +4,15 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <utility>
 
 namespace halfedge::shapes {
-
-namespace {
-
-// With all digits, if a double has them.
-std::string spelt(double count) {
-  return count < 0x1p53 ? std::to_string(std::uint64_t(count)) : sentence::number(count);
-}
-
-}  // namespace
 
 Maker::Maker(const char* shape, double vertices, double faces, double corners) {
   if (vertices > kMaxSlots || corners > kMaxSlots) {
     error_ = {"too-large",
               sentence::of("{} of {} vertices and {} faces has more items than can be addressed",
-                           shape, spelt(vertices), spelt(faces))};
+                           shape, sentence::in_full(vertices), sentence::in_full(faces))};
     return;
   }
   const bool all_triangles = corners == 3 * faces;
@@ -30,7 +20,7 @@ Maker::Maker(const char* shape, double vertices, double faces, double corners) {
       !soup_.corners.reserve(std::size_t(corners)) ||
       (!all_triangles && !soup_.sizes.reserve(std::size_t(faces)))) {
     error_ = {"out-of-memory", sentence::of("memory is exhausted: no room for the {} faces of {}",
-                                            spelt(faces), shape)};
+                                            sentence::in_full(faces), shape)};
   }
 }
 
