@@ -333,13 +333,13 @@ class Corners {
   }
 
   #extend(vertex: number): void {
-    const before = this.array;
+    const wasSigned = this.#least < 0;
     this.#least = Math.min(this.#least, vertex);
     this.#most = Math.max(this.#most, vertex);
     const most = this.#least < 0 ? 2 ** 31 - 1 : NO_VERTEX;
     if (this.#doubles !== undefined || (this.#least >= -(2 ** 31) && this.#most <= most)) return;
-    this.#doubles = newArray(this.#argument, Float64Array, before.length);
-    this.#doubles.set(before);
+    this.#doubles = newArray(this.#argument, Float64Array, this.#words.length);
+    this.#doubles.set(wasSigned ? signed(this.#words) : this.#words);
     this.#words = new Uint32Array();
   }
 }
