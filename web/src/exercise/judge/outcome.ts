@@ -1,5 +1,7 @@
 // What a student's program did, in a form that can be sent from a worker.
 
+import { MOST_TURNS } from './program.js';
+
 /** A question that the program asked of the mesh: `next(3)` gave 7. */
 export interface Read {
   readonly name: string;
@@ -61,7 +63,7 @@ export function sendable(value: unknown): Plain | readonly Plain[] {
       if (list.length < MOST) list.push(plainOf(element));
       // A generator goes on while it is asked: one whose loop doesn't end is ended there, and that is told.
       pulled += 1;
-      if (pulled >= MOST_PULLED) break;
+      if (pulled > MOST_TURNS) break;
     }
     return list;
   }
@@ -70,8 +72,6 @@ export function sendable(value: unknown): Plain | readonly Plain[] {
 
 /** A list that is longer is wrong anyway. */
 const MOST = 2000;
-/** More than loops may turn, see program.ts. */
-const MOST_PULLED = 25_000;
 
 function isList(value: unknown): value is Iterable<unknown> {
   return typeof value === 'object' && value !== null && Symbol.iterator in value;

@@ -15,7 +15,7 @@ export class Endless extends Error {
 /** The name of the student's code in stack traces. */
 const FILE = 'your-code.js';
 /** No honest walk on meshes of this size turns so often. */
-const MOST_TURNS = 20_000;
+export const MOST_TURNS = 20_000;
 
 /** How often loops may still turn, and who is told; one of each for a thread that runs programs. */
 let turnsLeft = MOST_TURNS;
