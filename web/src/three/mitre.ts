@@ -30,7 +30,8 @@ const FLAT = 1e-3;
  * The capped mitre (see `arrows.ts`) of one polygon after another: `measure…` first, then `place…` its arrows, in any
  * sizes. In between, a row of numbers has the cap and the unit normal of the polygon and, of each corner, its place, the
  * direction and the length of the edge that leaves it, cot(θ/2) of the angle θ, 0 where that is reflex, and where the
- * inside of the polygon is beside that edge. All of it is written to typed arrays that are used again: thousands of faces take their turns in less than a millisecond.
+ * inside of the polygon is beside that edge. All of it is written to typed arrays that are used again: thousands of
+ * faces take their turns in less than a millisecond.
  */
 export class CappedMitre {
   #row = new Float64Array(HEAD + 16 * CORNER);

@@ -132,7 +132,7 @@ export function sightTo(point: Vector3, camera: Camera): Ray {
 /** Whether a point of the world lies clearly before another one that a camera sees at about the same place. */
 export function isClearlyBefore(point: Vector3, other: Vector3, camera: Camera): boolean {
   const depth = depthOf(other, camera);
-  // From far away, the size of what is seen is that of the picture alone.
+  // Along parallel rays it doesn't tell how large things look, as the height of the picture does.
   const span = isOrthographic(camera) ? 2 / camera.projectionMatrix.elements[5] : depth;
   return depthOf(point, camera) < depth - CLEARLY_BEFORE * span;
 }
