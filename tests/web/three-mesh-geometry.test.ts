@@ -206,6 +206,16 @@ describe('MeshGeometry', () => {
     expect(geometry.boundingSphere?.containsPoint(new THREE.Vector3(-5, 0, 0))).toBe(true);
   });
 
+  test('keeps bounds away from what was deleted after it had moved', () => {
+    using mesh = HalfedgeMesh.cube({ size: 2 });
+    const geometry = new MeshGeometry(mesh);
+    geometry.computeBoundingBox();
+    mesh.setPosition(0, [-5, 0, 0]);
+    mesh.deleteVertex(0);
+    geometry.update();
+    expect(geometry.boundingBox?.min.x).toBe(-1);
+  });
+
   test('keeps bounds around what moves while most of it is deleted', () => {
     using mesh = HalfedgeMesh.icoSphere(4);
     const geometry = new MeshGeometry(mesh);

@@ -134,6 +134,16 @@ describe('MeshPicker', () => {
     expect(picker.hides(new THREE.Vector3(4.5, 0.25, 1), view.camera)).toBe(false);
   });
 
+  test('tells what is hidden from where a camera has been put since its last picture', () => {
+    const { picker } = scene();
+    const camera = new THREE.PerspectiveCamera(60, 1, 0.1, 100);
+    const point = new THREE.Vector3(4.5, 0.25, -1);
+    camera.position.z = 3;
+    expect(picker.hides(point, camera)).toBe(false); // it is seen past the grid
+    camera.position.x = 5;
+    expect(picker.hides(point, camera)).toBe(true);
+  });
+
   describe('with a camera without perspective', () => {
     const OFF = 1.5; // of the middle, so that from where the camera stands, a point is seen past the surface
     const at = (x: number, y: number, z: number) => new THREE.Vector3(x, y, z);
