@@ -365,6 +365,11 @@ TEST(PlyAttributes, OfFacesEndBeforeThoseOfStrips) {
   EXPECT_EQ(before.notes, Strings());
   EXPECT_EQ(values_of(before.mesh, ItemKind::kFace, "label"), (Doubles{5, 0}));
   EXPECT_EQ(values_of(before.mesh, ItemKind::kFace, "pair"), (Doubles{8, 9, 0, 0}));
+  std::string two_faces = faces;
+  two_faces.replace(faces.find("face 1"), 6, "face 2");  // of one strip, which has another count
+  const test::MeshFile more = read_mesh(vertices + two_faces + strips + points +
+                                        "3 0 1 2 5 2 8 9\n3 2 1 3 6 2 8 9\n3 0 2 3\n");
+  EXPECT_EQ(values_of(more.mesh, ItemKind::kFace, "label"), (Doubles{5, 6, 0}));
   const test::MeshFile after =
       read_mesh(vertices + strips + faces + points + "3 2 1 3\n3 0 1 2 5 2 8 9\n");
   EXPECT_EQ(after.notes, Strings{"ignored the properties \"label\", \"pair\" of \"face\""});

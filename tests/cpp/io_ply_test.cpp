@@ -82,6 +82,24 @@ TEST(Ply, ReadsBothByteOrdersAndEveryType) {
   }
 }
 
+TEST(Ply, ReadsLengthsOfAByteUpTo255) {
+  const std::string text =
+      header("binary_little_endian",
+             "element vertex 255\nproperty uint8 x\nproperty uint8 y\nproperty uint8 z\n"
+             "element face 1\nproperty list uchar uchar vertex_indices\n");
+  std::vector<Index> corners;
+  Bytes data(false);
+  for (int v = 0; v < 255; ++v) data.add(std::uint8_t(v)).add(std::uint8_t{0}).add(std::uint8_t{0});
+  data.add(std::uint8_t{255});
+  for (int v = 0; v < 255; ++v) {
+    data.add(std::uint8_t(v));
+    corners.push_back(Index(v));
+  }
+  const Parsed file = parse_ply(text + std::string(data));
+  EXPECT_EQ(file.error, "");
+  EXPECT_EQ(file.faces, (std::vector<std::vector<Index>>{corners}));
+}
+
 TEST(Ply, ReadsBinaryFloatsBitForBit) {
   const float odd[] = {-0.0F, 1e-42F, 3.4028235e38F};
   for (const bool big : {false, true}) {
