@@ -42,7 +42,7 @@ class SideConnector {
     if (groups_.end() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!make_room()) return ConnectResult::kOutOfMemory;
     place_sides();
-    const bool is_manifold = groups_.match(scratch, Places{to_, side_at_, halfedge_of_, *this});
+    const bool is_manifold = groups_.match(scratch, Places{to_, halfedge_of_, *this});
     if (is_out_of_memory_) return ConnectResult::kOutOfMemory;
     if (!is_manifold) return ConnectResult::kNotManifold;
     const ConnectResult added = add_unforeseen_edges();
@@ -56,22 +56,22 @@ class SideConnector {
   // What lies at the places of groups. By value, so that loops keep it in registers.
   struct Places {
     Index* to;
-    Index* side_at;
     Index* halfedge_of;
     SideConnector& connector;
 
     [[gnu::always_inline]] void fetch(Index place, const Index* edge_to) const {
       prefetch(edge_to + to[place]);
-      prefetch(halfedge_of + side_at[place + 1]);
+      prefetch(halfedge_of + to[place + 1]);
     }
     [[nodiscard]] Index high_up(Index place) const { return to[place]; }
     // The place, odd as it is, will be a halfedge that leads to `low`, of one edge or another.
-    [[nodiscard]] Index high_down(Index place, Index low) const {
+    [[nodiscard]] Index take_down(Index place, Index low) const {
       return std::exchange(to[place], low);
     }
-    void join(Index up, Index down) const { halfedge_of[side_at[down]] = up + 1; }
-    void add(Index down, Index low, Index high, Index place) const {
-      connector.add_edge(side_at[down], low, high, place);
+    [[nodiscard]] Index high_down(Index side) const { return halfedge_of[side]; }
+    void join(Index up, Index side) const { halfedge_of[side] = up + 1; }
+    void add(Index side, Index low, Index high, Index place) const {
+      connector.add_edge(side, low, high, place);
     }
     void close(Index up, Index low, bool is_single) const {
       to[up + 1] = low;
@@ -107,32 +107,34 @@ class SideConnector {
     return links_.face_halfedge.recreate(polygons_.face_count());
   }
 
-  // Two of the arrays hold something else until faces are linked, and one of them even then: `face`
-  // if there is no `prev`.
+  // One of the arrays holds something else until faces are linked, and then, too: `face` if there
+  // is no `prev`.
   void use_arrays() {
     next_ = links_.next.data();
     to_ = links_.to_vertex.data();
     face_ = links_.face.data();
-    side_at_ = next_;
     halfedge_of_ = kPrev ? links_.prev.data() : face_;
   }
 
   // ---- places
 
-  // Writes `halfedge_of` those that run down, too: to leave it out takes a branch. Not inlined,
-  // since g++ makes branches of directions in the midst of run().
+  // Until sides are matched, one that runs down has its larger vertex in the place of its halfedge,
+  // and leaves its number where one that runs up leaves its larger vertex: of the two arrays that
+  // are written in the order of groups before there are groups, one is enough.
   HALFEDGE_NOINLINE void place_sides() {
     Index first = 0;
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
       if constexpr (kCanPrefetch) fetch_places(corners, first);
       for (Index i = 0; i < size; ++i) {
-        const DirectedSide direction(corners[i], corners[i + 1 == size ? 0 : i + 1]);
+        const Index side = first + i;
+        const Index from = corners[i];
+        const Index to = corners[i + 1 == size ? 0 : i + 1];
+        const DirectedSide direction(from, to);
         Index& next_place = groups_.next_place(direction);
         const Index place = next_place;
         next_place = place + 2;
-        to_[place] = direction.high;
-        side_at_[place] = first + i;
-        halfedge_of_[first + i] = place;
+        to_[place] = direction.pick(to, side);
+        halfedge_of_[side] = direction.pick(place, from);
       }
       first += size;
     });
@@ -147,9 +149,7 @@ class SideConnector {
     if (are_near(corners[0], far_ahead[0])) return;
     for (int i = 0; i < 3; ++i) {
       prefetch(&groups_.next_place({far_ahead[i], far_ahead[i + 1]}));
-      const Index place = groups_.next_place({ahead[i], ahead[i + 1]});
-      prefetch(to_ + place);
-      prefetch(side_at_ + place);
+      prefetch(to_ + groups_.next_place({ahead[i], ahead[i + 1]}));
     }
   }
 
@@ -244,7 +244,6 @@ class SideConnector {
   Index* next_ = nullptr;
   Index* to_ = nullptr;
   Index* face_ = nullptr;
-  Index* side_at_ = nullptr;      // by place
   Index* halfedge_of_ = nullptr;  // by side
 };
 

@@ -8,19 +8,24 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace halfedge {
 
 /// A side of a face by its edge: it *runs up* if it leads from the smaller vertex of the edge to
-/// the larger, else it runs down. Written so that compilers make no branch of it, which couldn't be
-/// predicted.
+/// the larger, else it runs down. The sign of their difference tells, as vertices are below 2^31:
+/// compilers make no branch of that, which couldn't be predicted.
 struct DirectedSide {
+  Index down;  ///< all bits set if the side runs down, else none
   Index low;
-  Index high;
-  Index down;  ///< 1 if the side runs down
 
   DirectedSide(Index from, Index to)
-      : low(std::min(from, to)), high(from + to - low), down(Index{from > to}) {}
+      : down(Index(std::int32_t(to - from) >> 31)), low(from + ((to - from) & down)) {}
+
+  /// One of both, without a branch.
+  [[nodiscard]] Index pick(Index if_up, Index if_down) const {
+    return if_up ^ ((if_up ^ if_down) & down);
+  }
 };
 
 /// The sides of all faces, brought together by the smaller vertices of their edges: the *group* of
@@ -46,7 +51,7 @@ class Groups {
 
   /// The place of the next side of this direction, to be moved on by 2 when it is taken.
   [[nodiscard]] Index& next_place(const DirectedSide& side) {
-    return next_[std::size_t{2} * side.low + side.down];
+    return next_[2 * side.low - side.down];
   }
 
   /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
@@ -55,9 +60,10 @@ class Groups {
   /// `places` knows what lies there:
   ///   fetch(place, edge_to)      this place, and the next, will be needed soon
   ///   high_up(place)             the larger vertex of a side that runs up
-  ///   high_down(place, low)      that of one that runs down; called once
-  ///   join(up, down)             these two are the sides of an edge
-  ///   add(down, low, high, place)   this one is the only side of its edge; `place` is the first of
+  ///   take_down(place, low)      the side there, one that runs down; called once
+  ///   high_down(side)            its larger vertex
+  ///   join(up, side)             the side at this place and that one are those of an edge
+  ///   add(side, low, high, place)   this one is the only side of its edge; `place` is the first of
   ///                              two in its group that no other edge has, or kNone
   ///   close(up, low, is_single)  called for all sides of a group that run up, if some of them are
   ///                              the only sides of their edges
@@ -154,17 +160,18 @@ Index Groups::match_group(const Group& group, Index* edge_to, const Places& plac
   Index free = group.up_end;
   Index added = 0;
   for (Index down = group.begin + 1; down != group.down_end + 1; down += 2) {
-    const Index high = places.high_down(down, group.low);
+    const Index side = places.take_down(down, group.low);
+    const Index high = places.high_down(side);
     const Index up = edge_to[high];
     if (group.has(up) && up % 2 == 0) {
       edge_to[high] = up + 1;
-      places.join(up, down);
+      places.join(up, side);
     } else if (group.has(up)) {
       return 1;
     } else {
       const bool fits = free < group.down_end;
       edge_to[high] = group.begin + 1;
-      places.add(down, group.low, high, fits ? free : kNone);
+      places.add(side, group.low, high, fits ? free : kNone);
       free += fits ? 2 : 0;
       ++added;
     }

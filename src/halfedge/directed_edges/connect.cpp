@@ -52,14 +52,13 @@ class TriangleConnector {
       }
     }
     [[nodiscard]] Index high_up(Index place) const { return corners[side_at[place]]; }
-    [[nodiscard]] Index high_down(Index place, Index) const {
-      return corners[before(side_at[place])];
+    [[nodiscard]] Index take_down(Index place, Index) const { return side_at[place]; }
+    [[nodiscard]] Index high_down(Index side) const { return corners[before(side)]; }
+    void join(Index up, Index side) const {
+      opposite[side_at[up]] = side;
+      opposite[side] = side_at[up];
     }
-    void join(Index up, Index down) const {
-      opposite[side_at[up]] = side_at[down];
-      opposite[side_at[down]] = side_at[up];
-    }
-    void add(Index down, Index, Index, Index) const { connector.leave(side_at[down]); }
+    void add(Index side, Index, Index, Index) const { connector.leave(side); }
     void close(Index up, Index, bool is_single) const {
       if (is_single) connector.leave(side_at[up]);
     }
