@@ -13,6 +13,7 @@ const NONE = -1;
 export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg }, input) {
   const { positions, triangles, closed } = input;
   const made = {};
+  const kept = {}; // rows, for the next round
   const views = () => made.halfedge.connectivity;
   const solid = () =>
     new manifold.Manifold(
@@ -105,6 +106,17 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg 
       sum: (_, rows) => sumOfRows(rows),
     },
     {
+      title: 'one-rings: all as rows, into the same arrays, then read',
+      run: {
+        halfedge: () => {
+          kept.oneRings = made.halfedge.allVertexVertices('ccw', undefined, kept.oneRings);
+          return sumOfRows(kept.oneRings);
+        },
+        hand: () => oneRingsByHand(views()),
+        tmh: () => tmhOneRings(made.tmh),
+      },
+    },
+    {
       title: 'faces of vertices: `for…of`',
       run: {
         halfedge: () => vertexFacesForOf(made.halfedge),
@@ -129,6 +141,17 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg 
         hand: () => faceFaceRowsByHand(views()),
       },
       sum: (_, rows) => sumOfRows(rows),
+    },
+    {
+      title: 'face neighbours: all as rows, into the same arrays, then read',
+      run: {
+        halfedge: () => {
+          kept.faceFaces = made.halfedge.allFaceFaces('ccw', undefined, kept.faceFaces);
+          return sumOfRows(kept.faceFaces);
+        },
+        hand: () => faceFacesByHand(views()),
+        tmh: () => tmhFaceFaces(made.tmh),
+      },
     },
   ];
   return { builds, passes, made };

@@ -115,6 +115,70 @@ describe('All rings in one call', () => {
   });
 });
 
+describe('Rows that are written over', () => {
+  const { positions, faces } = quadGrid();
+  let mesh: HalfedgeMesh;
+  beforeEach(() => {
+    mesh = HalfedgeMesh.fromPolygons(positions, faces);
+  });
+  afterEach(() => mesh.dispose());
+
+  test('come back in the same arrays, of every kind of ring', () => {
+    const all = [
+      ['allVertexVertices', 'allVertexOutgoingHalfedges', 'allVertexIncomingHalfedges'],
+      ['allVertexEdges', 'allVertexFaces'],
+      ['allFaceVertices', 'allFaceHalfedges', 'allFaceEdges', 'allFaceFaces'],
+      ['allEdgeVertices', 'allEdgeHalfedges', 'allEdgeFaces'],
+    ] as const;
+    for (const method of all.flat()) {
+      const expected = mesh[method]('cw');
+      const into = {
+        offsets: expected.offsets.slice().fill(99),
+        items: expected.items.slice().fill(99),
+      };
+      const rows = mesh[method]('cw', undefined, into);
+      expect(rows.offsets).toBe(into.offsets);
+      expect(rows.items).toBe(into.items);
+      expect(rows).toEqual(expected);
+    }
+    const few = { offsets: new Uint32Array(2), items: new Uint32Array(4) };
+    expect(mesh.allFaceVertices('ccw', [3], few).items).toBe(few.items);
+    expect(mesh.allEdgeVertices([0], undefined, few).items.buffer).toBe(few.items.buffer);
+  });
+
+  test('are the first part of longer arrays, and new ones where they are too short', () => {
+    const whole = mesh.allFaceFaces();
+    mesh.deleteFace(0);
+    const expected = mesh.allFaceFaces();
+    expect(expected.items.length).toBeLessThan(whole.items.length);
+    const rows = mesh.allFaceFaces('ccw', undefined, whole);
+    expect(rows).toEqual(expected);
+    expect(rows.offsets).toBe(whole.offsets);
+    expect(rows.items.buffer).toBe(whole.items.buffer);
+
+    const short = { offsets: new Uint32Array(3), items: rows.items.slice(1) };
+    const made = mesh.allFaceFaces('ccw', undefined, short);
+    expect(made).toEqual(expected);
+    expect(made.offsets.buffer).not.toBe(short.offsets.buffer);
+    expect(made.items.buffer).not.toBe(short.items.buffer);
+    expect(short.items).toEqual(rows.items.slice(1));
+
+    const sent = mesh.allFaceFaces();
+    structuredClone(sent, { transfer: [sent.offsets.buffer, sent.items.buffer] });
+    expect(mesh.allFaceFaces('ccw', undefined, sent)).toEqual(expected);
+  });
+
+  test('are rows', () => {
+    const ask = (into: unknown) => () => mesh.allFaceFaces('ccw', undefined, into as Rows);
+    expect(ask(new Uint32Array(99))).toThrow(
+      'into is a Uint32Array of 99 elements; expected rows of an earlier call: offsets and items, both Uint32Arrays.',
+    );
+    expect(ask(null)).toThrow('into is null; expected rows of an earlier call');
+    expect(ask({ offsets: new Uint32Array(99), items: new Int32Array(99) })).toThrow(TypeError);
+    expect(ask({ offsets: [0], items: new Uint32Array(99) })).toThrow('into is an Object;');
+  });
+});
+
 describe('Rings of a list of items', () => {
   const { positions, faces } = quadGrid();
   let mesh: HalfedgeMesh;

@@ -8,55 +8,91 @@ import { type Rows, rings } from './rings.js';
  * vertices. Faster than any loop in JavaScript.
  *
  * With a list of items, row i is the ring around the i-th of them. Edges have one order in both directions.
+ *
+ * `into`: the rows of an earlier call, to be written over. Their arrays come back if they are of the right
+ * length, the first part of them if they are longer, new ones if they are shorter. Saves the time to make
+ * and clear arrays, which is half of a call for a large mesh.
  */
 export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */
-  allVertexVertices(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
-    return rings(linksOf(this), 'vertexVertices', direction, vertices);
+  allVertexVertices(
+    direction: Direction = 'ccw',
+    vertices?: ArrayLike<VertexLike>,
+    into?: Rows,
+  ): Rows {
+    return rings(linksOf(this), 'vertexVertices', direction, vertices, into);
   }
   /** Row v: the halfedges that leave vertex v. */
-  allVertexOutgoingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
-    return rings(linksOf(this), 'vertexOutgoingHalfedges', direction, vertices);
+  allVertexOutgoingHalfedges(
+    direction: Direction = 'ccw',
+    vertices?: ArrayLike<VertexLike>,
+    into?: Rows,
+  ): Rows {
+    return rings(linksOf(this), 'vertexOutgoingHalfedges', direction, vertices, into);
   }
   /** Row v: the halfedges that arrive at vertex v. */
-  allVertexIncomingHalfedges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
-    return rings(linksOf(this), 'vertexIncomingHalfedges', direction, vertices);
+  allVertexIncomingHalfedges(
+    direction: Direction = 'ccw',
+    vertices?: ArrayLike<VertexLike>,
+    into?: Rows,
+  ): Rows {
+    return rings(linksOf(this), 'vertexIncomingHalfedges', direction, vertices, into);
   }
   /** Row v: the edges at vertex v. */
-  allVertexEdges(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
-    return rings(linksOf(this), 'vertexEdges', direction, vertices);
+  allVertexEdges(
+    direction: Direction = 'ccw',
+    vertices?: ArrayLike<VertexLike>,
+    into?: Rows,
+  ): Rows {
+    return rings(linksOf(this), 'vertexEdges', direction, vertices, into);
   }
   /** Row v: the faces at vertex v. */
-  allVertexFaces(direction: Direction = 'ccw', vertices?: ArrayLike<VertexLike>): Rows {
-    return rings(linksOf(this), 'vertexFaces', direction, vertices);
+  allVertexFaces(
+    direction: Direction = 'ccw',
+    vertices?: ArrayLike<VertexLike>,
+    into?: Rows,
+  ): Rows {
+    return rings(linksOf(this), 'vertexFaces', direction, vertices, into);
   }
   /** Row f: the corners of face f. */
-  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
-    return rings(linksOf(this), 'faceVertices', direction, faces);
+  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+    return rings(linksOf(this), 'faceVertices', direction, faces, into);
   }
   /** Row f: the halfedges of face f. */
-  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
-    return rings(linksOf(this), 'faceHalfedges', direction, faces);
+  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+    return rings(linksOf(this), 'faceHalfedges', direction, faces, into);
   }
   /** Row f: the edges of face f. */
-  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
-    return rings(linksOf(this), 'faceEdges', direction, faces);
+  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+    return rings(linksOf(this), 'faceEdges', direction, faces, into);
   }
   /** Row f: the neighbours across each edge of face f. */
-  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>): Rows {
-    return rings(linksOf(this), 'faceFaces', direction, faces);
+  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+    return rings(linksOf(this), 'faceFaces', direction, faces, into);
   }
   /** Row e: the two ends of edge e. Side 0 comes first. */
-  allEdgeVertices(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
-    return ringsOfEdges(this, 'edgeVertices', direction, edges);
+  allEdgeVertices(
+    direction?: Direction | ArrayLike<EdgeLike>,
+    edges?: ArrayLike<EdgeLike>,
+    into?: Rows,
+  ): Rows {
+    return ringsOfEdges(this, 'edgeVertices', direction, edges, into);
   }
   /** Row e: the two halfedges of edge e. Side 0 comes first. */
-  allEdgeHalfedges(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
-    return ringsOfEdges(this, 'edgeHalfedges', direction, edges);
+  allEdgeHalfedges(
+    direction?: Direction | ArrayLike<EdgeLike>,
+    edges?: ArrayLike<EdgeLike>,
+    into?: Rows,
+  ): Rows {
+    return ringsOfEdges(this, 'edgeHalfedges', direction, edges, into);
   }
   /** Row e: the one or two faces of edge e. Side 0 comes first. */
-  allEdgeFaces(direction?: Direction | ArrayLike<EdgeLike>, edges?: ArrayLike<EdgeLike>): Rows {
-    return ringsOfEdges(this, 'edgeFaces', direction, edges);
+  allEdgeFaces(
+    direction?: Direction | ArrayLike<EdgeLike>,
+    edges?: ArrayLike<EdgeLike>,
+    into?: Rows,
+  ): Rows {
+    return ringsOfEdges(this, 'edgeFaces', direction, edges, into);
   }
 }
 
@@ -66,8 +102,9 @@ function ringsOfEdges(
   kind: 'edgeVertices' | 'edgeHalfedges' | 'edgeFaces',
   direction: Direction | ArrayLike<EdgeLike> = 'ccw',
   edges?: ArrayLike<EdgeLike>,
+  into?: Rows,
 ): Rows {
   const isList = typeof direction === 'object' && direction !== null && edges === undefined;
   const [way, list] = isList ? (['ccw', direction] as const) : [direction as Direction, edges];
-  return rings(linksOf(mesh), kind, way, list);
+  return rings(linksOf(mesh), kind, way, list, into);
 }

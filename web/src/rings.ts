@@ -1,5 +1,5 @@
-import { indices, newArray } from './arguments.js';
-import { indexOfChoice } from './checks.js';
+import { indices, newArray, typedArrayName } from './arguments.js';
+import { indexOfChoice, refuse } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
 import type { Direction } from './items.js';
 import { checkItems, type Links } from './links.js';
@@ -36,24 +36,27 @@ export interface Rows {
   readonly items: Uint32Array;
 }
 
-/** The rings of one kind around all items, or around `centres`; copies. */
+/** The rings of one kind around all items, or around `centres`; copies, into the arrays of `into` if they fit. */
 export function rings(
   links: Links,
   kind: RingKind,
   direction: Direction,
   centres?: ArrayLike<number>,
+  into?: Rows,
 ): Rows {
+  if (into !== undefined) checkRows(into);
   const { core, address } = links;
   const ring = RING_KINDS.indexOf(kind);
   const way = directionIndex(direction);
-  if (centres === undefined) return takeRows(core, core.allRings(address, ring, way));
+  if (centres === undefined) return takeRows(core, core.allRings(address, ring, way), into);
   const centre = kind.startsWith('v') ? 'vertex' : kind.startsWith('f') ? 'face' : 'edge';
   const argument = LISTS[centre];
   const list = indices(argument, centres);
   checkItems(links, centre, list, argument);
   return withInputs(core, (inputs) => {
     const block = inputs.indices(argument, list);
-    return takeRows(core, core.someRings(links.address, ring, way, block.address, block.count));
+    const raw = core.someRings(links.address, ring, way, block.address, block.count);
+    return takeRows(core, raw, into);
   });
 }
 
@@ -62,10 +65,24 @@ export function directionIndex(direction: unknown): 0 | 1 {
   return indexOfChoice('direction', direction, ['ccw', 'cw']) as 0 | 1;
 }
 
-function takeRows(core: Core, raw: RawRows | RawFailure): Rows {
+function checkRows(into: Rows): void {
+  const { offsets, items } = (into ?? {}) as Partial<Rows>;
+  if (typedArrayName(offsets) !== 'Uint32Array' || typedArrayName(items) !== 'Uint32Array') {
+    refuse('into', into, 'rows of an earlier call: offsets and items, both Uint32Arrays');
+  }
+}
+
+function takeRows(core: Core, raw: RawRows | RawFailure, into?: Rows): Rows {
   const { offsets, items } = unwrap(raw);
-  const [first, second] = take(core, offsets, items);
-  return { offsets: first, items: second };
+  try {
+    return {
+      offsets: copyOf(core, offsets, into?.offsets),
+      items: copyOf(core, items, into?.items),
+    };
+  } finally {
+    core.free(offsets.address);
+    core.free(items.address);
+  }
 }
 
 /** Copies of what the core hands over, which is freed, also if there is no memory for the copies. */
@@ -74,12 +91,16 @@ export function take<Blocks extends RawWords[]>(
   ...blocks: Blocks
 ): { [I in keyof Blocks]: Uint32Array } {
   try {
-    return blocks.map(({ address, count }) => {
-      const copy = newArray('the result', Uint32Array, count);
-      copy.set(new Uint32Array(core.memory.buffer, address, count));
-      return copy;
-    }) as { [I in keyof Blocks]: Uint32Array };
+    return blocks.map((block) => copyOf(core, block)) as { [I in keyof Blocks]: Uint32Array };
   } finally {
     for (const { address } of blocks) core.free(address);
   }
+}
+
+/** A copy: in `array`, or the first part of it, if it has room for it. */
+function copyOf(core: Core, { address, count }: RawWords, array?: Uint32Array): Uint32Array {
+  const hasRoom = array !== undefined && array.length >= count;
+  const copy = hasRoom ? array : newArray('the result', Uint32Array, count);
+  copy.set(new Uint32Array(core.memory.buffer, address, count));
+  return copy.length === count ? copy : copy.subarray(0, count);
 }
