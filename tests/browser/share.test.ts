@@ -11,7 +11,7 @@ async function share({ page }: ExplorerPage): Promise<string> {
   return new URL(copied).hash.slice(1);
 }
 
-const STATES = ['mesh', 'digest', 'selected', 'position', 'count', 'undo', 'picture'];
+const STATES = ['mesh', 'digest', 'selected', 'position', 'count', 'undo', 'picture', 'problem'];
 
 async function stateOf(explorer: ExplorerPage) {
   await explorer.rest();
@@ -76,6 +76,24 @@ test('Edits of a sample are done again, and can be undone', async () => {
   await other.press('Control+z', 'Control+z');
   await other.until('undo', '0');
   await closeAll(explorer, other);
+});
+
+test('A link leads to the problem that is lit, to the tab and to what is picked', async () => {
+  const explorer = await ExplorerPage.open();
+  await explorer.broken('three-faces', 'Three faces at an edge');
+  await explorer.page.click('[data-finding] [data-code]');
+  await explorer.press('ArrowLeft', 'ArrowUp', 'r');
+  await explorer.until('picture', 'original');
+  const first = await expectSame(explorer);
+  expect(await first.state('problem')).toBe(await explorer.state('problem'));
+  expect(await first.page.getAttribute('.panel', 'data-tab')).toBe('problems');
+  await explorer.press('r');
+  await explorer.page.check('[name=pick-mode][value=edge]', { force: true });
+  await explorer.page.click('[data-tab-button=records]');
+  const second = await expectSame(explorer);
+  expect(await second.page.getAttribute('.panel', 'data-tab')).toBe('records');
+  expect(await second.page.isChecked('[name=pick-mode][value=edge]')).toBe(true);
+  await closeAll(explorer, first, second);
 });
 
 test('A small mesh of a file is in the link itself', async () => {
@@ -149,16 +167,20 @@ describe('Back to the plain address, from a link,', () => {
       await page.isChecked('[name=direction][value=cw]'),
       await page.isChecked('[name=label-scope][value=all]'),
       await page.isChecked('[name=pointers]'),
+      await page.isChecked('[name=pick-mode][value=face]'),
+      await page.getAttribute('.panel', 'data-tab'),
     ];
     await page.selectOption('[name=dialect]', 'openmesh');
+    await page.click('[data-tab-button=edit]');
     await page.evaluate(() => {
-      location.hash = 'sample=torus&select=v3&names=cgal&direction=cw&labels=all:vf&pointers=on';
+      location.hash =
+        'sample=torus&select=v3&names=cgal&direction=cw&labels=all:vf&pointers=on&pick=face&tab=mesh';
     });
     await explorer.ready('Torus');
-    expect(await choices()).toEqual(['cgal', true, true, true]);
+    expect(await choices()).toEqual(['cgal', true, true, true, true, 'mesh']);
     await page.goBack();
     await explorer.ready('Bunny');
-    expect(await choices()).toEqual(['openmesh', false, false, false]);
+    expect(await choices()).toEqual(['openmesh', false, false, false, false, 'edit']);
     await closeAll(explorer);
   });
 

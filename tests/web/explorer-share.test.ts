@@ -55,4 +55,36 @@ describe('a link', () => {
     await share.follow(plain, explorer, sightAt([1, 2, 3, 0, 0, 0]));
     expect(explorer.document.value?.names).toEqual({});
   });
+
+  test('has the tab and what is picked, unless they are those of a new page', async () => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const plain = share.linkOf(explorer, sight);
+    expect(plain).not.toMatch(/tab=|pick=/);
+    explorer.tab.value = 'records';
+    explorer.pickMode.value = 'halfedge';
+    const link = share.linkOf(explorer, sight);
+    expect(link).toMatch(/&tab=records&pick=halfedge&/);
+    await share.follow(plain, explorer, sight);
+    expect([explorer.tab.value, explorer.pickMode.value]).toEqual(['circulate', 'auto']);
+    await share.follow(link, explorer, sight);
+    expect([explorer.tab.value, explorer.pickMode.value]).toEqual(['records', 'halfedge']);
+  });
+
+  test.each([
+    [
+      '&tab=problems',
+      'the tab “problems”; expected one of inspect, circulate, edit, mesh, records.',
+    ],
+    ['&tab=', 'the tab “”; expected one of'],
+    ['&pick=Face', 'It picks “Face”; expected one of auto, vertex, edge, halfedge, face.'],
+    ['&problem=0', 'It has problem=0; its mesh has no problems.'],
+  ])('with %s is told to be wrong', async (word, sentence) => {
+    const explorer = new Explorer();
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const link = share.linkOf(explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    const following = share.follow(link + word, explorer, sightAt([1, 2, 3, 0, 0, 0]));
+    await expect(following).rejects.toThrow(sentence);
+  });
 });

@@ -19,7 +19,6 @@ import { listenToPointer } from 'halfedge/scene';
 import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
 import { loadPackage } from './app/fetching.js';
-import { Signal } from './app/signal.js';
 import { samples } from './samples/index.js';
 import { View } from './scene/view.js';
 import { AddressFollower, hasLink } from './ui/address.js';
@@ -37,7 +36,7 @@ import {
   namesHint,
   startFailure,
 } from './ui/notices.js';
-import { panel, type Tab } from './ui/panel.js';
+import { panel } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
 import { shareButton } from './ui/share-button.js';
@@ -66,8 +65,7 @@ async function start(): Promise<void> {
   document.body.append(app);
   const view = new View(explorer, canvas, labels);
   theme.current.subscribe(() => view.applyTheme());
-  const tab = new Signal<Tab>('circulate');
-  const side = panel(explorer, tab, {
+  const side = panel(explorer, {
     goTo: (item) => {
       explorer.select(item);
       view.focus();
@@ -93,7 +91,7 @@ async function start(): Promise<void> {
     help,
   );
   view.keepClearOf(side, cards);
-  listenToKeys(explorer, view, tab, openHelp);
+  listenToKeys(explorer, view, openHelp);
   listenToPointer(canvas, {
     itemAt: (x, y, reach) => view.pick(x, y, reach),
     hovers: (item) => {

@@ -29,6 +29,7 @@ import {
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts } from './facts.js';
 import { Signal, together } from './signal.js';
+import type { Tab } from './tabs.js';
 
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
@@ -64,6 +65,7 @@ export class Explorer {
   readonly facts = new Signal<MeshFacts | null>(null);
   readonly selected = new Signal<Item | null>(null);
   readonly hovered = new Signal<Item | null>(null);
+  readonly tab = new Signal<Tab>('circulate');
   readonly pickMode = new Signal<PickMode>('auto');
   readonly groups = new Signal<readonly QueryGroup[]>([]);
   readonly choice = new Signal<Choice | null>(null);

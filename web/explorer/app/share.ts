@@ -1,5 +1,5 @@
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
-import { type AttributeNames, type Direction, HalfedgeMesh } from 'halfedge';
+import { type AttributeNames, type Direction, HalfedgeMesh, type Problem } from 'halfedge';
 import {
   type Deed,
   type DialectId,
@@ -9,10 +9,12 @@ import {
   parseDeed,
   parseItemName,
 } from 'halfedge/teaching';
+import type { PickMode } from 'halfedge/three/picking';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { labelsText, NO_LABELS, parseLabels } from './captions.js';
 import type { Explorer } from './explorer.js';
+import { firstTab, hasProblems, TABS, type Tab } from './tabs.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
 export type Viewpoint = readonly number[];
@@ -25,6 +27,8 @@ export interface Sight {
   turnTo(item: Item): void;
 }
 
+const PICK_MODES: readonly PickMode[] = ['auto', 'vertex', 'edge', 'halfedge', 'face'];
+
 /** Before the name of an attribute whose numbers stand for words: `words.group=wheel`, once for each. */
 const WORDS = 'words.';
 /** Longer links break in mails and messengers. */
@@ -36,7 +40,7 @@ const MOST_LETTERS_READ = 200_000;
 
 /**
  * The state of the page as the part of an address after `#`: sample or mesh, edits, selection,
- * circulator, names and camera, each a word that can be read and changed by hand.
+ * circulator, names, tab and camera, each a word that can be read and changed by hand.
  *
  * @throws Error with a sentence where the mesh is too large for a link
  */
@@ -72,6 +76,13 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   if (labels.scope !== 'off') link.set('labels', labelsText(labels));
   if (explorer.pointers.value) link.set('pointers', 'on');
   if (explorer.showsFile.value) link.set('picture', 'original');
+  const { value: problem } = explorer.problem;
+  // What was wrong in a file does not go with its mesh.
+  if (problem && link.has('sample')) {
+    link.set('problem', String(problemsOf(explorer).indexOf(problem)));
+  }
+  if (explorer.tab.value !== firstTab(opened)) link.set('tab', explorer.tab.value);
+  if (explorer.pickMode.value !== 'auto') link.set('pick', explorer.pickMode.value);
   const viewpoint = sight.viewpoint();
   if (viewpoint) link.set('camera', cameraText(viewpoint));
   // These read better as they are, and are allowed there.
@@ -109,6 +120,8 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   setQuery(link, explorer);
   setCaptions(link, explorer);
   if (link.get('picture') === 'original') explorer.showFile(true);
+  setProblem(link.get('problem'), explorer);
+  setPanel(link, explorer);
   if (camera !== null) sight.lookFrom(viewpointOf(camera));
 }
 
@@ -218,6 +231,40 @@ function setCaptions(link: URLSearchParams, explorer: Explorer): void {
   }
   explorer.labels.value = labels;
   explorer.pointers.value = link.get('pointers') === 'on';
+}
+
+/** The problems of the file that have a place in the picture, as they are listed. */
+function problemsOf({ document }: Explorer): readonly Problem[] {
+  const { diagnosis } = document.value ?? {};
+  const listed = diagnosis?.findings.flatMap(({ problems }) => problems) ?? [];
+  return listed.filter((problem) => diagnosis?.placed.has(problem));
+}
+
+function setProblem(text: string | null, explorer: Explorer): void {
+  if (text === null) return;
+  const problems = problemsOf(explorer);
+  const problem = problems[Number(text)];
+  if (!problem) {
+    const there =
+      problems.length > 0 ? `expected 0 to ${problems.length - 1}` : 'its mesh has no problems';
+    throw new Error(`It has problem=${text}; ${there}.`);
+  }
+  explorer.showProblem(problem);
+}
+
+function setPanel(link: URLSearchParams, explorer: Explorer): void {
+  const opened = explorer.document.value;
+  const tab = link.get('tab') ?? firstTab(opened);
+  const offered = TABS.filter((each) => each !== 'problems' || hasProblems(opened));
+  if (!offered.includes(tab as Tab)) {
+    throw new Error(`It asks for the tab “${tab}”; expected one of ${offered.join(', ')}.`);
+  }
+  explorer.tab.value = tab as Tab;
+  const pick = link.get('pick') ?? 'auto';
+  if (!PICK_MODES.includes(pick as PickMode)) {
+    throw new Error(`It picks “${pick}”; expected one of ${PICK_MODES.join(', ')}.`);
+  }
+  explorer.pickMode.value = pick as PickMode;
 }
 
 function selectIn(name: string, explorer: Explorer): void {

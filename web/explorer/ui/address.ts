@@ -13,8 +13,10 @@ export function hasLink(): boolean {
 /** What a link chooses besides the mesh. */
 type Choices = ReturnType<typeof choicesOf>;
 
-function choicesOf({ dialect, direction, labels, pointers }: Explorer) {
+function choicesOf({ dialect, direction, labels, pointers, pickMode, tab }: Explorer) {
   return {
+    tab: tab.value,
+    pickMode: pickMode.value,
     dialect: dialect.value,
     direction: direction.value,
     labels: labels.value,
@@ -103,11 +105,13 @@ export class AddressFollower {
   #chooseAgain(): void {
     const explorer = this.#explorer;
     if (!this.#chosen) return;
-    const { dialect, direction, labels, pointers } = this.#chosen;
+    const { dialect, direction, labels, pointers, pickMode, tab } = this.#chosen;
     this.#chosen = null;
     explorer.setDialect(dialect);
     explorer.setDirection(direction);
     explorer.labels.value = labels;
     explorer.pointers.value = pointers;
+    explorer.pickMode.value = pickMode;
+    if (tab !== 'problems') explorer.tab.value = tab;
   }
 }

@@ -1,20 +1,14 @@
 import type { WalkKey } from 'halfedge/teaching';
 import { nextScope } from '../app/captions.js';
 import type { Explorer } from '../app/explorer.js';
-import type { Signal } from '../app/signal.js';
+import { TABS } from '../app/tabs.js';
 import type { View } from '../scene/view.js';
-import type { Tab } from './panel.js';
 
 const WALKS: ReadonlySet<string> = new Set<WalkKey>(['n', 'p', 'o', 'v', 'e', 'f', 'h', 'u']);
 const ORBIT = 0.12;
 
 /** Keys for everything; they leave fields, sliders and open dialogs alone. */
-export function listenToKeys(
-  explorer: Explorer,
-  view: View,
-  tab: Signal<Tab>,
-  openHelp: () => void,
-): void {
+export function listenToKeys(explorer: Explorer, view: View, openHelp: () => void): void {
   const { editor } = explorer;
   const orbit = (dx: number, dy: number) => view.travel.orbit(dx * ORBIT, dy * ORBIT);
   const actions: Record<string, () => void> = {
@@ -55,10 +49,11 @@ export function listenToKeys(
       else explorer.select(null);
     },
   };
-  ['circulate', 'edit', 'mesh', 'records', 'problems'].forEach((id, i) => {
-    actions[i + 1] = () => {
+  TABS.forEach((id, key) => {
+    if (key === 0) return; // the inspector is there, as a rule
+    actions[key] = () => {
       const button = document.querySelector<HTMLElement>(`[data-tab-button=${id}]`);
-      if (!button?.hidden) tab.value = id as Tab;
+      if (!button?.hidden) explorer.tab.value = id;
     };
   });
   window.addEventListener('keydown', (event) => {

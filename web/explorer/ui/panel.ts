@@ -1,6 +1,6 @@
 import type { Item } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
-import type { Signal } from '../app/signal.js';
+import { hasProblems, type Tab } from '../app/tabs.js';
 import { circulatorPanel } from './circulator-panel.js';
 import { h } from './dom.js';
 import type { TakePicture } from './downloads.js';
@@ -11,10 +11,7 @@ import { type GoTo, meshPanel } from './mesh-panel.js';
 import { problemsPanel } from './problems-panel.js';
 import { recordsPanel } from './records-panel.js';
 
-/** The parts of the panel of which one is shown at a time. */
-export type Tab = 'inspect' | 'circulate' | 'edit' | 'mesh' | 'records' | 'problems';
-
-const TABS: readonly [Tab, string, string?][] = [
+const BUTTONS: readonly [Tab, string, string?][] = [
   ['inspect', 'Inspect'],
   ['circulate', 'Circulate', '1'],
   ['edit', 'Edit', '2'],
@@ -40,7 +37,8 @@ export interface Flights {
  * narrow windows the inspector is one more tab; in narrow ones the panel is a sheet at the bottom, that can be pulled
  * up or down.
  */
-export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): HTMLElement {
+export function panel(explorer: Explorer, flights: Flights): HTMLElement {
+  const { tab } = explorer;
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
   const sheetGrip = grip();
   const element = h(
@@ -55,12 +53,12 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
       circulatorPanel(explorer),
       editPanel(explorer),
       meshPanel(explorer, flights.goTo, flights.takePicture),
-      recordsPanel(explorer, tab),
+      recordsPanel(explorer),
       problemsPanel(explorer, flights.toProblem, flights.takePicture),
     ),
     historyBar(explorer),
   );
-  for (const [id, text, key] of TABS) {
+  for (const [id, text, key] of BUTTONS) {
     const choose = () => {
       tab.value = id;
       if (element.dataset.sheet === 'low') pull('half');
@@ -72,7 +70,7 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
       text,
     );
     tabs.append(button);
-    if (id === 'problems') offerProblems(explorer, tab, button);
+    if (id === 'problems') offerProblems(explorer, button);
   }
   const mark = () => {
     element.dataset.tab = tab.value;
@@ -129,10 +127,10 @@ export function panel(explorer: Explorer, tab: Signal<Tab>, flights: Flights): H
 }
 
 /** There is such a tab where there is something to tell of a file; it comes to the front then. */
-function offerProblems(explorer: Explorer, tab: Signal<Tab>, button: HTMLElement): void {
+function offerProblems({ document, tab }: Explorer, button: HTMLElement): void {
   let before: Tab = tab.value;
-  explorer.document.subscribe((opened) => {
-    const tells = opened !== null && (opened.diagnosis !== null || opened.lesson !== null);
+  document.subscribe((opened) => {
+    const tells = hasProblems(opened);
     button.hidden = !tells;
     if (tells && tab.value !== 'problems') {
       before = tab.value;

@@ -5,7 +5,6 @@ import { type Cell, type Column, columnsOf, roomOfIndex } from '../app/record-co
 import { cellKey, type Reading, readingOf, rowsOf } from '../app/records.js';
 import type { Signal } from '../app/signal.js';
 import { fill, h, setAttribute } from './dom.js';
-import type { Tab } from './panel.js';
 import { VirtualRows } from './virtual-rows.js';
 
 const ROW_PX = 26;
@@ -21,7 +20,7 @@ const KINDS: readonly [ItemKind, string][] = [
  * The arrays of the mesh as they are: a grid of links that lead from record to record, and of attributes. It
  * follows the selection and the player, and lights what is pointed at in the picture.
  */
-export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement {
+export function recordsPanel(explorer: Explorer): HTMLElement {
   let kind: ItemKind = 'vertex';
   let columns: readonly Column[] = [];
   /** The cell of the keyboard; column 0 is the record itself. */
@@ -59,7 +58,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
   );
 
   const meshNow = () => explorer.document.value?.mesh;
-  const isShown = () => tab.value === 'records';
+  const isShown = () => explorer.tab.value === 'records';
 
   /** What a cell stands for: its record, or where its link leads. */
   function itemAt(row: number, column: number): Item | null {
@@ -241,7 +240,7 @@ export function recordsPanel(explorer: Explorer, tab: Signal<Tab>): HTMLElement 
     point(active.row, active.column);
   });
 
-  for (const signal of [tab, explorer.document, explorer.selected, explorer.play]) {
+  for (const signal of [explorer.tab, explorer.document, explorer.selected, explorer.play]) {
     (signal as Signal<unknown>).subscribe(follow);
   }
   explorer.editor.edit.subscribe(() => queueMicrotask(follow));
