@@ -199,6 +199,10 @@ OFF
     ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on an edge'],
     ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
     ['src="shape:cube" step="abc"', 'step is no number; expected how many steps are made.'],
+    ['src="shape:cube" speed="fast"', 'speed is no number; expected steps a second, more than 0.'],
+    ['src="shape:cube" speed="0"', 'speed is 0; expected steps a second'],
+    ['src="shape:cube" theme="Dark"', 'theme is “Dark”; expected auto, light or dark.'],
+    ['src="shape:cube" loading="now"', 'loading is “now”; expected lazy or eager.'],
     ['src="shape:cube" controls="palyer"', 'controls has “palyer”; expected some of player, code.'],
   ])('with %s says what is wrong', async (attributes, sentence) => {
     const page = await figures(`<halfedge-figure ${attributes}></halfedge-figure>`);
@@ -227,6 +231,9 @@ OFF
     expect(await failure('camera', '0 0 1')).toContain('select is “v99”');
     expect(await failure('select', 'v1')).toContain('controls has “palyer”');
     expect(await failure('controls', 'player')).toBe(null);
+    expect(await failure('speed', '-1')).toContain('speed is -1;');
+    await page.page.$eval('halfedge-figure', (figure) => figure.removeAttribute('speed'));
+    expect(await failure('controls', 'player code')).toBe(null);
     expect(await page.figure(({ state }) => state)).toBe('ready');
     const before = await page.settled();
     expect(await failure('camera', '1 0 0')).toBe(null);

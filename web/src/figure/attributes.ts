@@ -6,6 +6,8 @@ import type { Trail } from './trail-story.js';
 /** Steps a second. */
 const DEFAULT_SPEED = 1.5;
 const CONTROLS = ['player', 'code'];
+const THEMES = ['auto', 'light', 'dark'];
+const LOADINGS = ['lazy', 'eager'];
 
 /** What a figure is doing, as its attribute `state` tells. */
 export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
@@ -64,7 +66,7 @@ export abstract class FigureAttributes extends LitElement {
   declare speed: number;
   /** Whether it plays by itself once it is loaded; never where less motion is asked for. */
   declare autoplay: boolean;
-  /** `eager` loads also what is far outside of the window. */
+  /** `eager` loads also what is far outside of the window; `lazy`, as it is by default, does not. */
   declare loading: string | null;
   /** What the picture shows, for who can't see it. */
   declare alt: string | null;
@@ -126,7 +128,7 @@ export abstract class FigureAttributes extends LitElement {
 
   /** What is wrong with an attribute that needs no mesh to tell; null for nothing. */
   protected get mistake(): Error | null {
-    const { camera, step, controlNames } = this;
+    const { camera, step, speed, theme, loading, controlNames } = this;
     if (camera !== null && !this.viewpoint) {
       return new Error(
         `camera is “${camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
@@ -134,6 +136,17 @@ export abstract class FigureAttributes extends LitElement {
     }
     if (Number.isNaN(step)) {
       return new Error('step is no number; expected how many steps are made.');
+    }
+    // Where the attribute is taken away it is null.
+    if (speed !== null && !(speed > 0 && speed < Number.POSITIVE_INFINITY)) {
+      const found = Number.isNaN(speed) ? 'no number' : speed;
+      return new Error(`speed is ${found}; expected steps a second, more than 0.`);
+    }
+    if (theme !== null && !THEMES.includes(theme)) {
+      return new Error(`theme is “${theme}”; expected auto, light or dark.`);
+    }
+    if (loading !== null && !LOADINGS.includes(loading)) {
+      return new Error(`loading is “${loading}”; expected lazy or eager.`);
     }
     const wrong = controlNames.find((name) => !CONTROLS.includes(name));
     if (wrong === undefined) return null;
