@@ -276,6 +276,171 @@ TEST(AddFace, WorksWherePrevIsNotStored) {
   }
 }
 
+// ---- what it costs --------------------------------------------------------------------------
+
+/// Counts the steps round vertices and faces.
+template <Storage kStored>
+class Counting : public BasicMesh<kStored> {
+  using Mesh = BasicMesh<kStored>;
+
+ public:
+  [[nodiscard]] Halfedge next(Halfedge h) const { return counted(Mesh::next(h)); }
+  [[nodiscard]] Halfedge rotate_cw(Halfedge h) const { return counted(Mesh::rotate_cw(h)); }
+  [[nodiscard]] Halfedge next_on_vertex(Halfedge h) const {
+    return counted(Mesh::next_on_vertex(h));
+  }
+  mutable std::uint64_t steps = 0;
+
+ private:
+  [[nodiscard]] Halfedge counted(Halfedge h) const {
+    ++steps;
+    return h;
+  }
+};
+
+using CountingMesh = Counting<kEverything>;
+
+/// The steps that it takes to add these triangles around one vertex or two, each vertex before the
+/// first face that has it; then compares with the builder.
+template <Storage kStored = kEverything>
+std::uint64_t steps_to_add(const Shape& shape, const std::vector<std::size_t>& order) {
+  Counting<kStored> mesh;
+  std::vector<std::vector<Index>> faces;
+  for (const std::size_t f : order) {
+    const std::vector<Index>& face = shape.faces[f];
+    while (mesh.vertex_slots() <= *std::max_element(face.begin(), face.end())) {
+      (void)mesh.add_vertex({0, 0, 0});
+    }
+    EXPECT_TRUE(add_face(mesh, handles(face)));
+    faces.push_back(face);
+  }
+  const std::uint64_t steps = mesh.steps;
+  Mesh whole;
+  EXPECT_TRUE(convert(static_cast<BasicMesh<kStored>&&>(mesh), whole));
+  expect_same(whole, reference_build(Shape(shape.name, whole.vertex_slots(), faces)));
+  return steps;
+}
+
+std::vector<std::size_t> in_order_of(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i] = i;
+  return order;
+}
+
+TEST(AddFace, WalksRoundAGrowingFanOnlyOnce) {
+  constexpr Index kFaces = 3000;
+  constexpr std::uint64_t kEach = 60;  // a walk round all of them is 6000 on the average
+  const Shape fan = disk(kFaces);
+  std::vector<std::size_t> order = in_order_of(kFaces);
+  EXPECT_LT(steps_to_add(fan, order), kEach * kFaces);
+  EXPECT_LT(steps_to_add<kWithoutPrev>(fan, order), kEach * kFaces);
+  std::reverse(order.begin(), order.end());
+  EXPECT_LT(steps_to_add(fan, order), kEach * kFaces);
+  for (std::size_t i = 0; i < kFaces; ++i) order[i] = i % 2 == 0 ? i / 2 : kFaces - 1 - i / 2;
+  EXPECT_LT(steps_to_add(fan, order), kEach * kFaces);
+  // A while there is another fan, which becomes part of it.
+  order = in_order_of(kFaces);
+  std::rotate(order.begin() + 100, order.begin() + 200, order.begin() + 201);
+  EXPECT_LT(steps_to_add(fan, order), kEach * kFaces);
+  const Shape two_fans = bipyramid(kFaces);
+  EXPECT_LT(steps_to_add(two_fans, in_order_of(two_fans.faces.size())),
+            kEach * two_fans.faces.size());
+  Shape many("bipyramids", 0, {});
+  for (int i = 0; i < 5; ++i) {
+    for (std::vector<Index> face : two_fans.faces) {
+      for (Index& v : face) v += many.vertices;
+      many.faces.push_back(face);
+    }
+    many.vertices += two_fans.vertices;
+  }
+  EXPECT_LT(steps_to_add(many, in_order_of(many.faces.size())), kEach * many.faces.size());
+}
+
+/// The fan of vertex 0 in which the triangles from `first` up to `last` lie.
+void add_fan(CountingMesh& mesh, Index first, Index last) {
+  for (Index i = first; i < last; ++i) ASSERT_TRUE(add_face(mesh, handles({0, i, i + 1})));
+}
+
+TEST(AddFace, KnowsOfAFanOnlyWhatIsStillTrue) {
+  // After 100 triangles the fan at vertex 0 is known to be the only one; then it isn't any more.
+  const auto grow = [](CountingMesh& mesh) {
+    for (Index v = 0; v < 300; ++v) (void)mesh.add_vertex({0, 0, 0});
+    add_fan(mesh, 10, 110);
+  };
+  const auto expect_built = [](const Mesh& mesh) {
+    Polys faces;
+    for (const Face f : mesh.faces()) faces.push_back(corners_of(mesh, mesh.face_halfedge(f)));
+    EXPECT_FALSE(has_errors(validate(mesh)));
+    const Mesh built = reference_build(Shape("", mesh.vertex_slots(), faces));
+    EXPECT_EQ(Canonical(mesh).anchors, Canonical(built).anchors);
+    EXPECT_EQ(Canonical(mesh).sides, Canonical(built).sides);
+  };
+  {
+    SCOPED_TRACE("another fan, by add_face");
+    CountingMesh mesh;
+    grow(mesh);
+    add_fan(mesh, 200, 201);
+    add_fan(mesh, 9, 10);                                 // where it ends
+    ASSERT_TRUE(add_face(mesh, handles({0, 110, 250})));  // which brings it behind the other
+    EXPECT_EQ(mesh.to_vertex(mesh.vertex_halfedge(Vertex(0))), Vertex(201));
+    add_fan(mesh, 2, 3);
+    add_fan(mesh, 250, 260);
+    expect_built(mesh);
+  }
+  {
+    SCOPED_TRACE("another fan, as a face was deleted");
+    CountingMesh mesh;
+    grow(mesh);
+    const Face f = mesh.face(mesh.find_halfedge(Vertex(0), Vertex(60)));
+    ASSERT_TRUE(operations::delete_face(mesh, f, {.keep_isolated_vertices = true}));
+    add_fan(mesh, 110, 120);
+    EXPECT_FALSE(has_errors(validate(mesh)));
+    EXPECT_EQ(mesh.to_vertex(mesh.vertex_halfedge(Vertex(0))), Vertex(60));
+  }
+  {
+    SCOPED_TRACE("another fan, as one was undone that joined both");
+    CountingMesh mesh;
+    ASSERT_TRUE(mesh.enable_history());
+    grow(mesh);
+    add_fan(mesh, 112, 113);
+    mesh.end_step();
+    const Snapshot before(mesh);
+    add_fan(mesh, 110, 112);
+    add_fan(mesh, 113, 190);  // now one is known again
+    mesh.end_step();
+    ASSERT_TRUE(mesh.undo());
+    EXPECT_EQ(Snapshot(mesh), before);
+    ASSERT_TRUE(add_face(mesh, handles({0, 110, 200})));
+    expect_built(mesh);
+  }
+  {
+    SCOPED_TRACE("closed, and opened again");
+    CountingMesh mesh;
+    grow(mesh);
+    ASSERT_TRUE(add_face(mesh, handles({0, 110, 10})));
+    EXPECT_FALSE(mesh.is_boundary(Vertex(0)));
+    expect_built(mesh);
+    EXPECT_EQ(check_add_face(mesh, handles({0, 200, 201})).error().code, "pinched-vertex");
+    const Face f = mesh.face(mesh.find_halfedge(Vertex(0), Vertex(60)));
+    ASSERT_TRUE(operations::delete_face(mesh, f, {.keep_isolated_vertices = true}));
+    add_fan(mesh, 200, 201);
+    EXPECT_FALSE(has_errors(validate(mesh)));
+  }
+  {
+    SCOPED_TRACE("of another mesh");
+    CountingMesh mesh;
+    grow(mesh);
+    Mesh other;
+    for (Index v = 0; v < 300; ++v) (void)other.add_vertex({0, 0, 0});
+    ASSERT_TRUE(add_face(other, {Vertex(0), Vertex(10), Vertex(11)}));
+    ASSERT_TRUE(add_face(other, {Vertex(0), Vertex(104), Vertex(105)}));
+    static_cast<Mesh&>(mesh) = std::move(other);
+    add_fan(mesh, 11, 20);
+    ASSERT_TRUE(add_face(mesh, handles({0, 20, 200})));
+    expect_built(mesh);
+  }
+}
+
 // ---- real meshes ----------------------------------------------------------------------------
 
 TEST(AddFace, MakesRealMeshesInRandomOrder) {

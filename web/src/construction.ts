@@ -103,7 +103,9 @@ export abstract class Construction extends Circulation {
   /**
    * Adds a face with these corners, counter-clockwise, and the edges between them that don't exist yet.
    * The faces of a mesh that can be built can be added in any order, and become the same mesh. The face and
-   * new edges have default attributes. Amortised O(sum of the valences of the corners).
+   * new edges have default attributes. Amortised O(number of corners) and the smaller valence of each side's ends;
+   * and O(valence) for a corner with several fans of faces, so that many faces around one vertex are best added in
+   * turn.
    *
    * Inverse: `deleteFace`, keeping isolated vertices.
    *

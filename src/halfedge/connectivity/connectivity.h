@@ -4,6 +4,7 @@
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
+#include <halfedge/connectivity/lone_fans.h>
 #include <halfedge/connectivity/storage.h>
 #include <halfedge/history/journal.h>
 #include <halfedge/inlining.h>
@@ -315,6 +316,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// one is reached by rotating clockwise from it. O(valence).
   void adjust_anchor(Vertex v);
 
+  /// What add_face remembers from one call to the next.
+  [[nodiscard]] LoneFans& lone_fans() { return lone_fans_; }
+
   /// Give a slot back. Nothing else is changed: links of other items that lead to it must be
   /// mended by the caller. A vertex and a face need their link, which marks the slot as free.
   void release(Vertex v);
@@ -555,6 +559,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   Index bare_faces_ = 0;
   bool prev_is_stored_ = true;  // where the type leaves it open
   std::uint64_t version_ = 0;
+  LoneFans lone_fans_;
   std::unique_ptr<Journal> journal_;  // null while history is off
 };
 

@@ -121,6 +121,7 @@ Vertex BasicConnectivity<kStored>::new_vertex() {
     }
     attributes_.resize(ItemKind::kVertex, v.index() + 1, journal_.get());
   }
+  lone_fans_.carry_over(version_);
   ++version_;
   return v;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/connectivity/lone_fans.h>
 #include <halfedge/operations/distinct.h>
 #include <halfedge/operations/fans.h>
 #include <halfedge/operations/requirements.h>
@@ -116,6 +117,19 @@ struct Side {
   bool is_new = false;
 };
 
+/// end_of_fan, of a fan at `v`; without a walk if it is known to be the only one, and known as that
+/// afterwards if the walk was long.
+template <class Mesh>
+[[nodiscard]] Halfedge find_end_of_fan(Mesh& mesh, Vertex v, Halfedge first) {
+  LoneFans& lone = mesh.lone_fans();
+  if (const Halfedge end = lone.end_at(v); end.valid()) return end;
+  Index faces = 0;
+  Halfedge in = mesh.opposite(first);
+  for (; !mesh.is_boundary(in); ++faces) in = mesh.next_on_vertex(in);
+  if (faces > LoneFans::kShort && mesh.next(in) == first) lone.add(v, in);
+  return in;
+}
+
 /// next(in) = out at the vertex that lies between them, where fans change places for that. Only
 /// `next` of halfedges that lead to this vertex is written, so that the corners of a face don't
 /// disturb each other; faces are still those from before.
@@ -128,12 +142,14 @@ void link_corner(Mesh& mesh, const Side& in, const Side& out) {
     if (mesh.is_isolated(v)) {
       mesh.link(end, first);
     } else {
+      mesh.lone_fans().change(v, Halfedge{});
       insert_fan(mesh, first, end, mesh.vertex_halfedge(v));
     }
   } else if (out.is_new) {
     mesh.link(end, mesh.next(in.halfedge));
+    mesh.lone_fans().change(v, end);
   } else if (in.is_new) {
-    const Halfedge end_of_out = end_of_fan(mesh, out.halfedge);
+    const Halfedge end_of_out = find_end_of_fan(mesh, v, out.halfedge);
     const Halfedge after = mesh.next(end_of_out);
     if (after == out.halfedge) {  // it is the only fan
       mesh.link(end_of_out, first);
@@ -161,6 +177,9 @@ void choose_anchor(Mesh& mesh, Halfedge in, Halfedge out) {
   if (anchor.valid() && mesh.is_boundary(anchor)) {
     const bool is_smaller = mesh.to_vertex(first) < mesh.to_vertex(anchor);
     chosen = mesh.is_boundary(first) && is_smaller ? first : anchor;
+  } else if (mesh.lone_fans().end_at(v).valid()) {
+    // The only fan, if it isn't closed, begins at `first`.
+    if (mesh.is_boundary(first)) chosen = first;
   } else {
     for (Halfedge h = mesh.rotate_cw(out); h != out; h = mesh.rotate_cw(h)) {
       if (!mesh.is_boundary(h)) continue;
@@ -201,7 +220,11 @@ template <EditableSurface Mesh>
 ///
 /// attributes: the face and new edges have the defaults
 /// returns: the face; to_vertex(face_halfedge(f)) is the first corner
-/// cost: amortised O(sum of the valences of the corners), and O(d log d) of d corners
+/// cost: amortised O(d log d) of d corners, for each side the smaller valence of its ends, and
+///       O(valence) for a corner with several fans of faces. So faces around one vertex take linear
+///       time if each but the first has a neighbour there already, and the square of their number
+///       in random order. That a vertex has one fan is known from a walk round it: of the last four
+///       with many faces, until anything but add_face and add_vertex changes the connectivity.
 /// inverse: delete_face, with isolated vertices kept if corners were isolated
 /// errors: those of check_add_face, out-of-memory
 template <EditableSurface Mesh>
@@ -212,6 +235,8 @@ template <EditableSurface Mesh>
   if (!decorator::internal::make_room(mesh, 0, new_edges.value(), 1)) {
     return decorator::internal::no_memory("a face and its edges");
   }
+  LoneFans& lone = mesh.lone_fans();
+  lone.start_at(mesh.version());
   const auto side = [&](Vertex from, Vertex to) {
     const Halfedge found = mesh.find_halfedge(from, to);
     return found.valid() ? Side{found} : Side{mesh.new_edge(from, to), true};
@@ -230,6 +255,7 @@ template <EditableSurface Mesh>
     h = after;
     if (h == last.halfedge) break;
   }
+  lone.keep_at(mesh.version());
   return mesh.face(last.halfedge);
 }
 /// add_face(mesh, {a, b, c})
