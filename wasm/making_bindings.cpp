@@ -103,6 +103,16 @@ val mesh_from_bytes(Address address, std::size_t count, bool is_ours) {
 
 }  // namespace
 
+HALFEDGE_EXPORT int check_append(Address mesh, Address other) {
+  if (!Reserve::take_back()) return kNoRoom;
+  return answer(halfedge::check_append(mesh_at(mesh), mesh_at(other)));
+}
+
+HALFEDGE_EXPORT int check_dual(Address mesh) {
+  if (!Reserve::take_back()) return kNoRoom;
+  return answer(halfedge::check_dual(mesh_at(mesh)));
+}
+
 EMSCRIPTEN_BINDINGS(halfedge_making) {
   using emscripten::function;
 

@@ -30,6 +30,7 @@ TEST(Append, CopiesLiveItemsAndLeavesTheOthersAlone) {
     Mesh mesh = with_gaps(random_polygons(seed), seed + 100);
     const Mesh other = with_gaps(shape, seed++);
     const Mesh before = copy_of(mesh);
+    EXPECT_TRUE(check_append(before, other));
     const CompactMaps maps = append(mesh, other).value();
     EXPECT_FALSE(has_errors(validate(mesh, 2)));
     EXPECT_EQ(mesh.vertex_count(), before.vertex_count() + other.vertex_count());
@@ -174,12 +175,15 @@ TEST(Append, RefusesACorruptMeshAndChangesNothing) {
     if (is_deleted_link(array[i])) continue;
     array[i] = Index(random() % 3 == 0 ? kDeleted : random() | 0x1000);
     const std::uint64_t version = mesh.version();
+    const Result<void> can = check_append(mesh, other);
     const Result<CompactMaps> maps = append(mesh, other);
+    ASSERT_EQ(can.ok(), maps.ok());
     if (maps.ok()) {  // what was deleted is an item that nothing refers to
       mesh = with_gaps(torus(5, 4, 1), 1);
       continue;
     }
     EXPECT_EQ(maps.error().code, "corrupt-connectivity");
+    EXPECT_EQ(can.error().message, maps.error().message);
     EXPECT_EQ(mesh.version(), version);
     ASSERT_EQ(Snapshot(mesh), before);
     ++refused;

@@ -123,8 +123,12 @@ TEST(Dual, OfABoundaryHasNoFacesThere) {
 
 Error refusal_of(const Mesh& mesh) {
   Mesh out = shape(shapes::cube());
+  const Result<void> checked = check_dual(mesh);
   const Result<DualMaps> refused = dual(mesh, out);
   EXPECT_FALSE(refused.ok());
+  EXPECT_EQ(checked.error().message, refused.error().message);
+  EXPECT_EQ(checked.error().code, refused.error().code);
+  EXPECT_EQ(checked.error().witness, refused.error().witness);
   EXPECT_EQ(out.face_count(), 6U);
   return refused ? Error{} : refused.error();
 }
@@ -172,6 +176,18 @@ TEST(Dual, RefusesWhatWouldBeNoPolygonMesh) {
   EXPECT_EQ(pinched.witness.faces, (std::vector<Index>{0}));
 }
 
+TEST(Dual, IsCheckedOfAConstMesh) {
+  for (const Shape& shape : all_shapes()) {
+    SCOPED_TRACE(shape.name);
+    const Mesh mesh = reference_build(shape);
+    Mesh out;
+    EXPECT_EQ(check_dual(mesh).ok(), dual(mesh, out).ok());
+  }
+  BasicMesh<kWithoutPrev> lean;
+  EXPECT_TRUE(append(lean, reference_build(cube())).ok());
+  EXPECT_TRUE(check_dual(lean));
+}
+
 TEST(Dual, OfACorruptMeshIsAnErrorOrAMesh) {
   std::mt19937 random(5);
   int errors = 0;
@@ -186,9 +202,13 @@ TEST(Dual, OfACorruptMeshIsAnErrorOrAMesh) {
       array[random() % array.size()] = values[random() % 5];
     }
     Mesh out;
-    if (dual(mesh, out)) {
+    const Result<void> can = check_dual(mesh);
+    const Result<DualMaps> maps = dual(mesh, out);
+    ASSERT_EQ(can.ok(), maps.ok());
+    if (maps) {
       EXPECT_FALSE(has_errors(validate(out)));
     } else {
+      EXPECT_EQ(can.error().message, maps.error().message);
       ++errors;
     }
   }

@@ -241,6 +241,10 @@ export interface RawCore {
   // Operations: plain exports, which cost next to nothing to call (operation_bindings.h). `mode` is a sum
   // of bits (edit.ts). They return what was made, -2 for a refusal, or -3 for want of memory.
 
+  // Meshes out of others (making_bindings.cpp).
+  _check_append(mesh: number, other: number): number;
+  _check_dual(mesh: number): number;
+
   // One by one (construction_bindings.cpp).
   _add_vertex(mesh: number, mode: number, x: number, y: number, z: number): number;
   _set_position(mesh: number, mode: number, v: number, x: number, y: number, z: number): number;

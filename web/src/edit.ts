@@ -71,13 +71,6 @@ function lastRefusal(core: Core): Refusal {
   return Object.freeze({ code, message, witness: witness as Witness });
 }
 
-/** The refusal that was thrown; throws what is none. */
-export function refusalOf(error: unknown): Refusal {
-  if (!(error instanceof HalfedgeError) || error.code === 'out-of-memory') throw error;
-  const { code, message, witness } = error;
-  return Object.freeze({ code, message, witness });
-}
-
 const noRoom = () => outOfMemory('the change');
 
 /** A copy of the position, or the origin if none is given. Throws a sentence for what is none. */

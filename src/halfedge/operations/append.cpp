@@ -11,8 +11,6 @@ namespace halfedge::appending {
 
 namespace {
 
-Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for another mesh"}; }
-
 template <class Item>
 Error leads_nowhere(const char* link, Item item) {
   return {"corrupt-connectivity", sentence::of("the {} of {} {} is no live item, which breaks the "
@@ -20,38 +18,11 @@ Error leads_nowhere(const char* link, Item item) {
                                                link, name_of(kind_of(item)), item.index())};
 }
 
-// Whether all links of live items lead to live items.
-Result<void> check_references(const RawLinks& links) {
-  const auto is_live = [&](Halfedge h) {
-    return links.contain(h) && links.is_live(RawLinks::edge(h));
-  };
-  for (Index i = 0; i < links.halfedge_slots(); ++i) {
-    const Halfedge h(i);
-    if (!is_live(h)) continue;
-    if (!is_live(links.next(h))) return leads_nowhere("next", h);
-    if (!links.is_live(links.to_vertex(h))) return leads_nowhere("to-vertex", h);
-    if (links.face(h).valid() && !links.is_live(links.face(h))) return leads_nowhere("face", h);
-  }
-  for (Vertex v(0); v.index() < links.slots(v); v = Vertex(v.index() + 1)) {
-    if (has_ring(links, v) && !is_live(links.stored_halfedge(v))) return leads_nowhere("anchor", v);
-  }
-  for (Face f(0); f.index() < links.slots(f); f = Face(f.index() + 1)) {
-    if (!links.is_deleted(f) && !is_live(links.stored_halfedge(f))) {
-      return leads_nowhere("halfedge", f);
-    }
-  }
-  return {};
-}
-
 template <class Item>
 bool mark_live(const RawLinks& links, Array<Index>& live) {
   if (!live.resize(links.slots(Item{}))) return false;
   for (Index i = 0; i < live.size(); ++i) live[i] = links.is_deleted(Item(i)) ? kNone : 0;
   return true;
-}
-
-std::size_t count_live(const Array<Index>& live) {
-  return live.size() - std::size_t(std::count(live.begin(), live.end(), kNone));
 }
 
 // The one place where values of attributes pass from one mesh to another.
@@ -75,39 +46,64 @@ void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, 
 
 }  // namespace
 
-Result<CompactMaps> list_live(const RawLinks& links) {
-  if (Result<void> checked = check_references(links); !checked) return checked.error();
-  CompactMaps live;
-  if (!mark_live<Vertex>(links, live.vertices) || !mark_live<Edge>(links, live.edges) ||
-      !mark_live<Face>(links, live.faces)) {
-    return out_of_memory();
+Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for another mesh"}; }
+
+Result<Counts> count_live(const RawLinks& links) {
+  const auto is_live = [&](Halfedge h) {
+    return links.contain(h) && links.is_live(RawLinks::edge(h));
+  };
+  Counts live;
+  for (Index i = 0; i < links.halfedge_slots(); ++i) {
+    const Halfedge h(i);
+    if (!is_live(h)) continue;
+    live.edges += i % 2;
+    if (!is_live(links.next(h))) return leads_nowhere("next", h);
+    if (!links.is_live(links.to_vertex(h))) return leads_nowhere("to-vertex", h);
+    if (links.face(h).valid() && !links.is_live(links.face(h))) return leads_nowhere("face", h);
+  }
+  for (Vertex v(0); v.index() < links.slots(v); v = Vertex(v.index() + 1)) {
+    if (links.is_deleted(v)) continue;
+    ++live.vertices;
+    if (has_ring(links, v) && !is_live(links.stored_halfedge(v))) return leads_nowhere("anchor", v);
+  }
+  for (Face f(0); f.index() < links.slots(f); f = Face(f.index() + 1)) {
+    if (links.is_deleted(f)) continue;
+    ++live.faces;
+    if (!is_live(links.stored_halfedge(f))) return leads_nowhere("halfedge", f);
   }
   return live;
 }
 
 template <Storage kStored>
-Result<void> make_room(BasicMesh<kStored>& mesh, const CompactMaps& live) {
-  const auto needed = [](std::size_t slots, const FreeList& free, const Array<Index>& added) {
-    return slots + std::max(count_live(added), std::size_t{free.count}) - free.count;
+Result<Counts> slots_with(const BasicConnectivity<kStored>& mesh, const Counts& added) {
+  const auto needed = [](std::size_t slots, const FreeList& free, std::size_t count) {
+    return slots + std::max(count, std::size_t{free.count}) - free.count;
   };
-  const std::size_t vertices = needed(mesh.vertex_slots(), mesh.free_vertices(), live.vertices);
-  const std::size_t edges = needed(mesh.edge_slots(), mesh.free_edges(), live.edges);
-  const std::size_t faces = needed(mesh.face_slots(), mesh.free_faces(), live.faces);
-  if (vertices > kMaxSlots || 2 * edges > kMaxSlots || faces > kMaxSlots) {
+  const Counts slots = {needed(mesh.vertex_slots(), mesh.free_vertices(), added.vertices),
+                        needed(mesh.edge_slots(), mesh.free_edges(), added.edges),
+                        needed(mesh.face_slots(), mesh.free_faces(), added.faces)};
+  if (slots.vertices > kMaxSlots || 2 * slots.edges > kMaxSlots || slots.faces > kMaxSlots) {
     return Error{"too-large", sentence::of("both meshes together have {} vertices, {} edges and {} "
                                            "faces, more than can be addressed",
-                                           vertices, edges, faces)};
+                                           slots.vertices, slots.edges, slots.faces)};
   }
+  return slots;
+}
+
+template <Storage kStored>
+bool make_room(BasicMesh<kStored>& mesh, const Counts& slots) {
   const Links& links = mesh.links();
   // With slack, a mesh that is made by appending many others moves only now and then.
   using decorator::internal::with_slack;
-  if (mesh.reserve(with_slack(vertices, links.vertex_halfedge.capacity()),
-                   with_slack(2 * edges, links.next.capacity()) / 2,
-                   with_slack(faces, links.face_halfedge.capacity())) ||
-      mesh.reserve(Index(vertices), Index(edges), Index(faces))) {
-    return {};
-  }
-  return out_of_memory();
+  return mesh.reserve(with_slack(slots.vertices, links.vertex_halfedge.capacity()),
+                      with_slack(2 * slots.edges, links.next.capacity()) / 2,
+                      with_slack(slots.faces, links.face_halfedge.capacity())) ||
+         mesh.reserve(Index(slots.vertices), Index(slots.edges), Index(slots.faces));
+}
+
+bool list_live(const RawLinks& links, CompactMaps& live) {
+  return mark_live<Vertex>(links, live.vertices) && mark_live<Edge>(links, live.edges) &&
+         mark_live<Face>(links, live.faces);
 }
 
 template <Storage kStored>
@@ -148,8 +144,9 @@ void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& ma
   copy_columns<Face>(mesh, *other.attributes, maps.faces, 1);
 }
 
-#define HALFEDGE_INSTANTIATE(storage)                                       \
-  template Result<void> make_room(BasicMesh<storage>&, const CompactMaps&); \
+#define HALFEDGE_INSTANTIATE(storage)                                                   \
+  template Result<Counts> slots_with(const BasicConnectivity<storage>&, const Counts&); \
+  template bool make_room(BasicMesh<storage>&, const Counts&);                          \
   template void copy_items(BasicMesh<storage>&, const MeshView&, CompactMaps&)
 HALFEDGE_INSTANTIATE(kEverything);
 HALFEDGE_INSTANTIATE(kWithoutPrev);

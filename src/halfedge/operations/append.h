@@ -7,6 +7,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
+#include <cstddef>
 #include <span>
 
 namespace halfedge {
@@ -25,19 +26,55 @@ struct MeshView {
 /// What `append` is made of: what doesn't depend on the types, and what does on one.
 namespace appending {
 
-/// What becomes of the items of a mesh: 0 for live ones, kNone for those that were deleted.
-/// errors: corrupt-connectivity, out-of-memory
-[[nodiscard]] Result<CompactMaps> list_live(const RawLinks& links);
+/// How many items of each kind.
+struct Counts {
+  std::size_t vertices = 0;
+  std::size_t edges = 0;
+  std::size_t faces = 0;
+};
 
-/// Room for all of them in one go. errors: too-large, out-of-memory
+/// The live items. errors: corrupt-connectivity, if their links lead to others
+[[nodiscard]] Result<Counts> count_live(const RawLinks& links);
+
+/// How many slots a mesh has when so many items were added. errors: too-large
 template <Storage kStored>
-[[nodiscard]] Result<void> make_room(BasicMesh<kStored>& mesh, const CompactMaps& live);
+[[nodiscard]] Result<Counts> slots_with(const BasicConnectivity<kStored>& mesh,
+                                        const Counts& added);
+
+/// Room for all of them in one go. False when memory is exhausted.
+template <Storage kStored>
+[[nodiscard]] bool make_room(BasicMesh<kStored>& mesh, const Counts& slots);
+
+/// 0 for live items, kNone for those that were deleted. False when memory is exhausted.
+[[nodiscard]] bool list_live(const RawLinks& links, CompactMaps& live);
 
 /// pre: there is room, and `live` lists the items of `other`; it becomes the maps
 template <Storage kStored>
 void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& live);
 
+/// How many slots `mesh` has afterwards: all that can be known before memory is asked for.
+template <Storage kStored, Storage kOther>
+[[nodiscard]] Result<Counts> count_slots(const BasicMesh<kStored>& mesh,
+                                         const BasicMesh<kOther>& other) {
+  if (Result<void> sizes = check_array_sizes(other); !sizes) return sizes.error();
+  const Result<Counts> added = count_live(RawLinks(other));
+  return added ? slots_with(mesh, added.value()) : added;
+}
+
+[[nodiscard]] Error out_of_memory();
+
 }  // namespace appending
+
+/// Whether append(mesh, other) can be done: else corrupt-connectivity (of `other`), too-large.
+/// cost: O(slots of other)
+template <Storage kStored, Storage kOther>
+requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
+[[nodiscard]] Result<void> check_append(const BasicMesh<kStored>& mesh,
+                                        const BasicMesh<kOther>& other) {
+  const Result<appending::Counts> slots = appending::count_slots(mesh, other);
+  if (!slots) return slots.error();
+  return {};
+}
 
 /// Adds a copy of `other`, which may be the same mesh: its live vertices, edges and faces with
 /// their positions. The two parts are not joined. Slots of `mesh` that were deleted are taken
@@ -51,16 +88,18 @@ void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& li
 ///
 /// History notes it, as part of the step underway. After an error nothing has changed.
 /// cost: O(slots of other), amortised
-/// errors: too-large, out-of-memory, corrupt-connectivity (of `other`)
+/// errors: those of check_append, out-of-memory
 template <Storage kStored, Storage kOther>
 requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
 [[nodiscard]] Result<CompactMaps> append(BasicMesh<kStored>& mesh, const BasicMesh<kOther>& other) {
-  if (Result<void> sizes = check_array_sizes(other); !sizes) return sizes.error();
-  Result<CompactMaps> maps = appending::list_live(RawLinks(other));
-  if (!maps) return maps.error();
-  if (Result<void> room = appending::make_room(mesh, maps.value()); !room) return room.error();
+  const Result<appending::Counts> slots = appending::count_slots(mesh, other);
+  if (!slots) return slots.error();
+  CompactMaps maps;
+  if (!appending::list_live(RawLinks(other), maps) || !appending::make_room(mesh, slots.value())) {
+    return appending::out_of_memory();
+  }
   // Only now, as making room has moved the arrays where both are the same mesh.
-  appending::copy_items(mesh, MeshView(other), maps.value());
+  appending::copy_items(mesh, MeshView(other), maps);
   return maps;
 }
 

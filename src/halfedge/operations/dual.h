@@ -50,4 +50,15 @@ template <Storage kStored, Storage kOut>
   return std::move(plan.value().maps);
 }
 
+/// Whether dual(mesh) can be made: else the errors of `dual`, out-of-memory among them, as it is
+/// made and dropped. cost: that of `dual`
+template <Storage kStored>
+[[nodiscard]] Result<void> check_dual(const BasicMesh<kStored>& mesh) {
+  BasicMesh<kPrevAtRunTime> made;
+  made.choose_prev(false);
+  const Result<DualMaps> maps = dual(mesh, made);
+  if (!maps) return maps.error();
+  return {};
+}
+
 }  // namespace halfedge
