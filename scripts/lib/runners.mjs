@@ -1,15 +1,21 @@
 // The test runners, and what their own reports say they counted.
 
-import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { Failure, root, run } from './run.mjs';
 import { counts } from './steps.mjs';
 
-/** Runs the tests of a CMake preset, two at a time. Returns the counts of CTest's report. */
+/**
+ * Runs the tests of a CMake preset, two at a time. Returns the counts of CTest's report, in which a process that
+ * runs a share of a program's tests stands for what its own report counts.
+ */
 export async function runCtest(preset) {
   const report = freshReport(`ctest-${preset}.xml`);
+  const shares = join(root, 'build', preset, 'shares');
+  rmSync(shares, { recursive: true, force: true });
   const options = ['--output-junit', report, '--no-tests=error', '-j2', '--progress'];
-  return runAndCount(`ctest (${preset})`, report, countJunit, () =>
+  const count = (xml) => readShares(shares).reduce(withShare, countJunit(xml));
+  return runAndCount(`ctest (${preset})`, report, count, () =>
     run('ctest', ['--preset', preset, ...options]),
   );
 }
@@ -51,11 +57,32 @@ async function runAndCount(name, report, count, start) {
 }
 
 function countJunit(xml) {
-  const suite = /<testsuite\b[^>]*>/.exec(xml)?.[0] ?? '';
-  const attribute = (name) => Number(new RegExp(`\\b${name}="(\\d+)"`).exec(suite)?.[1] ?? 0);
+  const attribute = numbersOf(xml, 'testsuite');
   const failed = attribute('failures') + attribute('errors');
   const skipped = attribute('skipped') + attribute('disabled');
   return counts(attribute('tests') - failed - skipped, failed, skipped);
+}
+
+/** The attributes of the first element of this name, those that are numbers. */
+function numbersOf(xml, name) {
+  const [element] = new RegExp(`<${name}\\b[^>]*>`).exec(xml) ?? [''];
+  return (key) => Number(new RegExp(`\\b${key}="(\\d+)"`).exec(element)?.[1] ?? 0);
+}
+
+/** What the programs of GoogleTest in a folder report; one that crashed has left nothing. */
+function readShares(folder) {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder).map((name) => readFileSync(join(folder, name), 'utf8'));
+}
+
+/** Counts the tests of a share instead of its process, which fails by them, or by what was left at its end. */
+export function withShare({ passed, failed, skipped }, xml) {
+  const attribute = numbersOf(xml, 'testsuites');
+  const failures = attribute('failures') + attribute('errors');
+  const left = xml.match(/ result="(?:skipped|suppressed)"/g)?.length ?? 0;
+  const others = attribute('tests') - failures - left;
+  if (failures > 0) return counts(passed + others, failed + failures - 1, skipped + left);
+  return counts(passed + others - 1, failed, skipped + left);
 }
 
 function countJest(json) {
