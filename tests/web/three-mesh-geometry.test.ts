@@ -432,3 +432,21 @@ describe('The JSON of a scene', () => {
     }
   });
 });
+
+test.each(LAYOUTS)(
+  'Buffers are of the usage that is uploaded only when it changes: %s',
+  (_, options) => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.attributes.add('vertex', 'tone', { components: 3 });
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    const geometry = new MeshGeometry(mesh, options);
+    const usages = () =>
+      [...Object.values(geometry.attributes), geometry.index].map(
+        (attribute) => (attribute as THREE.BufferAttribute | null)?.usage ?? THREE.StaticDrawUsage,
+      );
+    expect(new Set(usages())).toEqual(new Set([THREE.StaticDrawUsage]));
+    for (let i = 0; i < 4; i++) for (const f of [...mesh.faces()]) mesh.poke(f);
+    geometry.update(); // in longer buffers
+    expect(new Set(usages())).toEqual(new Set([THREE.StaticDrawUsage]));
+  },
+);

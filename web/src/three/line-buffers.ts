@@ -1,4 +1,4 @@
-import { DynamicDrawUsage, InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three';
+import { InstancedInterleavedBuffer, InterleavedBufferAttribute } from 'three';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
 /** Lines are uploaded in blocks of so many, those of which one has changed. */
@@ -86,12 +86,11 @@ export class LineBuffers {
   #grow(capacity: number): void {
     this.positions = grown(this.positions, this.stride * capacity);
     this.colors = grown(this.colors, 3 * capacity);
-    // Other buffers are uploaded whole.
+    // Other buffers are uploaded whole. Their usage is as for RowBuffer.
     this.#isStale = new Uint8Array(Math.ceil(capacity / BLOCK));
     const positions = new InstancedInterleavedBuffer(this.positions, this.stride, 1);
     const colors = new InstancedInterleavedBuffer(this.colors, 3, 1);
     this.#buffers.splice(0, 2, positions, colors);
-    for (const buffer of this.#buffers) buffer.setUsage(DynamicDrawUsage);
     const color = new InterleavedBufferAttribute(colors, 3, 0);
     this.geometries.forEach((geometry, segment) => {
       geometry.dispose();

@@ -1,4 +1,4 @@
-import { BufferAttribute, DynamicDrawUsage, type TypedArray } from 'three';
+import { BufferAttribute, type TypedArray } from 'three';
 import { newArray } from '../arguments.js';
 
 /** Rows that lie so close are uploaded in one go: a call costs more than some bytes. */
@@ -11,7 +11,10 @@ export function roomFor(count: number): number {
   return Math.ceil(1.125 * count) + 64;
 }
 
-/** A column of a geometry, and which of its rows have changed. */
+/**
+ * A column of a geometry, and which of its rows have changed. Its usage is the one that attributes have by themselves:
+ * of one that is to be dynamic, WebGPURenderer uploads all in each frame.
+ */
 export class RowBuffer {
   readonly components: number;
   attribute: BufferAttribute;
@@ -22,7 +25,6 @@ export class RowBuffer {
   constructor(array: TypedArray, components: number, normalized = false, itemSize = components) {
     this.components = components;
     this.attribute = new BufferAttribute(array, itemSize, normalized);
-    this.attribute.setUsage(DynamicDrawUsage);
   }
 
   get array(): TypedArray {
@@ -51,7 +53,6 @@ export class RowBuffer {
     const grown = newArray('a buffer', Kind, rows * components);
     grown.set(array);
     this.attribute = new BufferAttribute(grown, attribute.itemSize, attribute.normalized);
-    this.attribute.setUsage(DynamicDrawUsage);
   }
 
   /** What was written is not to be marked, because all of it is uploaded, or nothing. */
