@@ -100,7 +100,12 @@ const LIFT_PX = 1.5;
  */
 const LIFT = `
   float lift = 2.0 * lineLift / (projectionMatrix[1][1] * resolution.y);
-  clip.z += (projectionMatrix[2][3] == 0.0 ? projectionMatrix[2][2] : projectionMatrix[3][2]) * lift;
+  if (projectionMatrix[2][3] == 0.0) {
+    clip.z += projectionMatrix[2][2] * lift;
+  } else {
+    clip.z += projectionMatrix[3][2] * lift;
+    clip /= 1.0 + lift;
+  }
   gl_Position = clip;`;
 
 /**
