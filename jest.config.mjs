@@ -29,7 +29,7 @@ const suite = (name) => ({
     '^halfedge/(exercise|figure|gltf|scene|teaching)$': '<rootDir>/dist/$1/index.js',
     '^halfedge/exercise/judge$': '<rootDir>/dist/exercise/judge/index.js',
     '^halfedge/three$': '<rootDir>/dist/three/index.js',
-    '^halfedge/three/picking$': '<rootDir>/dist/three/picking.js',
+    '^halfedge/three/(picking|webgpu)$': '<rootDir>/dist/three/$1.js',
     '^halfedge/worker$': '<rootDir>/dist/worker.js',
     '^(\\.{1,2}/.*)\\.js$': '$1',
   },

@@ -113,6 +113,7 @@ describe('The tarball', () => {
       './three',
       './three/picking',
       './three/picking-thread',
+      './three/webgpu',
       './worker',
       './worker-thread',
     ]);

@@ -18,12 +18,13 @@ import { BoxGeometry, Mesh, Ray, Raycaster, Vector3 } from 'three';
 import { type Face, type HalfedgeMesh, init, type Vertex } from 'halfedge';
 import { CirculatorHelper, fromBufferGeometry, type GeometryMaps, HalfedgesHelper, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 import { MeshPicker, type FaceHit } from 'halfedge/three/picking';
+import { webgpuLines } from 'halfedge/three/webgpu';
 
 await init();
 const { mesh, maps }: { mesh: HalfedgeMesh; maps: GeometryMaps } = fromBufferGeometry(new BoxGeometry(), { weld: true });
 const geometry: MeshGeometry = new MeshGeometry(mesh, { normals: 'flat' });
 const object = new Mesh(geometry);
-object.add(new HalfedgesHelper(mesh));
+object.add(new HalfedgesHelper(mesh, { lines: webgpuLines }));
 mesh.splitEdge(0);
 const { bytes } = geometry.update();
 const [found] = new Raycaster(new Vector3(0.1, 0.2, 5), new Vector3(0, 0, -1)).intersectObject(object);
@@ -45,6 +46,8 @@ export const traceOf = (f: Face) => new CirculatorHelper(mesh, 'vertexFaces', f)
 geometry.triangles(mesh.toVertex(0));
 // @ts-expect-error There are three ways to make normals.
 toBufferGeometry(mesh, { normals: 'soft' });
+// @ts-expect-error Lines are made by what makes lines.
+export const drawn = () => new HalfedgesHelper(mesh, { lines: 'webgpu' });
 // @ts-expect-error A mesh is no geometry.
 export const wrong = (v: Vector3) => fromBufferGeometry(mesh, v);
 `;

@@ -28,6 +28,7 @@ export async function startChromium(workers) {
   const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
   // WebGL in software: it runs where there is no graphics card.
   args.push('--use-angle=swiftshader', '--enable-unsafe-swiftshader');
+  args.push('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'); // and WebGPU
   // Half of the processors' time would go into what no test looks at: putting the page together by the
   // same emulated graphics card, and four samples to a pixel.
   args.push('--disable-gpu-compositing', '--webgl-antialiasing-mode=none');

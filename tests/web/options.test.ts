@@ -35,7 +35,7 @@ const STORAGE = 'storePrev';
 const PARSE = `${STORAGE}, onProgress, signal, format, repair, attributes`;
 const SOUP_NAMES = `${STORAGE}, weld, dropIsolated`;
 const GLTF_NAMES = `${SOUP_NAMES}, repair, baseUrl, resource, dracoLoader, meshoptDecoder`;
-const HELPER = 'color, linewidth, pixel';
+const HELPER = 'color, linewidth, lines, pixel';
 
 const CASES: Case[] = [
   ['new HalfedgeMesh', 'StorageOptions', (o) => new HalfedgeMesh(o), STORAGE],

@@ -131,6 +131,26 @@ describe('HalfedgesHelper', () => {
     expect(() => new HalfedgesHelper(mesh, { faces: 'f3' as never })).toThrow(/is "f3"; expected/);
     expect(new HalfedgesHelper(mesh, { faces: new Set([1, 99]) }).segments).toBe(8);
   });
+
+  test.each([
+    ['webgpu', '"webgpu"'],
+    [null, 'null'],
+    [THREE.Mesh, 'a function'],
+    [new THREE.Mesh(), 'a Mesh'],
+  ])('refuses lines that are none: %p', (lines, found) => {
+    const made = () => new HalfedgesHelper(HalfedgeMesh.cube(), { lines: lines as never });
+    expect(made).toThrow(
+      `options.lines is ${found}; expected webgpuLines of halfedge/three/webgpu, or nothing for WebGLRenderer.`,
+    );
+  });
+
+  test('has buffers that no renderer uploads unless they change', () => {
+    const { geometry } = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
+    for (const name of ['instanceStart', 'instanceColorStart']) {
+      const { data } = geometry.attributes[name] as THREE.InterleavedBufferAttribute;
+      expect(data.usage).toBe(THREE.StaticDrawUsage); // of others, WebGPURenderer uploads all in each frame
+    }
+  });
 });
 
 test('BoundaryLoopsHelper draws each boundary edge once', () => {

@@ -1,11 +1,12 @@
 import { Color, type ColorRepresentation, Group } from 'three';
 import { describe } from '../arguments.js';
+import { refuse } from '../checks.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkObject, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { type DrawnMesh, HalfedgeGlyphs } from './glyphs.js';
-import { LineBatch, lineMaterial, lines } from './lines.js';
+import { type DrawnLines, LineBatch, type LineKind, webglLines } from './lines.js';
 import { ARROW_FLOATS } from './mitre.js';
 import { quadVertices } from './triangulate.js';
 
@@ -16,6 +17,11 @@ export interface HelperOptions {
   /** In CSS pixels. Default: that of the helper, 1.5 to 3.5. */
   linewidth?: number | undefined;
   /**
+   * What makes its lines: `webgpuLines` of `halfedge/three/webgpu` where WebGPURenderer is to draw them. Default:
+   * lines that WebGLRenderer draws.
+   */
+  lines?: LineKind | undefined;
+  /**
    * The length of a CSS pixel where the mesh is seen, in its own units: arrows and dashes are sized by it.
    * Default: such that a typical edge is 56 pixels long.
    */
@@ -25,6 +31,7 @@ export interface HelperOptions {
 export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
   color: true,
   linewidth: true,
+  lines: true,
   pixel: true,
 };
 
@@ -40,20 +47,21 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   readonly color: Color;
   protected readonly batch = new LineBatch();
   protected readonly glyphs = new HalfedgeGlyphs(this);
-  readonly #material: ReturnType<typeof lineMaterial>;
+  readonly #lines: LineKind;
+  readonly #material: DrawnLines['material'];
 
   /** `color` and `width` are the defaults of the helper. */
   constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation, width = 1.5) {
     super();
     checkObject(options);
     this.mesh = checkMesh(mesh);
-    const { linewidth = width, pixel = typicalEdge(mesh) / 56 } = options;
+    const { linewidth = width, lines = webglLines, pixel = typicalEdge(mesh) / 56 } = options;
     this.pixel = checkLength('pixel', pixel);
     this.color = new Color(options.color ?? color);
-    this.#material = lineMaterial(checkLength('linewidth', linewidth), 2);
-    const drawn = lines(this.batch, this.#material, 3);
-    drawn.raycast = () => {};
-    this.add(drawn);
+    this.#lines = checkLines(lines);
+    const drawn = this.#lines.make(this.batch.geometry, checkLength('linewidth', linewidth), 2);
+    this.#material = drawn.material;
+    this.add(Object.assign(drawn, { frustumCulled: false, renderOrder: 3, raycast() {} }));
   }
 
   get points(): Float32Array {
@@ -93,7 +101,8 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 
   /** The options as they are now, for a clone. */
   protected get options(): HelperOptions {
-    return { color: this.color, linewidth: this.#material.linewidth, pixel: this.pixel };
+    const { linewidth } = this.#material;
+    return { color: this.color, linewidth, lines: this.#lines, pixel: this.pixel };
   }
 
   /** Draws the arrow of a halfedge: dotted on the boundary. */
@@ -128,6 +137,16 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 function checkLength(option: string, value: unknown): number {
   if (typeof value === 'number' && value > 0 && value < Number.POSITIVE_INFINITY) return value;
   throw new RangeError(`options.${option} is ${describe(value)}; expected a positive number.`);
+}
+
+function checkLines(lines: unknown): LineKind {
+  const { make } = Object(lines) as Partial<LineKind>;
+  if (typeof make === 'function') return lines as LineKind;
+  refuse(
+    'options.lines',
+    lines,
+    'webgpuLines of halfedge/three/webgpu, or nothing for WebGLRenderer',
+  );
 }
 
 /** The median length of some of the edges; 1 if there are none that have a length. */

@@ -16,7 +16,14 @@ export {
 } from './helpers.js';
 export { IndexLabelsHelper, type LabelsOptions } from './labels-helper.js';
 export { LineBuffers, SEGMENT_FLOATS } from './line-buffers.js';
-export { ghostOf, LineBatch, lineMaterial, lines } from './lines.js';
+export {
+  type DrawnLines,
+  ghostOf,
+  LineBatch,
+  type LineKind,
+  lineMaterial,
+  lines,
+} from './lines.js';
 export { type ChangeListener, type GeometryUpdate, MeshGeometry } from './mesh-geometry.js';
 export { ARROW_FLOATS, CAP_SHARE, CappedMitre } from './mitre.js';
 export { newellNormal, squaredDistanceToSegment } from './polygon.js';

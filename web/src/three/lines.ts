@@ -1,4 +1,4 @@
-import { type Color, GreaterDepth, Vector4 } from 'three';
+import { type Color, GreaterDepth, type Material, type Mesh, Vector4 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -91,7 +91,7 @@ const segment = new Float32Array(SEGMENT_FLOATS);
 const tint = new Float32Array(3);
 
 /** By how many CSS pixels a line comes nearer to the camera for each unit of its bias. */
-const LIFT_PX = 1.5;
+export const LIFT_PX = 1.5;
 
 /**
  * Moves what is drawn towards the camera, and nowhere on the screen. An arrow lies in the mean plane of its face, of
@@ -117,11 +117,30 @@ export function lineMaterial(linewidth: number, bias: number): LineMaterial {
   material.uniforms.lineLift = { value: LIFT_PX * bias };
   const { vertexShader } = material;
   material.vertexShader = `uniform float lineLift;\n${vertexShader.replace('gl_Position = clip;', LIFT)}`;
+  offsetBy(material, bias);
+  return material;
+}
+
+/** Lets a material win against what is as near as it is. */
+export function offsetBy(material: Material, bias: number): void {
   material.polygonOffset = true;
   material.polygonOffsetFactor = -bias;
   material.polygonOffsetUnits = -bias;
-  return material;
 }
+
+/** Segments as an object of the scene, of a material that is as wide as it is told to be. */
+export type DrawnLines = Mesh<LineSegmentsGeometry, Material & { linewidth: number }>;
+
+/** What makes the lines of helpers: those of `halfedge/three/webgpu` for WebGPURenderer, others by default. */
+export interface LineKind {
+  /** Lines so many CSS pixels wide; the greater the bias, the nearer to the camera. */
+  make(geometry: LineSegmentsGeometry, linewidth: number, bias: number): DrawnLines;
+}
+
+/** The lines of helpers for WebGLRenderer. */
+export const webglLines: LineKind = {
+  make: (geometry, linewidth, bias) => lines({ geometry }, lineMaterial(linewidth, bias), 0),
+};
 
 /** Line segments as an object of the scene; drawn in `order` among the overlays. */
 export function lines(
