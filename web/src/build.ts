@@ -22,7 +22,9 @@ import { type Block, withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 
-/** Faces as two arrays: how many corners each has, and the vertices of all corners in a row. */
+/**
+ * Faces as two arrays: how many corners each has, and the vertices of all corners, one face after the other.
+ */
 export interface Polygons {
   readonly sizes: ArrayLike<number>;
   readonly corners: ArrayLike<number>;
@@ -31,9 +33,9 @@ export interface Polygons {
 /** What a mesh stores. */
 export interface StorageOptions {
   /**
-   * Whether each halfedge stores the one before it. Left out, a mesh takes a fifth less memory (24
-   * bytes to a vertex of a triangle mesh), and `prev(h)` searches: it walks around the face and the
-   * vertex of `h` in step, until one closes. Everything else stays as it is. Default: true.
+   * Whether each halfedge stores the one before it. Without that, a mesh takes a fifth less memory (24 bytes
+   * less per vertex of a triangle mesh), and `prev(h)` searches: it walks around the face and the vertex of
+   * `h` in step, until one of the walks closes. Everything else stays the same. Default: true.
    */
   storePrev?: boolean | undefined;
 }
@@ -43,7 +45,7 @@ export interface BuildOptions extends StorageOptions {}
 
 /** How to build connectivity alone. */
 export interface FaceOptions extends StorageOptions {
-  /** The vertices, where there are more than those of the faces: the others are isolated. */
+  /** The number of vertices, if there are more than the faces use: the others are isolated. */
   vertexCount?: number | undefined;
 }
 

@@ -3,15 +3,16 @@ import { linksOf, Navigation } from './navigation.js';
 import { type Rows, rings } from './rings.js';
 
 /**
- * Rings of a whole mesh in one call: `all` and the name of a circulator. Row i is the ring around
- * item i, in exactly the order of the circulator; it is empty for deleted slots and isolated
- * vertices. Faster than any loop in JavaScript.
+ * All rings of a mesh in one call: `all` plus the name of a circulator. Row i is the ring around item i, in
+ * exactly the order of the circulator; it is empty for deleted slots and isolated vertices. This is faster
+ * than any loop in JavaScript.
  *
- * With a list of items, row i is the ring around the i-th of them. Edges have one order in both directions.
+ * With a list of items, row i is the ring around the i-th of them. For edges, both directions have the same
+ * order.
  *
- * `into`: the rows of an earlier call, to be written over. Their arrays come back if they are of the right
- * length, the first part of them if they are longer, new ones if they are shorter. Saves the time to make
- * and clear arrays, which is half of a call for a large mesh.
+ * `into`: the rows of an earlier call, to be overwritten. If their arrays have the right length, they are
+ * returned; if they are longer, their first part; if they are shorter, new ones. This saves making and
+ * clearing arrays, which is half the time of a call for a large mesh.
  */
 export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */

@@ -31,7 +31,9 @@ const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number, Around extends number> = circulator.Circulator<Item, Around>;
 
-/** The circulators that `circulate` knows: all around one item, by the names of their methods. */
+/**
+ * The circulators that `circulate` knows, by the names of their methods: all those that go around one item.
+ */
 export type CirculatorKind = RingKind | 'halfedgeLoop';
 
 /** What a circulator shows. */
@@ -59,12 +61,12 @@ export interface CirculateOptions {
 export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: true, start: true };
 
 /**
- * Circulators: what lies around one item, one lap of it.
+ * Circulators: one lap around an item.
  *
- * Around a vertex, 'cw' begins at its anchor, and 'ccw' is the exact reverse; on the boundary both
- * list an open path from one boundary neighbour to the other. Around a face, 'ccw' begins with the
- * first vertex of the input, and 'cw' is the exact reverse. With a `start` both directions begin at
- * that halfedge. Sides without a face are skipped. An isolated vertex has nothing around it.
+ * Around a vertex, 'cw' begins at its anchor, and 'ccw' is the exact reverse; on the boundary both list an
+ * open path from one boundary neighbour to the other. Around a face, 'ccw' begins with the first vertex of
+ * the input, and 'cw' is the exact reverse. With a `start`, both directions begin at that halfedge.
+ * Circulators of faces skip sides without a face. An isolated vertex has nothing around it.
  */
 export abstract class Circulation extends BulkRings {
   /** The one-ring: the vertices that share an edge with `v`. */
@@ -81,7 +83,10 @@ export abstract class Circulation extends BulkRings {
     return aroundVertex(linksOf(this), v, direction, start, ITSELF);
   }
 
-  /** The halfedges that arrive at `v`; `start` is one of them, or one that leaves it: then its opposite is first. */
+  /**
+   * The halfedges that arrive at `v`. `start` is one of them, or one that leaves `v`; its opposite is then
+   * the first.
+   */
   vertexIncomingHalfedges(
     v: VertexLike,
     direction: Direction = 'ccw',
@@ -115,7 +120,7 @@ export abstract class Circulation extends BulkRings {
     return aroundFace(linksOf(this), f, direction, start, EDGE);
   }
 
-  /** The neighbour across each edge of `f`: one that shares several edges comes as often. */
+  /** The neighbour across each edge of `f`. One that shares several edges with `f` occurs that many times. */
   faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Face> {
     return aroundFace(linksOf(this), f, direction, start, OPPOSITE_FACE);
   }
@@ -161,11 +166,11 @@ export abstract class Circulation extends BulkRings {
   }
 
   /**
-   * An endless circulator around one item; `kind` is the name of one of the methods above. It begins
-   * where a lap of that method does. For a lap, `for...of` over that method takes less time in a program
-   * that goes around several kinds of items.
+   * An endless circulator around one item; `kind` is the name of one of the methods above. It begins where a
+   * lap of that method begins. For a single lap, `for...of` over that method is faster in a program that goes
+   * around several kinds of items.
    *
-   * @param options or a direction alone, which takes less time in a loop that makes many
+   * @param options or just a direction, which is faster in a loop that makes many circulators
    */
   circulate<Kind extends CirculatorKind>(
     kind: Kind,

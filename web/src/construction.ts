@@ -32,7 +32,7 @@ import { takeMaps } from './transfer.js';
 
 /** What is kept by a deletion. */
 export interface DeleteOptions {
-  /** Whether vertices stay that have no edge any more. Default: false, they are deleted too. */
+  /** Whether to keep vertices that have no edge any more. Default: false, they are deleted too. */
   keepIsolatedVertices?: boolean | undefined;
 }
 
@@ -42,7 +42,7 @@ const DELETE_OPTIONS: OptionNames<DeleteOptions> = { keepIsolatedVertices: true 
 const VERTEX_ORDERS = ['morton', 'breadth-first'] as const;
 export type VertexOrder = (typeof VERTEX_ORDERS)[number];
 
-/** Where `compact()` and `reorder()` moved items to: by old index the new one, -1 for what was deleted. */
+/** Where `compact()` and `reorder()` moved items: the new index by old index, -1 if the item was deleted. */
 export interface CompactMaps {
   readonly vertices: Int32Array;
   readonly halfedges: Int32Array;
@@ -51,17 +51,17 @@ export interface CompactMaps {
 }
 
 /**
- * Items one by one: adding, moving and deleting them. What a mesh that is valid allows, leaves it valid.
+ * Adds, moves and deletes single items. A valid mesh stays valid.
  *
- * What can't be done is refused, and then nothing has changed: the operation throws a HalfedgeError with
- * a code, a sentence, and the items that make it impossible as its `witness`. `check` and the name of an
- * operation tells beforehand, where there is one: null, or the refusal. Wrong arguments (an index that is out of range or
- * deleted, a position that is none) are a RangeError or a TypeError of both. Each may also throw
- * `out-of-memory`.
+ * What is impossible is refused, and then nothing has changed: the operation throws a HalfedgeError with a
+ * code, a sentence, and a `witness`: the items that make it impossible. To ask in advance, call `check` plus
+ * the name of the operation, if there is such a method; it returns null or the refusal. For wrong arguments
+ * (an index that is out of range or deleted, an invalid position) both throw a RangeError or a TypeError.
+ * Every operation may also throw `out-of-memory`.
  *
- * Live items keep their indices. New items take deleted slots first, and have defined positions and
- * attributes: the docs of each operation say which. Each edit ends circulators, orbits and lists of
- * items: ask for new ones.
+ * Live items keep their indices. New items use deleted slots first, and have defined positions and
+ * attributes: the documentation of each operation says which. Each edit invalidates circulators, orbits and
+ * lists of items: ask for new ones.
  */
 export abstract class Construction extends Circulation {
   /** Adds an isolated vertex, by default at the origin, with default attributes. Amortised O(1). */
@@ -90,9 +90,7 @@ export abstract class Construction extends Circulation {
     return [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
   }
 
-  /**
-   * Moves `v`, as writing to `positions` does; but history notes this. It is no change of connectivity.
-   */
+  /** Moves `v`, like writing to `positions`, except that history records it. Connectivity doesn't change. */
   setPosition(v: VertexLike, position: Position): void {
     const links = linksOf(this);
     links.checkVertex(v);
@@ -101,17 +99,18 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Adds a face with these corners, counter-clockwise, and the edges between them that don't exist yet.
-   * The faces of a mesh that can be built can be added in any order, and become the same mesh. The face and
-   * new edges have default attributes. Amortised O(number of corners) and the smaller valence of each side's ends;
-   * and O(valence) for a corner with several fans of faces, so that many faces around one vertex are best added in
-   * turn.
+   * Adds a face with these corners, counter-clockwise, and the edges between them that don't exist yet. If a
+   * set of faces forms a valid mesh, you can add them in any order and get the same mesh. The face and new
+   * edges have default attributes.
+   *
+   * Amortised O(number of corners), plus the smaller valence of the two ends of each side, plus O(valence)
+   * for each corner with several fans of faces. So if you add many faces around one vertex, add them in turn.
    *
    * Inverse: `deleteFace`, keeping isolated vertices.
    *
-   * @throws HalfedgeError `degree-below-three`, `repeated-vertex`, `duplicate-face`,
-   * `edge-with-many-faces`, `opposite-orientation` (a neighbour runs along an edge in the same direction),
-   * `pinched-vertex` (the faces around a vertex would be closed, or are, and others not among them)
+   * @throws HalfedgeError `degree-below-three`, `repeated-vertex`, `duplicate-face`, `edge-with-many-faces`,
+   * `opposite-orientation` (a neighbour runs along an edge in the same direction), `pinched-vertex` (some
+   * faces around a vertex form, or would form, a closed fan, and the vertex has others besides)
    */
   addFace(vertices: ArrayLike<VertexLike>): Face {
     const links = linksOf(this);
@@ -129,8 +128,8 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Deletes a vertex with the faces and edges around it, and those of their vertices that have no edge any
-   * more. O(sum of the valences around it).
+   * Deletes a vertex with the faces and edges around it, and those of their vertices that are left without an
+   * edge. O(sum of the valences around it).
    *
    * Inverse: none; undo.
    *
@@ -153,7 +152,7 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Deletes the one or two faces of an edge, and by that the edge; see {@link deleteFace}.
+   * Deletes the one or two faces of an edge, and so the edge itself; see {@link deleteFace}.
    *
    * Inverse: `addFace`, where vertices were kept.
    *
@@ -177,8 +176,8 @@ export abstract class Construction extends Circulation {
 
   /**
    * Deletes a face, those of its edges that have no other face, and those of its vertices that have no other
-   * edge. Where two faces only touch in a vertex then, that is a pinched vertex. `makeHole` leaves all edges.
-   * O(sum of the valences of the corners).
+   * edge. If the remaining faces touch only in a vertex, that vertex becomes pinched. To keep all edges, use
+   * `makeHole`. O(sum of the valences of the corners).
    *
    * Inverse: `addFace`, where vertices were kept.
    *
@@ -256,9 +255,9 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Closes the gaps that deletions have left: then the slots are as many as the items. Items keep their
-   * order. History notes all links, positions and attributes: so this step costs more than others; without gaps there
-   * is none. O(slots).
+   * Closes the gaps that deletions have left, so that there are as many slots as items. Items keep their
+   * order. History records all links, positions and attributes, so this step costs more than others; if there
+   * are no gaps, there is no step. O(slots).
    *
    * @returns where each item went
    */
@@ -277,16 +276,16 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Renumbers all items, so that those which lie close together lie close together in memory, too: a mesh
-   * whose vertices or faces come in random order is read several times as fast afterwards. Edges are
-   * grouped by their smaller vertex, faces come in the order of their halfedges, and vertices
+   * Renumbers all items so that items that are close together in space are also close together in memory. A
+   * mesh whose vertices or faces were in random order is read several times as fast afterwards. Edges are
+   * grouped by their smaller vertex, faces come in the order of their halfedges, and vertices are ordered
    *
    * - `'morton'`: along a Morton curve (Z-order) through their positions;
    * - `'breadth-first'`: by a breadth-first search over the edges, for meshes without meaningful positions.
    *
-   * It stays the same mesh: edges keep their sides, vertices and faces the halfedge they store, all items
-   * their attributes. As by {@link compact}, the gaps of deleted items are closed, history notes everything,
-   * and a mesh that is in this order already isn't changed. O(slots).
+   * It stays the same mesh: edges keep their sides, vertices and faces keep the halfedge that they store, and
+   * all items keep their attributes. As with {@link compact}, gaps are closed and history records everything.
+   * A mesh that is in this order already isn't changed. O(slots).
    *
    * @returns where each item went
    */
@@ -308,7 +307,8 @@ export abstract class Construction extends Circulation {
   }
 
   /**
-   * Makes room for so many slots, live and deleted, so that adding items up to there moves no array.
+   * Reserves room for this many slots, live and deleted, so that no array moves while items are added up to
+   * these numbers.
    */
   reserve(vertices: number, edges: number, faces: number): void {
     const links = linksOf(this);

@@ -28,15 +28,15 @@ import { checkOptions, type OptionNames } from './options.js';
 /** What a collapse may leave. */
 export interface CollapseOptions {
   /**
-   * Whether two faces may be left that have the same corners, glued along all edges, as of a tetrahedron.
-   * Default: false.
+   * Whether the collapse may leave two faces with the same corners, glued along all edges, as with a
+   * tetrahedron. Default: false.
    */
   permissive?: boolean | undefined;
 }
 
 /**
- * What fills the gap beside the new edge, on the side of `hl` and of `hr`: a triangle, or nothing, so that
- * the face or the boundary gains a corner. Default: a triangle, and on the boundary nothing.
+ * What fills the gap beside the new edge, on the side of `hl` and of `hr`: a triangle, or nothing, in which
+ * case the face or the boundary gains a corner. Default: a triangle; on the boundary, nothing.
  */
 export interface SplitVertexOptions {
   left?: 'triangle' | 'corner' | undefined;
@@ -47,18 +47,18 @@ const COLLAPSE_OPTIONS: OptionNames<CollapseOptions> = { permissive: true };
 const SPLIT_VERTEX_OPTIONS: OptionNames<SplitVertexOptions> = { left: true, right: true };
 
 /**
- * The Euler operations, each beside its inverse: what changes edges, faces and vertices of one surface. The
- * contract is that of `Construction`.
+ * The Euler operations, each next to its inverse. They change the edges, faces and vertices of one surface.
+ * The contract is that of `Construction`.
  */
 export abstract class EulerOperations extends Construction {
   /**
-   * Turns `e` counter-clockwise in the quad of its two triangles: the diagonal 0-2 of the quad 0123
-   * becomes 1-3. The edge and both faces keep their indices and attributes. O(valence).
+   * Turns `e` counter-clockwise in the quad of its two triangles: the diagonal 0-2 of the quad 0123 becomes
+   * 1-3. The edge and both faces keep their indices and attributes. O(valence).
    *
-   * Inverse: the same three times; twice turns the edge around.
+   * Inverse: the same operation, three times. Twice turns the edge around.
    *
-   * @throws HalfedgeError `boundary-edge`, `not-a-triangle`, `same-vertex` (if the corners opposite to it
-   * are one vertex), `edge-exists` (if they are joined already)
+   * @throws HalfedgeError `boundary-edge`, `not-a-triangle`, `same-vertex` (if the two corners opposite the
+   * edge are the same vertex), `edge-exists` (if they are joined already)
    */
   flipEdge(e: EdgeLike): Edge {
     const links = linksOf(this);
@@ -75,8 +75,9 @@ export abstract class EulerOperations extends Construction {
 
   /**
    * Adds a vertex of valence two on an edge, by default in its middle; both faces gain a corner. The edge
-   * is the half at its side 0's end, the other half is a new edge like it. Attributes of the vertex and its
-   * corners are blended, at the point of the edge that is closest to `position`.
+   * becomes the half at the end of its side 0; the other half is a new edge with the same attributes.
+   * Attributes of the vertex and its corners are blended, at the point of the edge that is closest to
+   * `position`.
    *
    * Inverse: `removeVertexOnEdge(returned)`.
    */
@@ -99,8 +100,8 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Removes a vertex of valence two: its two edges become one, of which the one with the lower index stays,
-   * and the faces there lose a corner.
+   * Removes a vertex of valence two. Its two edges become one, which keeps the lower of the two indices, and
+   * the faces there lose a corner.
    *
    * Inverse: `insertVertexOnEdge(returned, position)`.
    *
@@ -121,10 +122,10 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * As {@link insertVertexOnEdge}, and cuts each triangle beside the edge in two, of which the one at the
-   * end of its side 0 keeps the face. Larger faces gain the corner.
+   * Like {@link insertVertexOnEdge}, but also cuts each triangle beside the edge in two; the triangle at the
+   * end of side 0 keeps the face. Larger faces gain the corner.
    *
-   * Inverse: `collapse` of a halfedge from the new vertex to one of the ends, permissive where that leaves a
+   * Inverse: `collapse` of a halfedge from the new vertex to one of the ends; permissive, if that leaves a
    * pillow.
    *
    * @throws HalfedgeError `same-vertex` (both triangles have the same corners)
@@ -147,20 +148,20 @@ export abstract class EulerOperations extends Construction {
 
   /**
    * Contracts the edge of `h`: `fromVertex(h)` disappears into `toVertex(h)`, triangles on the edge vanish,
-   * larger faces lose a corner. The vertex that survives stays where it is and keeps its attributes; given a
-   * position it moves there, and its attributes are blended. O(valence).
+   * and larger faces lose a corner. The surviving vertex stays where it is and keeps its attributes; if you
+   * pass a position, it moves there and its attributes are blended. O(valence).
    *
-   * Refused where the surface would change its kind (the link condition): see `checkCollapse`.
+   * Refused if the topology of the surface would change (the link condition): see `checkCollapse`.
    *
-   * Inverse: `splitVertex(hl, hr, position, { left, right })` with `next(h)` and `opposite(prev(opposite(h)))`
-   * of before; `left` is 'triangle' if the face of `h` was one and vanished, else 'corner', and `right` the
-   * same of the face of `opposite(h)`.
+   * Inverse: `splitVertex(hl, hr, position, { left, right })`, where `hl` and `hr` are `next(h)` and
+   * `opposite(prev(opposite(h)))` before the collapse. `left` is 'triangle' if the face of `h` was a triangle
+   * and vanished, otherwise 'corner'; `right` is the same for the face of `opposite(h)`.
    *
    * @returns `toVertex(h)`
-   * @throws HalfedgeError `same-loop` (one face lies on both sides of the edge, as in a segment),
-   * `loop-edge` (the edge, or one of a triangle beside it, leads back to where it begins),
-   * `boundary-vertices` (both ends lie on the boundary, the edge doesn't),
-   * `common-neighbour`, `same-vertex`, `edge-without-face`, `repeated-vertex`, `leaves-pillow`
+   * @throws HalfedgeError `same-loop` (one face lies on both sides of the edge, as in a segment), `loop-edge`
+   * (the edge, or one of a triangle beside it, leads back to where it begins), `boundary-vertices` (both ends
+   * lie on the boundary, the edge doesn't), `common-neighbour`, `same-vertex`, `edge-without-face`,
+   * `repeated-vertex`, `leaves-pillow`
    */
   collapse(h: HalfedgeLike, position?: Position, options?: CollapseOptions): Vertex {
     const links = linksOf(this);
@@ -180,12 +181,13 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Divides the vertex that `hl` and `hr` leave in two, joined by a new edge: the halfedges strictly between
-   * them, counter-clockwise from `hl` to `hr`, go to the new vertex, and two new triangles fill the gap; on
-   * the boundary there is none. The new vertex is like the old one, and lies there by default.
+   * Divides the vertex that `hl` and `hr` leave into two, joined by a new edge. The halfedges strictly
+   * between them, counter-clockwise from `hl` to `hr`, go to the new vertex, and two new triangles fill the
+   * gap (none on the boundary). The new vertex has the attributes of the old one and, by default, its
+   * position.
    *
-   * Inverse: `collapse` of the halfedge from the new vertex to the old, unless that has taken a pinched vertex
-   * apart.
+   * Inverse: `collapse` of the halfedge from the new vertex to the old one, unless the split has separated
+   * the fans of a pinched vertex.
    *
    * @returns the new vertex
    * @throws HalfedgeError `different-vertices`, `loop-edge`, `same-vertex` (`hl` is `hr`), `nothing-between`,
@@ -222,10 +224,10 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Adds an edge from `toVertex(h0)` to `toVertex(h1)`, two corners of one face, which is cut in two: the
-   * part after `h0`, up to `h1`, becomes a new face like it. Of a boundary loop that part is covered by a new
-   * face, with default attributes, and the rest stays open; side 0 of the edge lies in the new face then, and
-   * leads from `toVertex(h1)` to `toVertex(h0)`.
+   * Adds an edge from `toVertex(h0)` to `toVertex(h1)`, two corners of one face, and so cuts the face in two:
+   * the part after `h0`, up to `h1`, becomes a new face with the same attributes. In a boundary loop, that
+   * part is covered by a new face with default attributes, and the rest stays open; side 0 of the edge then
+   * lies in the new face, and leads from `toVertex(h1)` to `toVertex(h0)`.
    *
    * Inverse: `removeEdge(returned)`.
    *
@@ -248,15 +250,15 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Removes an edge, and makes one face of the two beside it: that of its side 0 stays. Of an edge on the
-   * boundary the face goes, and the boundary runs along the rest of it.
+   * Removes an edge and merges the two faces beside it; the face of side 0 stays. For an edge on the
+   * boundary, its face is removed, and the boundary then runs along the rest of the face's edges.
    *
-   * Inverse: `insertEdge` from the halfedges before the two of the edge: first the one before side 0, or, of an
-   * edge on the boundary, the one before its side without a face.
+   * Inverse: `insertEdge` with the two halfedges that came before those of the edge. The first is the one
+   * before side 0 or, for an edge on the boundary, the one before its side without a face.
    *
-   * @returns the face that stays; `NONE` of an edge on the boundary
+   * @returns the face that stays; `NONE` for an edge on the boundary
    * @throws HalfedgeError `faces-share-edges`, `faces-share-vertex` (if the two faces have more in common),
-   * `edge-without-face` (if another edge of the face is on the boundary, too), `last-edge` (of a loop)
+   * `edge-without-face` (if another edge of the face is on the boundary, too), `last-edge` (for a loop)
    */
   removeEdge(e: EdgeLike): Face | typeof NONE {
     const links = linksOf(this);
@@ -274,8 +276,8 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * As {@link removeEdge} of an edge inside, as modellers mean it: also removes the edges that it goes on in,
-   * if both faces share them, and its ends, if only two edges are left there.
+   * Like {@link removeEdge} of an interior edge, but as modelling programs do it: also removes the edges that
+   * continue it, if both faces share them, and its ends, if only two edges are left there.
    *
    * Inverse: none; undo.
    *
@@ -295,8 +297,9 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Adds a vertex in a face, by default at the mean of its corners, joined to each of the n corners: the face
-   * becomes n triangles like it. The vertex gets the means of the attributes of the corners. O(degree).
+   * Adds a vertex in a face, by default at the mean of its corners, and joins it to each of the n corners:
+   * the face becomes n triangles with the same attributes. The vertex gets the means of the attributes of the
+   * corners. O(degree).
    *
    * Inverse: `dissolveVertex(returned)`.
    */
@@ -317,13 +320,13 @@ export abstract class EulerOperations extends Construction {
   }
 
   /**
-   * Removes a vertex and its edges, and makes one face of those around it; on the boundary, its two
-   * neighbours there are joined by what becomes of the two boundary edges.
+   * Removes a vertex and its edges, and merges the faces around it into one. On the boundary, its two
+   * boundary edges become one, which joins its two neighbours there.
    *
    * Inverse: `splitFace(returned)`, if the faces were triangles around it.
    *
-   * @throws HalfedgeError `isolated-vertex`, `pinched-vertex`, `degree-below-three`, `repeated-vertex` (of the
-   * face that would be), `edge-exists` (between the neighbours on the boundary)
+   * @throws HalfedgeError `isolated-vertex`, `pinched-vertex`, `degree-below-three`, `repeated-vertex` (in
+   * the resulting face), `edge-exists` (between the neighbours on the boundary)
    */
   dissolveVertex(v: VertexLike): Face {
     const links = linksOf(this);
@@ -365,7 +368,7 @@ export abstract class EulerOperations extends Construction {
    * Inverse: `makeHole(returned)`.
    *
    * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex` (if the loop passes a pinched vertex
-   * twice), `degree-below-three` (of a degenerate complex)
+   * twice), `degree-below-three` (in a degenerate complex)
    */
   fillHole(h: HalfedgeLike): Face {
     const links = linksOf(this);

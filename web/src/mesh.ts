@@ -44,11 +44,11 @@ import { type OwnBytes, type WriteOptions, writeFile } from './write.js';
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
 /**
- * A halfedge mesh: vertices, halfedges, edges and faces of any number of corners, with positions.
+ * A halfedge mesh: vertices with positions, halfedges, edges, and faces with any number of corners.
  *
- * Items are plain integers. The mesh lives in WebAssembly memory; `dispose()` frees it, as does `using`. The
- * garbage collector does so, too, but late: it doesn't know of that memory. Who makes many meshes disposes of
- * them.
+ * Items are plain integers. The mesh lives in WebAssembly memory, which `dispose()` or `using` frees. The
+ * garbage collector frees it too, but late, because it doesn't know about that memory. If you make many
+ * meshes, dispose of them.
  *
  * ```ts
  * await init();
@@ -71,17 +71,17 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * The mesh of a triangle soup over shared vertices: an index buffer. Vertex i and face j of the mesh
-   * are vertex i and face j of the input, in any order of the faces. The input is copied, and not changed.
+   * Makes a mesh from an index buffer: triangles over shared vertices. Vertex i and face j of the mesh are
+   * vertex i and face j of the input. The faces may come in any order. The input is copied, and not changed.
    * Typed arrays are the fastest: one copy, and linear time.
    *
-   * Strict: it must be an oriented 2-manifold, with or without boundary.
+   * Strict: the triangles must form an oriented 2-manifold, with or without boundary.
    *
    * @param positions x, y, z of each vertex
    * @param indices three vertices of each face, counter-clockwise
-   * @throws HalfedgeError with the `problems` found, up to a thousand: `edge-with-many-faces`, `opposite-orientation`,
-   * `duplicate-face`, `repeated-vertex`, `pinched-vertex`, `index-out-of-range`,
-   * `non-finite-position`, `out-of-memory`; TypeError or RangeError for what is no such array.
+   * @throws HalfedgeError with the `problems` found, up to a thousand: `edge-with-many-faces`,
+   * `opposite-orientation`, `duplicate-face`, `repeated-vertex`, `pinched-vertex`, `index-out-of-range`,
+   * `non-finite-position`, `out-of-memory`; TypeError or RangeError for unsuitable arrays
    */
   static fromTriangles(
     positions: ArrayLike<number>,
@@ -94,8 +94,7 @@ export class HalfedgeMesh extends Shapes {
   /**
    * As {@link fromTriangles}, with faces of any number of corners.
    *
-   * @param faces an array of vertices for each face, or, without an array for each face, all
-   * `sizes` and all `corners` in a row
+   * @param faces an array of vertices for each face; or two arrays for all faces, `sizes` and `corners`
    * @throws HalfedgeError also `degree-below-three`
    */
   static fromPolygons(
@@ -107,8 +106,8 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * Connectivity alone, for what has no geometry or keeps it elsewhere: a planar map, a dual, an
-   * abstract complex. As {@link fromPolygons}; all positions are zero.
+   * Makes connectivity alone, for something that has no geometry or keeps it elsewhere: a planar map, a dual,
+   * an abstract complex. Like {@link fromPolygons}; all positions are zero.
    *
    * @throws HalfedgeError as {@link fromPolygons}
    */
@@ -120,14 +119,14 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * The mesh of any polygons at all: what {@link fromPolygons} would refuse is mended, and reported.
-   * Polygons that need no repair give the same mesh. Faces and vertices keep their order; copies of
-   * vertices come last. The mesh is valid at level 4, and its shape does not depend on the order of
-   * the faces.
+   * Makes a mesh from any polygons at all. Whatever {@link fromPolygons} would refuse is repaired, and
+   * reported. Polygons that need no repair give the same mesh. Faces and vertices keep their order; copies of
+   * vertices come last. The mesh is valid at level 4, and its shape does not depend on the order of the
+   * faces.
    *
-   * Faces that are none are left out, duplicates kept once; faces are turned to agree with most of
-   * their component, and one-sided surfaces cut; edges with more than two faces and pinched vertices
-   * are doubled; vertices are welded if asked for.
+   * Invalid faces are left out, and of duplicates one is kept. Faces are turned over to agree with the
+   * majority of their component, and one-sided surfaces are cut. Edges with more than two faces are split
+   * into copies, and so are pinched vertices. Vertices are welded on request.
    *
    * ```ts
    * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: true });
@@ -135,8 +134,8 @@ export class HalfedgeMesh extends Shapes {
    * ```
    *
    * @param faces as `fromPolygons` takes them, or an index buffer of triangles
-   * @throws HalfedgeError `bad-size`, `too-large`, `out-of-memory`; TypeError or RangeError for what
-   * is no such array
+   * @throws HalfedgeError `bad-size`, `too-large`, `out-of-memory`; TypeError or RangeError for unsuitable
+   * arrays
    */
   static fromSoup(
     positions: ArrayLike<number>,
@@ -148,17 +147,17 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * The mesh in a file, whose content tells the format: Wavefront OBJ, or Geomview OFF, PLY or STL in
-   * text or binary form. Vertex i and face j of the mesh are the i-th vertex and the j-th face of the
-   * file. STL repeats its vertices: there, vertex i is the i-th position that differs from those before
-   * it. Text, or its bytes.
+   * Reads a mesh from the content of a file, as text or bytes. The format is recognised from the content:
+   * Wavefront OBJ, or Geomview OFF, PLY or STL in text or binary form. Vertex i and face j of the mesh are
+   * the i-th vertex and the j-th face of the file. STL repeats its vertices: there, vertex i is the i-th
+   * position that differs from all before it.
    *
-   * What the file says beside that becomes {@link attributes}: `normal`, `color` and `uv`, and what
-   * else it has a name for; texture coordinates and normals of corners are attributes of halfedges.
+   * Everything else in the file becomes {@link attributes}: `normal`, `color`, `uv`, and whatever else it has
+   * a name for. Texture coordinates and normals of corners become attributes of halfedges.
    *
-   * Faces that make no manifold are mended as {@link fromSoup} does, and the report says so, with the
-   * lines of the faces; with `repair: false` they are an error. A file that needs no repair gives the
-   * same mesh in both ways.
+   * Faces that don't form a manifold are repaired as by {@link fromSoup}, and the report says so, with the
+   * lines of the faces; with `repair: false` they are an error. A file that needs no repair gives the same
+   * mesh either way.
    *
    * @throws HalfedgeError with the line, or the byte of a binary file, and what was expected there
    * (`parse-error`, `truncated`, `unknown-format`, `unsupported-format`, `not-text`, ...), or with
@@ -173,17 +172,17 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * What a file holds, before a mesh is made of it: positions and faces as they stand there, good or bad.
-   * They are numbered as the problems of {@link parse} name them, and {@link fromSoup} takes them, with
-   * options that `parse` has not:
+   * Reads what a file holds, before a mesh is made of it: positions and faces as they are, good or bad. Their
+   * numbers are those that the problems of {@link parse} use. You can pass them to {@link fromSoup}, with
+   * options that `parse` doesn't have:
    *
    * ```ts
    * const { positions, faces } = HalfedgeMesh.parseSoup(bytes);
    * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: 1e-6 });
    * ```
    *
-   * Who only reads files, to draw them for example, needs no more: `attributes` has what else the file
-   * says of vertices, corners and faces, and `weld: false` leaves the triangles of STL apart.
+   * To only read a file, for example to draw it, you need nothing else: `attributes` has everything that the
+   * file says about vertices, corners and faces, and `weld: false` leaves the triangles of STL apart.
    *
    * @throws HalfedgeError as {@link parse}, where the file itself can't be read
    */
@@ -195,13 +194,13 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * A file of this mesh: its live vertices and faces, each in the order of their indices. Reading it
-   * gives the same polygons and the same bits of each position, also from text, whose numbers have
-   * as many digits as that takes; and the same attributes, where the format has a place for them (`normal`,
-   * `color` and `uv` by their usual names; PLY has one for most). In STL, which has triangles alone, polygons are
-   * cut as `triangulate` does, and isolated vertices are left out.
+   * Writes this mesh to a file: its live vertices and faces, each in the order of their indices. Reading the
+   * file gives the same polygons and the same bits of each position; in text, numbers have as many digits as
+   * that takes. It also gives the same attributes, if the format has a place for them (`normal`, `color` and
+   * `uv` by their usual names; PLY has a place for most). STL has only triangles: there, polygons are cut as
+   * by `triangulate`, and isolated vertices are left out.
    *
-   * @returns text where the encoding is `'text'`, as by default that of OBJ and OFF; else the bytes
+   * @returns text if the encoding is `'text'`, the default of OBJ and OFF; otherwise bytes
    * @throws HalfedgeError `unsupported-format` (an encoding that the format doesn't have),
    * `non-finite-position` (in STL), `corrupt-connectivity`, `out-of-memory`
    */
@@ -222,34 +221,34 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * The mesh to the last word, deleted slots and attributes included, to keep it or to send it to a
-   * worker: what {@link fromBytes} reads. History and generations are no part of it. The format is
-   * documented in src/halfedge/io/bytes.h, and has a version.
+   * Writes the mesh to the last word, deleted slots and attributes included, to store it or to send it to a
+   * worker. {@link fromBytes} reads it. History and generations are not part of it. The format is documented
+   * in src/halfedge/io/bytes.h, and has a version.
    */
   toBytes(): OwnBytes {
     return bytesOfLinks(linksOf(this));
   }
 
   /**
-   * The mesh that {@link toBytes} was asked of. The bytes may come from anywhere: everything that a
-   * mesh needs to be safe is checked, levels 0 to 2 of {@link validate} included.
+   * Restores a mesh from what {@link toBytes} returned. The bytes may come from anywhere: everything that a
+   * mesh needs to be safe is checked, including levels 0 to 2 of {@link validate}.
    *
-   * @throws HalfedgeError `unknown-format`, `unsupported-version`, `truncated`, `parse-error` (with what
-   * was expected at which byte), `corrupt-connectivity`, `out-of-memory`; TypeError for what are no bytes
+   * @throws HalfedgeError `unknown-format`, `unsupported-version`, `truncated`, `parse-error` (with what was
+   * expected at which byte), `corrupt-connectivity`, `out-of-memory`; TypeError for anything but bytes
    */
   static fromBytes(bytes: ArrayBuffer | ArrayBufferView): HalfedgeMesh {
     return new HalfedgeMesh(linksOfBytes(bytes));
   }
 
   /**
-   * Adds a copy of the live items of `other`, which may be this mesh itself, and returns where they
-   * went. The parts are not joined. Deleted slots are taken first; items that are here keep their
-   * indices. Attributes that both have (the same kind, name, type and number of components) are
-   * copied; what only this mesh has gets its default; what only `other` has is left out, so add it
-   * here first if it should be kept. One step of history.
+   * Adds a copy of the live items of `other`, which may be this mesh itself, and returns where they went. The
+   * parts are not joined. Deleted slots are used first; existing items keep their indices. Attributes that
+   * both meshes have (the same kind, name, type and number of components) are copied. Attributes that only
+   * this mesh has get their default. Attributes that only `other` has are left out; to keep them, add them to
+   * this mesh first. One step of history.
    *
-   * @throws HalfedgeError `too-large`, `out-of-memory`, `corrupt-connectivity` (of `other`); then nothing
-   * has changed
+   * @throws HalfedgeError `too-large`, `out-of-memory`, `corrupt-connectivity` (of `other`); then nothing has
+   * changed
    */
   append(other: HalfedgeMesh): AppendMaps {
     linksOf(this).checkAlive();
@@ -268,28 +267,28 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * The dual: a new mesh with a vertex in the centroid of each face, and a face around each vertex that
-   * is not on the boundary. Its vertex i is in the i-th live face, its face j around the j-th live
-   * interior vertex. So the dual of the dual of a closed mesh has the same vertices and faces, in the
-   * same order. Attributes are not carried over.
+   * Makes the dual: a new mesh with a vertex at the centroid of each face, and a face around each vertex that
+   * is not on the boundary. Its vertex i lies in the i-th live face, and its face j surrounds the j-th live
+   * interior vertex. So the dual of the dual of a closed mesh has the same vertices and faces, in the same
+   * order. Attributes are not carried over.
    *
-   * @throws HalfedgeError where the dual would be no polygon mesh: `degree-below-three` (an interior
-   * vertex of valence 1 or 2), `duplicate-edge` (two faces that share two edges), `same-face-twice` (an
-   * edge with one face on both sides), `pinched-vertex` (a face whose interior corners are not side by
-   * side); or `corrupt-connectivity`, `non-finite-position`, `out-of-memory`
+   * @throws HalfedgeError if the dual would not be a polygon mesh: `degree-below-three` (an interior vertex
+   * of valence 1 or 2), `duplicate-edge` (two faces that share two edges), `same-face-twice` (an edge with
+   * one face on both sides), `pinched-vertex` (a face whose interior corners are not side by side); or
+   * `corrupt-connectivity`, `non-finite-position`, `out-of-memory`
    */
   dual(): HalfedgeMesh {
     return new HalfedgeMesh(dualLinks(linksOf(this)));
   }
 
-  /** Why {@link dual} would be refused, or null. Takes as long as that. */
+  /** Why {@link dual} would be refused, or null. It takes as long as making the dual. */
   checkDual(): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();
     return answer(links, links.core._check_dual(links.address));
   }
 
-  /** A copy of this mesh with the same indices, of its own memory. */
+  /** A copy of this mesh with the same indices, in memory of its own. */
   clone(): HalfedgeMesh {
     const links = linksOf(this);
     const address = links.core.cloneMesh(links.address);
@@ -306,15 +305,15 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * Checks the invariants of the mesh, those of `level` (0 to 4) and below: an empty list means that
-   * it is valid. Levels 0 to 3 check the links, level 4 adds the rules of polygon meshes. Isolated
-   * and pinched vertices are told, as information and as a warning, but are no error. At most 1000 of
+   * Checks the invariants of the mesh, those of `level` (0 to 4) and below: an empty list means that it is
+   * valid. Levels 0 to 3 check the links, level 4 adds the rules of polygon meshes. Isolated vertices are
+   * reported as information and pinched vertices as a warning; neither is an error. At most 1000 problems of
    * each code are listed, and how many more there are. Linear time, whatever the arrays hold.
    *
-   * `'geometry'` adds to level 4 where the vertices lie: `non-finite-position`, an error; and as
-   * warnings `zero-length-edge`, `degenerate-face` (no wider than 10^-6 of its length, or without area:
-   * what {@link removeDegenerateFaces} removes where it can), and `coincident-vertices`, which no edges
-   * without length join.
+   * `'geometry'` is level 4 plus checks of where the vertices lie. It reports `non-finite-position` as an
+   * error and, as warnings, `zero-length-edge`, `degenerate-face` (no wider than 10^-6 of its length, or
+   * without area; {@link removeDegenerateFaces} removes these where it can), and `coincident-vertices` (in
+   * the same place, without being joined by edges of zero length).
    */
   validate(level: ValidationLevel = 4): Problem[] {
     return problemsOf(linksOf(this), level);
@@ -341,16 +340,16 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * A copy of the live faces, in ascending order: how many corners each has, and the vertices of all
-   * corners in a row, as `fromPolygons` takes them.
+   * A copy of the live faces, in ascending order: how many corners each has, and the vertices of all corners
+   * in one array, as `fromPolygons` takes them.
    */
   toPolygons(): { sizes: Uint32Array; corners: Uint32Array } {
     return polygonsOf(linksOf(this));
   }
 
   /**
-   * A copy of the live faces as an index buffer, for drawing, and for each triangle the face that it
-   * is a part of. Faces with more corners become fans around their first: right for convex ones.
+   * A copy of the live faces as an index buffer, for drawing, and for each triangle the face that it belongs
+   * to. Larger faces become fans around their first corner, which is correct for convex faces.
    */
   toTriangles(): { indices: Uint32Array; faces: Uint32Array } {
     return trianglesOf(linksOf(this));
@@ -366,7 +365,7 @@ export class HalfedgeMesh extends Shapes {
     return linksOf(this).disposed;
   }
 
-  /** `dispose()`, at the end of the block that declares `using mesh = ...`. */
+  /** Calls `dispose()` at the end of the block that declares `using mesh = ...`. */
   [disposeSymbol](): void {
     this.dispose();
   }

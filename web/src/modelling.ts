@@ -4,18 +4,20 @@ import type { EdgeLike, Face, FaceLike, Vertex, VertexLike } from './items.js';
 import { linksOf } from './navigation.js';
 import { Surgery } from './surgery.js';
 
-/** Modelling: what courses and modellers ask for. The contract is that of `Construction`. */
+/**
+ * Modelling operations, as courses and modelling programs have them. The contract is that of `Construction`.
+ */
 export abstract class Modelling extends Surgery {
   /**
-   * Cuts a face of degree n, or each face, into n - 2 triangles like it, without new vertices. A face may be
-   * concave, and only nearly planar: no triangle folds over, and diagonals are short. No two vertices are
-   * joined a second time.
+   * Cuts a face of degree n, or each face, into n - 2 triangles with the same attributes, without new
+   * vertices. A face may be concave and not quite planar: no triangle folds over, and diagonals are short. No
+   * two vertices are joined a second time.
    *
    * Inverse: `removeEdge` of the new edges, in reverse order.
    *
    * @returns the number of new faces
-   * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already, of all faces
-   * also those that the diagonals of others join; which faces go first is tried a few times only)
+   * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already; if all
+   * faces are cut, also those that diagonals of other faces join: only a few orders of the faces are tried)
    */
   triangulate(f?: FaceLike): number {
     const links = linksOf(this);
@@ -35,15 +37,17 @@ export abstract class Modelling extends Surgery {
   }
 
   /**
-   * Moves a face by `offset` along its unit normal, and closes the gap with a quad at each side; a negative
-   * offset leads inwards. The face keeps its index, on top. New vertices, quads and sides are like those that
-   * they were made of.
+   * Moves a face by `offset` along its unit normal, and closes the gap with a quad at each side. A negative
+   * offset goes inwards. The face keeps its index, on top. New vertices, quads and sides have the attributes
+   * of those that they were made from.
    *
-   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
-   * it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the boundary.
+   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last
+   * beside it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the
+   * boundary.
    *
    * @returns `f`
-   * @throws HalfedgeError `degenerate-face` (it has no normal), `not-finite` (a new position would fit no 32-bit floats)
+   * @throws HalfedgeError `degenerate-face` (it has no normal), `not-finite` (a new position would not fit
+   * into 32-bit floats)
    */
   extrudeFace(f: FaceLike, offset: number): Face {
     const links = linksOf(this);
@@ -62,11 +66,12 @@ export abstract class Modelling extends Surgery {
 
   /**
    * Shrinks a face towards the mean of its corners, by a fraction from 0 (the new corners are where the old
-   * ones are) to 1 (at the mean), and puts a quad between each of its sides and where that was. The face keeps
-   * its index, inside. New vertices are blended as their positions are.
+   * ones are) to 1 (at the mean), and puts a quad between each side and its old place. The face keeps its
+   * index, inside. Attributes of new vertices are blended like their positions.
    *
-   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last beside
-   * it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the boundary.
+   * Inverse: `deleteVertex` of each new vertex that is still there (one without edges goes with the last
+   * beside it), then `fillHole`, whose face may begin at another corner; undo, where the face lies on the
+   * boundary.
    *
    * @returns `f`
    * @throws HalfedgeError `out-of-range`
@@ -87,12 +92,14 @@ export abstract class Modelling extends Surgery {
   }
 
   /**
-   * As `splitFace`, with the new vertex at the mean of the corners, and `offset` off it along the unit normal.
+   * Like `splitFace`, with the new vertex at the mean of the corners, moved by `offset` along the unit
+   * normal.
    *
    * Inverse: `dissolveVertex(returned)`.
    *
    * @returns the new vertex
-   * @throws HalfedgeError `degenerate-face` (it has no normal, and the offset isn't 0), `not-finite` (as of {@link extrudeFace})
+   * @throws HalfedgeError `degenerate-face` (it has no normal, and the offset isn't 0), `not-finite` (as of
+   * {@link extrudeFace})
    */
   poke(f: FaceLike, offset = 0): Vertex {
     const links = linksOf(this);
@@ -110,11 +117,11 @@ export abstract class Modelling extends Surgery {
   }
 
   /**
-   * Replaces an edge by a quad, whose long sides have moved into the faces beside it, so far along their
-   * neighbouring sides as `amount` says, from 0 to 1. An end that has no other edge than two stays one vertex. The edge
-   * stays, as the long side in the face of its side 0.
+   * Replaces an edge by a quad, whose long sides move into the two faces beside it, along the neighbouring
+   * sides, as far as `amount` says, from 0 to 1. An end of valence two stays one vertex, and the new face is
+   * then a triangle. The edge itself becomes the long side in the face of its side 0.
    *
-   * Inverse: `collapse` of the short sides; of positions only undo.
+   * Inverse: `collapse` of the short sides; only undo restores positions.
    *
    * @returns the new face
    * @throws HalfedgeError `loop-edge`, `boundary-edge`, `valence-below-three`, `out-of-range`
@@ -135,12 +142,13 @@ export abstract class Modelling extends Surgery {
   }
 
   /**
-   * Cuts a vertex off: a face takes its place, with a corner on each of its edges, so far along it as `amount`
-   * says, from 0 (at the vertex) to 1 (at the other end). The vertex stays, as one of the corners.
+   * Cuts a vertex off. A face takes its place, with a corner on each of its edges, as far along the edge as
+   * `amount` says, from 0 (at the vertex) to 1 (at the other end). The vertex itself becomes one of the
+   * corners.
    *
-   * Inverse: `collapse` of all sides of the new face but one; of positions only undo.
+   * Inverse: `collapse` of all sides of the new face except one; only undo restores positions.
    *
-   * @returns the new face, of the degree that was the valence of `v`
+   * @returns the new face, whose degree is the former valence of `v`
    * @throws HalfedgeError `valence-below-three`, `out-of-range`
    */
   bevelVertex(v: VertexLike, amount: number): Face {

@@ -25,11 +25,11 @@ import {
 export let linksOf: (mesh: Navigation) => Links;
 
 /**
- * Counts, links and queries of a mesh: everything that is read in place, without crossing into
- * WebAssembly. Accessors take an index and cost about as much as reading a typed array.
+ * Counts, links and queries of a mesh: everything that is read in place, without crossing into WebAssembly.
+ * Accessors take an index and cost about as much as reading a typed array.
  *
- * Every accessor throws a RangeError for an index that is out of range or deleted, a TypeError for
- * something that is no number, and a HalfedgeError `disposed` after `dispose()`.
+ * Every accessor throws a RangeError for an index that is out of range or deleted, a TypeError for anything
+ * that isn't a number, and a HalfedgeError `disposed` after `dispose()`.
  */
 export abstract class Navigation {
   readonly #links: Links;
@@ -112,8 +112,8 @@ export abstract class Navigation {
   }
 
   /**
-   * Changes with every change of connectivity, and with each undo and redo. Moving vertices does not count
-   * as one, but taking that back does.
+   * Changes with every change of connectivity, and with each undo and redo. Moving vertices doesn't change
+   * it, but undoing a move does.
    */
   get version(): number {
     this.#links.checkAlive();
@@ -123,15 +123,15 @@ export abstract class Navigation {
   /**
    * The links themselves, zero-copy. A loop over these arrays is the fastest way to read a mesh.
    *
-   * Views that you keep go on showing the mesh through edits, until there are more or fewer slots, the
-   * WebAssembly memory grows (making any mesh can do that; their length is 0 then), or the mesh is
-   * disposed of. They are good exactly as long as `mesh.connectivity === kept`. Keeping one keeps the memory of
-   * a forgotten mesh alive; a `subarray` of it doesn't.
+   * Views that you keep go on showing the mesh through edits, until the number of slots changes, the
+   * WebAssembly memory grows (making any mesh can cause that; their length is then 0), or the mesh is
+   * disposed of. They are good exactly as long as `mesh.connectivity === kept`. Keeping a view keeps the
+   * memory of a mesh alive that is otherwise unreachable; keeping a `subarray` of it doesn't.
    *
-   * Writing to them is at your own risk. No question that is asked of a mesh crashes or hangs then, and
-   * `validate()` tells whether it is still sound. Operations rely on that, and so does what draws a mesh
-   * (`halfedge/three`, `halfedge/gltf`): on a mesh that isn't, they may do anything to it and to other
-   * meshes, or not return.
+   * Writing to them is at your own risk. Queries never crash or hang, whatever is written, and `validate()`
+   * tells whether the mesh is still sound. Operations, and modules that draw a mesh (`halfedge/three`,
+   * `halfedge/gltf`), rely on a sound mesh. On any other, they may do anything to it and to other meshes, or
+   * not return.
    */
   get connectivity(): ConnectivityViews {
     return this.#links.exactViews;
@@ -139,7 +139,7 @@ export abstract class Navigation {
 
   /**
    * The positions, zero-copy: x, y, z of each vertex slot, 3 * vertexSlots floats. Write to it to move
-   * vertices. It becomes stale as {@link connectivity} does; good as long as
+   * vertices. It becomes stale in the same way as {@link connectivity}, and is good as long as
    * `mesh.positions === kept`.
    */
   get positions(): Float32Array {
@@ -157,7 +157,7 @@ export abstract class Navigation {
   }
 
   /**
-   * The halfedge before `h` in its face loop or boundary loop. Without `storePrev` it is searched,
+   * The halfedge before `h` in its face loop or boundary loop. Without `storePrev` it is searched for, in
    * O(min(degree, valence)).
    */
   prev(h: HalfedgeLike): Halfedge {
@@ -273,29 +273,29 @@ export abstract class Navigation {
   }
 
   /**
-   * Whether there is a vertex `v`, which edits may have deleted since it was found; false where no vertex has
-   * ever been, as of `NONE`. A new vertex may have taken the place of one that was deleted: see `generations`.
+   * Whether the vertex `v` exists, since edits may have deleted it. False for anything that has never been a
+   * vertex, such as `NONE`. A new vertex may have taken the slot of a deleted one: see `generations`.
    */
   isLiveVertex(v: VertexLike): boolean {
     return isThere(this, 'vertex', v, 'v');
   }
 
-  /** Whether there is a halfedge `h`; as {@link isLiveVertex}. */
+  /** Whether the halfedge `h` exists; like {@link isLiveVertex}. */
   isLiveHalfedge(h: HalfedgeLike): boolean {
     return isThere(this, 'halfedge', h, 'h');
   }
 
-  /** Whether there is an edge `e`; as {@link isLiveVertex}. */
+  /** Whether the edge `e` exists; like {@link isLiveVertex}. */
   isLiveEdge(e: EdgeLike): boolean {
     return isThere(this, 'edge', e, 'e');
   }
 
-  /** Whether there is a face `f`; as {@link isLiveVertex}. */
+  /** Whether the face `f` exists; like {@link isLiveVertex}. */
   isLiveFace(f: FaceLike): boolean {
     return isThere(this, 'face', f, 'f');
   }
 
-  /** Whether a boundary halfedge leaves `v`; true of an isolated vertex. O(1). */
+  /** Whether a boundary halfedge leaves `v`; true for an isolated vertex. O(1). */
   isBoundaryVertex(v: VertexLike): boolean {
     const anchor = this.vertexHalfedge(v);
     return anchor === NONE || sound(this.#links.face[anchor], -1, 'face', anchor) === NONE;
@@ -326,7 +326,7 @@ export abstract class Navigation {
     throw openOrbit('face', f);
   }
 
-  /** Whether no edge meets `v`. O(1). */
+  /** Whether `v` has no edges. O(1). */
   isIsolatedVertex(v: VertexLike): boolean {
     return this.vertexHalfedge(v) === NONE;
   }

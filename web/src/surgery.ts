@@ -5,16 +5,16 @@ import type { Edge, Halfedge, HalfedgeLike } from './items.js';
 import { linksOf } from './navigation.js';
 
 /**
- * Gluing and cutting, along edges, paths and loops: what changes boundaries, components and genus. The
- * contract is that of `Construction`.
+ * Gluing and cutting along edges, paths and loops. These operations change boundaries, components and genus.
+ * The contract is that of `Construction`.
  */
 export abstract class Surgery extends EulerOperations {
   /**
-   * Makes one edge of two on the boundary: of `h`, and of `g`, which runs the other way. The edge of `h` and
-   * its ends stay, with positions and attributes; those of `g` go. With `next(h) === g` it closes a gap like a
-   * zipper.
+   * Makes two boundary edges into one: that of `h`, and that of `g`, which runs the other way. The edge of
+   * `h` and its ends stay, with positions and attributes; those of `g` disappear. With `next(h) === g` it
+   * closes a gap like a zip.
    *
-   * Inverse: `cut(opposite(h))`, where none of its ends is pinched.
+   * Inverse: `cut(opposite(h))`, if neither of its ends is pinched.
    *
    * @returns the edge of `h`
    * @throws HalfedgeError `not-a-boundary-halfedge`, `repeated-vertex`, `edge-exists`, `duplicate-edge`,
@@ -36,10 +36,10 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Glues `count` edges at once: `h` to `g`, `next(h)` to `prev(g)`, and so on. Whole boundary loops are glued
-   * by {@link joinLoop}.
+   * Glues `count` edges at once: `h` to `g`, `next(h)` to `prev(g)`, and so on. To glue whole boundary loops,
+   * use {@link joinLoop}.
    *
-   * Inverse: {@link cutPath} along the same edges, from the last on, where none of their ends is pinched.
+   * Inverse: {@link cutPath} along the same edges, starting from the last, if none of their ends is pinched.
    *
    * @returns the edge of `h`
    * @throws HalfedgeError those of {@link glue}, `not-a-path`
@@ -62,13 +62,15 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Makes two edges on the boundary of one inside that ends on the boundary: the edge of `h` keeps the face of
-   * `h`, a copy gets the other. Each end that lies on the boundary becomes two vertices.
+   * Cuts the surface open along an interior edge that ends on the boundary, which becomes two boundary edges:
+   * the edge of `h` keeps the face of `h`, and a copy gets the other face. Each end that lies on the boundary
+   * becomes two vertices.
    *
    * Inverse: `glue(opposite(h), returned)`.
    *
-   * @returns the new halfedge without a face, which leads the same way as `h`
-   * @throws HalfedgeError `loop-edge`, `boundary-edge`, `no-boundary-end` (both edges would join the same vertices)
+   * @returns the new halfedge without a face, which runs in the same direction as `h`
+   * @throws HalfedgeError `loop-edge`, `boundary-edge`, `no-boundary-end` (both edges would join the same
+   * vertices)
    */
   cut(h: HalfedgeLike): Halfedge {
     const links = linksOf(this);
@@ -84,11 +86,13 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Cuts the surface open along a path of edges, each beginning where the one before ends; it may end where it
-   * began. Copies of edges and vertices get the faces on its right. Inside the surface it leaves a slit.
+   * Cuts the surface open along a path of edges, each of which begins where the one before ends. The path may
+   * end where it began. Copies of edges and vertices get the faces on the right of the path. In the interior
+   * of the surface, the cut leaves a slit.
    *
-   * Inverse: `gluePath(opposite(last of the path), returned, count)`, if it passes no boundary vertex, and no
-   * vertex twice; of a path that ends where it began, inside, `joinLoop` of the same two halfedges.
+   * Inverse: `gluePath(opposite(last of the path), returned, count)`, if the path passes no boundary vertex,
+   * and no vertex twice. For a path in the interior that ends where it began: `joinLoop` of the same two
+   * halfedges.
    *
    * @returns the copy, without a face, of the last halfedge of the path
    * @throws HalfedgeError `not-a-path`, `loop-edge`, `boundary-edge`, `no-boundary-end`
@@ -109,9 +113,9 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Cuts the surface open along a cycle of n halfedges and closes both ends with a face of degree n: that
-   * separates the surface, or cuts a handle of it. Copies of vertices and edges belong to the left side; the
-   * two faces have default attributes.
+   * Cuts the surface open along a cycle of n halfedges, and closes both ends with a face of degree n. This
+   * separates the surface, or cuts one of its handles. Copies of vertices and edges belong to the left side;
+   * the two faces have default attributes.
    *
    * Inverse: `joinLoop(cycle[0], returned)`.
    *
@@ -134,15 +138,15 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Glues the loop of `h` to that of `g`, which runs the other way: two faces, or boundary loops, of the same
-   * degree. Their faces disappear, and the vertices and edges of the loop of `g`. In one component this adds a
-   * handle; of two it makes one.
+   * Glues the loop of `h` to that of `g`, which runs the other way. The loops are faces or boundary loops
+   * with equally many edges. Their faces disappear, as do the vertices and edges of the loop of `g`. Within
+   * one component, this adds a handle; it makes two components into one.
    *
-   * Inverse: {@link splitLoop} along the loop of `h`, and {@link makeHole} where there was no face.
+   * Inverse: {@link splitLoop} along the loop of `h`, then {@link makeHole} where there was no face.
    *
    * @returns `h`
    * @throws HalfedgeError `same-loop`, `different-degrees`, `repeated-vertex`, `edge-without-face`,
-   * `edge-exists`, `duplicate-edge`, `last-edge` (of a segment)
+   * `edge-exists`, `duplicate-edge`, `last-edge` (for a segment)
    */
   joinLoop(h: HalfedgeLike, g: HalfedgeLike): Halfedge {
     const links = linksOf(this);
@@ -160,10 +164,11 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Joins the loops of `h` and `g`, faces or boundary loops of n edges each, by a tube of n quads, the first
-   * between `h` and `g`; the two faces disappear. The quads have the attributes of the face of `h`, else of `g`.
+   * Joins the loops of `h` and `g`, faces or boundary loops of n edges each, by a tube of n quads, of which
+   * the first is between `h` and `g`. The two faces disappear. The quads get the attributes of the face of
+   * `h` or, if there is none, of `g`.
    *
-   * Inverse: `removeBridge(returned)`, and `makeHole` where there was no face.
+   * Inverse: `removeBridge(returned)`, then `makeHole` where there was no face.
    *
    * @returns the new halfedge from `toVertex(h)` to `fromVertex(g)`
    * @throws HalfedgeError `same-loop`, `different-degrees`, `repeated-vertex`, `edge-exists`
@@ -184,7 +189,8 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * Removes a ring of quads, with the edges between them, of which `s` is one, and closes both ends with a face.
+   * Removes a ring of quads, together with the edges between them, one of which is that of `s`, and closes
+   * both ends with a face.
    *
    * Inverse: `bridge(returned, next(s) as it was before)`.
    *
@@ -206,7 +212,7 @@ export abstract class Surgery extends EulerOperations {
 
   /**
    * Reverses all orientations: each face and each boundary loop runs the other way. Attributes of corners
-   * go along; values that are directions, such as normals, are not turned around. O(slots).
+   * stay with their corners. Values that are directions, such as normals, are not reversed. O(slots).
    *
    * Inverse: itself.
    */
@@ -222,7 +228,7 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /**
-   * As {@link reverse}, for the connected component of `h`.
+   * Like {@link reverse}, for the connected component of `h`.
    *
    * @returns the number of edges in it
    */
