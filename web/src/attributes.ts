@@ -28,8 +28,8 @@ export const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
 /** The type of the numbers of an attribute. */
 export type AttributeType = keyof typeof TYPES;
 /**
- * The value that an operation gives to an item that it makes of others: the weighted mean, the mean
- * brought to length 1 (for normals), the value of the item with the most weight, or the default.
+ * The value that an operation gives to an item that it makes out of others: the weighted mean, the mean
+ * scaled to length 1 (for normals), the value of the item with the largest weight, or the default.
  */
 export type OnSplit = (typeof POLICIES)[number];
 /** The typed array that shows an attribute. */
@@ -37,19 +37,19 @@ export type AttributeView<Type extends AttributeType = AttributeType> = Instance
   (typeof TYPES)[Type]
 >;
 
-/** What is said of an attribute when it is added. */
+/** How an attribute is defined when it is added. */
 export interface AttributeOptions<Type extends AttributeType = AttributeType> {
   /** Default: 'float32'. */
   type?: Type | undefined;
   /** Numbers for each item, 1 to 16. Default: 1. */
   components?: number | undefined;
-  /** The value of new items: one number, for all components, or one for each. Default: 0. */
+  /** The value of new items: one number for all components, or one for each. Default: 0. */
   default?: number | ArrayLike<number> | undefined;
   /** Default: 'interpolate'. */
   onSplit?: OnSplit | undefined;
-  /** Not looked at: so an entry of {@link Attributes.list} can be given, of this mesh or another one. */
+  /** Ignored, so that you can pass an entry of {@link Attributes.list}, of this mesh or another one. */
   kind?: ItemKind | undefined;
-  /** Not looked at. */
+  /** Ignored. */
   name?: string | undefined;
 }
 
@@ -68,7 +68,7 @@ export interface AttributeInfo {
   readonly name: string;
   readonly type: AttributeType;
   readonly components: number;
-  /** The value of new items, as the type holds it. */
+  /** The value of new items, as rounded to the type. */
   readonly default: readonly number[];
   readonly onSplit: OnSplit;
 }
@@ -83,13 +83,13 @@ interface Column {
 }
 
 /**
- * Named columns of numbers on the vertices, halfedges, edges or faces of a mesh, which follow every edit:
- * new items get what `onSplit` says, deleted slots are kept in step, undo restores them.
+ * Named columns of numbers on the vertices, halfedges, edges or faces of a mesh. They follow every edit: new
+ * items get what `onSplit` says, deleted slots are kept in step, and undo restores values.
  *
- * With 'interpolate' and 'normalize' a value of a halfedge is that of the corner where it ends, in its
- * face: texture coordinates with seams. With the others it is the halfedge's own.
+ * With 'interpolate' and 'normalize', the value of a halfedge belongs to the corner where it ends, in its
+ * face, like texture coordinates with seams. With the other policies, it belongs to the halfedge itself.
  *
- * The positions are the attribute `position` of vertices, which is always there and not listed.
+ * The positions are the vertex attribute `position`, which always exists and is not listed.
  *
  * ```ts
  * const colors = mesh.attributes.add('vertex', 'color', { components: 3, default: 1 });
@@ -106,13 +106,13 @@ export class Attributes {
   }
 
   /**
-   * Adds an attribute, with its default for each item. Steps of history that were undone are forgotten.
+   * Adds an attribute, with its default for each item. History forgets steps that could be redone.
    *
    * ```ts
    * for (const info of other.attributes.list()) mesh.attributes.add(info.kind, info.name, info);
    * ```
    *
-   * @returns its live view, as {@link get}
+   * @returns its live view, like {@link get}
    * @throws HalfedgeError `attribute-exists`, `bad-attribute` (no name, or components that don't fit),
    * `out-of-memory`
    */
@@ -153,10 +153,10 @@ export class Attributes {
   }
 
   /**
-   * The live values of an attribute, zero-copy: `components` numbers for each slot, typed as the attribute
-   * is. Write to it to set them. It becomes stale as `positions` does: when there are more or fewer slots,
-   * when the WebAssembly memory grows, when the mesh is disposed of. Good exactly as long as the next `get`
-   * returns the same.
+   * The live values of an attribute, zero-copy: `components` numbers for each slot, in an array of the
+   * attribute's type. Write to it to set them. It becomes stale in the same way as `positions`: when the
+   * number of slots changes, when the WebAssembly memory grows, or when the mesh is disposed of. It is good
+   * exactly as long as the next `get` returns the same array.
    *
    * @throws RangeError if there is no such attribute
    */
@@ -169,12 +169,12 @@ export class Attributes {
     return this.#view(this.#find(kind, name)) as AttributeView<Type>;
   }
 
-  /** Whether there is such an attribute. */
+  /** Whether this attribute exists. */
   has(kind: ItemKind, name: string): boolean {
     return this.#isPosition(kind, name) || this.#all().has(checkColumn(kind, name));
   }
 
-  /** Removes an attribute; its views are stale then. Returns false if there is none. */
+  /** Removes an attribute; its views are then stale. Returns false if it doesn't exist. */
   remove(kind: ItemKind, name: string): boolean {
     if (this.#isPosition(kind, name)) {
       refuse('name', name, 'an attribute that was added, as a mesh keeps its positions', 'string');
@@ -190,15 +190,18 @@ export class Attributes {
     return columns.delete(column);
   }
 
-  /** All attributes that were added: those of vertices first, then of halfedges, edges and faces, in the order added. */
+  /**
+   * All attributes that were added: first those of vertices, then of halfedges, edges and faces, each in the
+   * order added.
+   */
   list(): AttributeInfo[] {
     const columns = [...this.#all().values()].map(({ info }) => info);
     return KINDS.flatMap((kind) => columns.filter((info) => info.kind === kind));
   }
 
   /**
-   * Sets the values of one item: a number, or one for each component. As writing to the view does; but
-   * history notes this. Integers are rounded and kept in their range; NaN is none.
+   * Sets the values of one item: one number, or one for each component. Like writing to the view, except that
+   * history records it. For integer types, numbers are rounded and clamped to the range; NaN is refused.
    */
   set<Kind extends ItemKind>(
     kind: Kind,

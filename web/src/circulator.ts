@@ -63,8 +63,8 @@ export function kindOf(centre: Centre, view: number): Kind {
 }
 
 /**
- * Endless and bidirectional: it has no end, it stops when you say so. It stands on one halfedge at a
- * time. Every use but `moveTo` throws after the connectivity has changed under it.
+ * An endless, bidirectional circulator: it has no end, and you decide when to stop. It is at one halfedge at
+ * a time. After the connectivity has changed, every use except `moveTo` throws.
  */
 export class Circulator<Item extends number = number, Around extends number = number> {
   // Not #private: a loop that makes a circulator for each vertex would take twice as long.
@@ -111,22 +111,22 @@ export class Circulator<Item extends number = number, Around extends number = nu
     this.item = NONE;
   }
 
-  /** What it shows where it stands; `NONE` if there is nothing around the item. */
+  /** The current item; `NONE` if there is nothing around the centre. */
   get current(): Item {
     if (this.era.first < 0) this.refuse();
     return this.item as Item;
   }
 
   /**
-   * The halfedge where it stands: around a vertex one that leaves it, around a face one of its own;
-   * `NONE` if there is nothing around the item.
+   * The current halfedge: around a vertex, one that leaves it; around a face, one of the face's own. `NONE`
+   * if there is nothing around the centre.
    */
   get halfedge(): Halfedge {
     if (this.era.first < 0) this.refuse();
     return this.at as Halfedge;
   }
 
-  /** Steps on, and returns what it shows there. */
+  /** Steps forward, and returns the new current item. */
   next(): Item {
     if (this.era.first < 0) this.refuse();
     const link = this.follow[this.at ^ this.before];
@@ -143,7 +143,7 @@ export class Circulator<Item extends number = number, Around extends number = nu
     return this.search(this.course.walk);
   }
 
-  /** Steps back, and returns what it shows there. */
+  /** Steps back, and returns the new current item. */
   prev(): Item {
     if (this.era.first < 0) this.refuse();
     const { links, course } = this;
@@ -157,7 +157,7 @@ export class Circulator<Item extends number = number, Around extends number = nu
   }
 
   /**
-   * Goes around another item of the same kind and in the same direction, as a new circulator would, but
+   * Moves it to another centre of the same kind, in the same direction, as if it were a new circulator, but
    * without making one.
    */
   moveTo(item: Around, start?: HalfedgeLike): this {

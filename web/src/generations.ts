@@ -6,7 +6,7 @@ import type { ItemKind, ItemLike, ItemOf } from './items.js';
 import { checkIndex, checkItem, isLive, type Links, slotCount } from './links.js';
 import { unwrap } from './reports.js';
 
-/** An item as it was when the reference was made: its index, and the stamp that its slot had then. */
+/** An item at the time when the reference was made: its index, and the stamp that its slot then had. */
 export interface Reference<Item extends number = number> {
   readonly kind: ItemKind;
   readonly index: Item;
@@ -14,9 +14,9 @@ export interface Reference<Item extends number = number> {
 }
 
 /**
- * Tells an item from a later one in the same slot. The index of a deleted item is refused, until a new
- * item takes its slot: who keeps indices over edits can keep references instead. Off by default; 4 bytes
- * a vertex, edge and face.
+ * Tells an item from a later one in the same slot. The index of a deleted item is refused only until a new
+ * item takes its slot. To keep hold of items across edits, keep references instead of indices. Off by
+ * default; takes 4 bytes per vertex, edge and face.
  *
  * ```ts
  * mesh.generations.enabled = true;
@@ -25,7 +25,7 @@ export interface Reference<Item extends number = number> {
  * if (mesh.generations.isCurrent(reference)) use(reference.index);
  * ```
  *
- * `compact()` and `reorder()` end all generations where they move items. Undo brings the stamps back.
+ * `compact()` and `reorder()` end all generations if they move items. Undo restores the stamps.
  */
 export class Generations {
   readonly #links: Links;
@@ -66,7 +66,7 @@ export class Generations {
   }
 
   /**
-   * Whether the item of the reference still lives, rather than another one in its place.
+   * Whether the item of the reference is still alive, and not another one in its slot.
    *
    * @throws HalfedgeError `no-generations` if they are not enabled
    */

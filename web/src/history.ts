@@ -7,19 +7,19 @@ import { checkOptions, type Given, type OptionNames } from './options.js';
 
 /** How far back history reaches. */
 export interface HistoryLimits {
-  /** So many steps. Default: Infinity. */
+  /** The largest number of steps. Default: Infinity. */
   steps?: number | undefined;
-  /** So many bytes, 12 for each word that an edit replaced. Default: Infinity. */
+  /** The largest number of bytes; 12 for each word that an edit replaced. Default: Infinity. */
   bytes?: number | undefined;
 }
 
 const HISTORY_LIMITS: OptionNames<HistoryLimits> = { steps: true, bytes: true };
 
 /**
- * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and free then.
+ * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and then free.
  *
- * Each operation is a step, as are `setPosition` and `attributes.set`; `group` makes one of several. What
- * is written into live views isn't noted: undoing steps over it brings back single words of it.
+ * Each operation is a step, as are `setPosition` and `attributes.set`; `group` combines several into one.
+ * Writing into live views isn't recorded: undoing steps across it restores only single words.
  *
  * ```ts
  * mesh.history.enabled = true;
@@ -37,7 +37,7 @@ export class History {
     this.#links = links;
   }
 
-  /** Whether edits are noted. Switching it off forgets all steps. */
+  /** Whether edits are recorded. Switching it off forgets all steps. */
   get enabled(): boolean {
     this.#links.checkAlive();
     return this.#enabled;
@@ -55,12 +55,12 @@ export class History {
     this.#enabled = enabled;
   }
 
-  /** Takes back the last step. Returns false if there is none. */
+  /** Undoes the last step. Returns false if there is none. */
   undo(): boolean {
     return this.#travel('undo');
   }
 
-  /** Does again the step taken back last. Returns false if there is none: a new step forgets them. */
+  /** Redoes the step that was undone last. Returns false if there is none; any new step forgets those. */
   redo(): boolean {
     return this.#travel('redo');
   }
@@ -79,23 +79,23 @@ export class History {
   get redoCount(): number {
     return this.#size(1);
   }
-  /** What the notes of all steps take. */
+  /** The memory that all steps take. */
   get bytes(): number {
     return this.#size(2);
   }
 
   /**
-   * Calls `edit`; all that it changes is one step. Groups within it join it. If it throws, what it has
-   * changed is taken back, and the error goes on; with history off, what was changed stays. A group within
-   * another takes nothing back by itself: if its error is caught in there, what it has changed stays; if
-   * it isn't, the outermost group takes back everything. Steps that were undone before are forgotten with
-   * the first change, even if that is taken back; steps that can be undone stay, whatever the limits are.
+   * Calls `edit`, and makes everything that it changes one step. Nested groups become part of it. If it
+   * throws, its changes are undone and the error is passed on; with history off, they stay. A nested group
+   * undoes nothing by itself: if its error is caught inside the outer group, its changes stay; if not, the
+   * outermost group undoes everything. The first change forgets steps that could be redone, even if it is
+   * undone itself. Steps that can be undone stay, whatever the limits are.
    *
-   * No history covers `attributes.add` and `remove`, `generations.enabled`, and `clear()` of the mesh, which
-   * is refused in a group.
+   * History does not cover `attributes.add` and `remove`, `generations.enabled`, or the mesh's `clear()`,
+   * which is refused in a group.
    *
    * @returns what `edit` returned
-   * @throws TypeError if that is a promise: what comes after an `await` is no part of the group
+   * @throws TypeError if `edit` returned a promise: what comes after an `await` is not part of the group
    */
   group<T>(edit: () => T extends PromiseLike<unknown> ? never : T): T {
     if (typeof edit !== 'function') refuse('edit', edit, 'a function');
@@ -115,8 +115,8 @@ export class History {
   }
 
   /**
-   * Sets how far back history reaches: the oldest steps are forgotten first, but the last one is kept in
-   * any case. Steps that were undone are forgotten.
+   * Sets how far back history reaches. The oldest steps are forgotten first; the last one is always kept.
+   * Steps that could be redone are forgotten.
    */
   limit(limits: HistoryLimits): void {
     const { steps = Infinity, bytes = Infinity } = checkOptions(limits, HISTORY_LIMITS, 'limits');

@@ -16,8 +16,8 @@ interface Pass {
 }
 
 /**
- * The live items of one kind in index order, as something to iterate over any number of times. Good
- * until the connectivity changes: using it after that throws.
+ * The live items of one kind in index order. You can iterate over it any number of times, until the
+ * connectivity changes: using it after that throws.
  */
 export class LiveItems<Item extends number> implements Iterable<Item> {
   /** @internal */

@@ -17,7 +17,7 @@ const REPAIRS = {
   fill: 5,
 } as const;
 
-/** What a repair of a mesh did, and then what it had to leave. */
+/** What a repair of a mesh did, followed by what it had to leave. */
 export type MendCode =
   | 'stitched-edge'
   | 'split-vertex'
@@ -40,13 +40,13 @@ export type MendCode =
   | 'unfillable-hole'
   | 'folding-hole';
 
-/** What a repair of a mesh has done, and what not. */
+/** What a repair of a mesh has done, and what it could not do. */
 export interface MendReport {
-  /** How many items each code was found of. */
+  /** How many items there are with each code. */
   readonly counts: Readonly<Partial<Record<MendCode, number>>>;
-  /** What could not be done, and why: a sentence each; at most 100 of each code. */
+  /** What could not be done, and why, each in a sentence; at most 100 of each code. */
   readonly problems: readonly Required<Problem>[];
-  /** The items that were touched or made: each repair says which. */
+  /** The items that were touched or made; each repair says which. */
   readonly vertices: Uint32Array;
   readonly edges: Uint32Array;
   readonly faces: Uint32Array;
@@ -57,20 +57,25 @@ export interface MendReport {
 /** How to stitch boundaries. */
 export interface StitchOptions {
   /**
-   * In the unit of positions: vertices closer than this count as one. Default: 0, those at the same position.
+   * Vertices closer than this count as one, in the unit of positions. Default: 0, those at the same position.
    */
   tolerance?: number | undefined;
 }
 
 /** How to orient components. */
 export interface OrientOptions {
-  /** Open components too, so that most of their area faces away from its centre. Default: false. */
+  /**
+   * Whether to turn open components too, so that most of their area faces away from its centre. Default:
+   * false.
+   */
   open?: boolean | undefined;
-  /** Closed components inside of an odd number of others are cavities, and face inward. Default: false. */
+  /**
+   * Whether closed components inside an odd number of others are cavities, and face inward. Default: false.
+   */
   nested?: boolean | undefined;
 }
 
-/** Which components are too small: those that fall short in one of these. */
+/** Which components are too small: those that fall short of any of these. */
 export interface DropOptions {
   /** The fewest faces that a component may have: an integer, or Infinity. */
   faces?: number | undefined;
@@ -83,19 +88,19 @@ export interface DropOptions {
 /** What counts as degenerate. */
 export interface DegenerateOptions {
   /**
-   * In the unit of positions: edges no longer than this are collapsed, and faces no wider removed. Default: 0,
-   * which leaves the surface where it is.
+   * Edges no longer than this are collapsed, and faces no wider than this removed, in the unit of positions.
+   * Default: 0, which leaves the surface where it is.
    */
   tolerance?: number | undefined;
 }
 
 /** Which holes to fill. */
 export interface FillOptions {
-  /** Boundary loops with more edges are left: an integer, or Infinity, which is the default. */
+  /** Boundary loops with more edges are left alone: an integer, or Infinity, the default. */
   maxEdges?: number | undefined;
   /**
-   * In degrees, between the normals of neighbours: what can only be filled with a sharper fold is left, such
-   * as the outline of a flat sheet. Default: 160; 180 fills it too.
+   * The largest angle between the normals of neighbours, in degrees. A loop that can only be filled with a
+   * sharper fold is left alone, such as the outline of a flat sheet. Default: 160; 180 fills that too.
    */
   maxAngle?: number | undefined;
 }
@@ -107,26 +112,27 @@ const DEGENERATE_OPTIONS: OptionNames<DegenerateOptions> = { tolerance: true };
 const FILL_OPTIONS: OptionNames<FillOptions> = { maxEdges: true, maxAngle: true };
 
 /**
- * Repairs of a mesh that is there. Each does all that it can, and reports the rest. A mesh that is valid at
- * level 4 stays so; live items keep their indices; each repair is one step of history.
+ * Repairs of an existing mesh. Each does all that it can, and reports the rest. A mesh that is valid at level
+ * 4 stays valid; live items keep their indices; each repair is one step of history.
  *
- * Beside wrong arguments (a TypeError or a RangeError) and a mesh that is `disposed`, the only error is
- * `out-of-memory`, and of {@link removeDegenerateFaces} `corrupt-connectivity`. Without room for the work a part may have been done then, which is a step of history as
- * long as that finds room; without room in JavaScript for the report, all was done.
+ * Apart from wrong arguments (a TypeError or a RangeError) and a mesh that is `disposed`, the only errors are
+ * `out-of-memory` and, from {@link removeDegenerateFaces}, `corrupt-connectivity`. If there was no memory for
+ * the work, part of it may have been done; that is a step of history, as long as history finds memory. If
+ * there was no memory in JavaScript for the report, everything was done.
  */
 export abstract class Mending extends Modelling {
   /**
-   * Glues boundary edges that lie together, end to end, and run opposite ways: closes cracks, and joins the
-   * triangles of a soup. Vertices are joined where their edges are, not where they merely touch; those stay
-   * that are reached first, from face to face, with position and attributes.
+   * Glues boundary edges that lie together, end to end, and run opposite ways. This closes cracks, and joins
+   * the triangles of a soup. Vertices are joined if their edges are, not if they merely touch. The vertices
+   * that are reached first, from face to face, stay, with position and attributes.
    *
-   * Of more than two edges that lie together those are glued that close a gap at a vertex, and the two that are
-   * left of four. Left are the others (`ambiguous-edge`), those that run the same way
-   * (`opposite-orientation`), and what no valid mesh allows (`unstitchable-edge`). Pinched vertices are in
-   * the way: {@link splitPinchedVertices} first. O(n log n) of n boundary edges, and the valences of the
-   * vertices that go.
+   * If more than two edges lie together, those that close a gap at a vertex are glued, and so are the last
+   * two of four. The rest are left (`ambiguous-edge`), as are edges that run the same way
+   * (`opposite-orientation`) and those that no valid mesh allows to be glued (`unstitchable-edge`). Pinched
+   * vertices are in the way: call {@link splitPinchedVertices} first. O(n log n) of n boundary edges, and the
+   * valences of the vertices that go.
    *
-   * @returns `edges`: those that were glued, and stay
+   * @returns `edges`: those that were glued and have stayed
    * @throws HalfedgeError `out-of-memory`, `disposed`
    */
   stitchBoundaries(options: StitchOptions = {}): MendReport {
@@ -137,8 +143,8 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Gives each fan of faces at a pinched vertex a vertex of its own: one keeps the vertex, others get copies
-   * with its position and attributes. O(halfedges).
+   * Gives each fan of faces at a pinched vertex a vertex of its own. One fan keeps the vertex; the others get
+   * copies with its position and attributes. O(halfedges).
    *
    * @returns `vertices`: the copies
    * @throws HalfedgeError `out-of-memory`, `disposed`
@@ -148,10 +154,11 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Turns components over so that their faces, counter-clockwise, are seen from outside: the volume of each
-   * closed component becomes positive, but that of cavities with `nested`. What is open (`open-component`;
-   * not with `open`), or has next to no volume (`flat-component`), is left. O(slots), nearly; with `nested` besides, for each component whose box lies in
-   * that of another, three times the faces of the other, and up to sixteen times where the two touch.
+   * Turns components over so that their faces run counter-clockwise as seen from outside: the volume of each
+   * closed component becomes positive, except that of cavities with `nested`. Open components
+   * (`open-component`; unless `open` is set) and components with next to no volume (`flat-component`) are
+   * left. Almost O(slots). With `nested`, in addition, for each component whose box lies in that of another,
+   * three times the faces of the other, and up to sixteen times if the two touch.
    *
    * @returns `faces`: those that were turned over
    * @throws HalfedgeError `out-of-memory`, `disposed`
@@ -165,7 +172,7 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Deletes components that are too small by one of the options. Isolated vertices stay. O(slots), nearly.
+   * Deletes components that are too small by any of the options. Isolated vertices stay. O(slots), nearly.
    *
    * @returns `faces`: those that were deleted
    * @throws HalfedgeError `out-of-memory`, `disposed`
@@ -180,17 +187,18 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Removes faces without area, and edges without length, so that the surface stays where it is. Short edges
-   * are collapsed. Of a triangle whose corner lies on its opposite side, that side is flipped; beside a larger
-   * face it is removed; on the boundary the triangle is deleted. Faces are taken to have no area if they are
-   * so narrow that the rounding of positions may turn them over (10^-6 of their length).
+   * Removes faces of zero area and edges of zero length, so that the surface stays where it is. Short edges
+   * are collapsed. If a corner of a triangle lies on its opposite side, that side is flipped; if the side
+   * borders a larger face, it is removed; if it is on the boundary, the triangle is deleted. A face counts as
+   * having no area if it is so narrow that rounding its positions may turn it over (10^-6 of its length).
    *
-   * What would break the mesh, or turn another face over, is left (`zero-length-edge`, `degenerate-face`).
-   * O(slots), what `validate` costs, and what the operations cost.
+   * Whatever would break the mesh or turn another face over is left (`zero-length-edge`, `degenerate-face`).
+   * O(slots), plus the cost of `validate` and of the operations.
    *
-   * @returns `vertices`: those that edges were collapsed into; `edges`: those that were flipped; `faces`: those
-   * that gained a corner
-   * @throws HalfedgeError `corrupt-connectivity` if the mesh isn't valid at level 4; `out-of-memory`, `disposed`
+   * @returns `vertices`: those into which edges were collapsed; `edges`: those that were flipped; `faces`:
+   * those that gained a corner
+   * @throws HalfedgeError `corrupt-connectivity` if the mesh isn't valid at level 4; `out-of-memory`,
+   * `disposed`
    */
   removeDegenerateFaces(options: DegenerateOptions = {}): MendReport {
     linksOf(this).checkAlive();
@@ -200,15 +208,16 @@ export abstract class Mending extends Modelling {
   }
 
   /**
-   * Fills boundary loops with triangles, without new vertices, so that they fold little against each other and
-   * the faces around. New faces and edges have default attributes; corners have what the boundary had.
+   * Fills boundary loops with triangles, without new vertices, so that they fold little against each other
+   * and the faces around. New faces and edges have default attributes; corners get those of the boundary.
    *
-   * Left are loops with more edges than asked for (`large-hole`), those whose filling would fold over
-   * (`folding-hole`), and those where each triangulation found joins vertices that are joined already
-   * (`unfillable-hole`). Up to 200 edges all triangulations are compared, by dynamic programming, in O(n^3):
-   * the largest fold is the smallest but for steps of 30 degrees, and then diagonals are short. Above, it is a
-   * good one, in about O(n log n) and the valences. Each loop is looked at once: what is filled later beside one
-   * that is left may lead the search another way, so that, rarely, a second call fills it.
+   * Three kinds of loops are left: those with more edges than allowed (`large-hole`), those whose filling
+   * would fold over (`folding-hole`), and those for which each triangulation found joins vertices that are
+   * joined already (`unfillable-hole`). Up to 200 edges, triangulations are compared by dynamic programming,
+   * in O(n^3): the largest fold is kept small, in steps of 30 degrees, and then diagonals short. Above that,
+   * the triangulation is a good one, in about O(n log n) and the valences. Each loop is looked at once.
+   * Filling a later loop beside one that was left may lead the search another way, so a second call will,
+   * rarely, fill it.
    *
    * @returns `faces`: the new ones
    * @throws HalfedgeError `out-of-memory`, `disposed`

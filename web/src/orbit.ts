@@ -14,11 +14,11 @@ const { ALONG_NEXT, SHOW_FACE, SHOW_OPPOSITE, SHOW_THEN_STEP, SHOW_VERTEX, SMALL
 type Lap = laps.Lap;
 
 /**
- * One lap around an item, as something to iterate over any number of times. Each `for...of` makes a
- * lap of its own, so loops may be nested and left early.
+ * One lap around an item. You can iterate over it any number of times. Each `for...of` makes a lap of its
+ * own, so loops may be nested and left early.
  *
- * A range is good until the connectivity changes: using it after that throws, as does the next step
- * of a lap underway.
+ * A range is good until the connectivity changes: using it after that throws, as does the next step of a lap
+ * underway.
  */
 export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
@@ -59,10 +59,10 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   }
 
   /**
-   * Writes the items of the lap to the beginning of `buffer`, and returns how many there are: the form
-   * that allocates nothing.
+   * Writes the items of the lap to the beginning of `buffer`, and returns how many there are. This form
+   * allocates nothing.
    *
-   * @throws RangeError if they don't all fit, with the length that is needed
+   * @throws RangeError if they don't all fit, naming the length that is needed
    */
   into(buffer: Int32Array | Uint32Array): number {
     const { links, home, walk, view } = this;

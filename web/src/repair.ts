@@ -43,15 +43,15 @@ export type RepairCode = (typeof CODES)[number];
 /** Worth knowing, but no defect. */
 const HARMLESS: readonly string[] = ['coincident-position', 'isolated-vertex'];
 
-/** How to make a mesh of a soup. */
+/** How to make a mesh out of any polygons. */
 export interface SoupOptions extends StorageOptions {
   /**
-   * Joins vertices: `true` or 0 those at the same position, a number those closer than that. Two
-   * vertices that are joined are always closer than the tolerance; a chain of vertices that is longer
-   * is cut. Default: false.
+   * Joins vertices: `true` or 0 joins those at the same position, a number joins those closer than that. Any
+   * two joined vertices are closer than the tolerance; a chain of vertices that is longer is cut. Default:
+   * false.
    */
   weld?: boolean | number | undefined;
-  /** Leaves out the vertices without faces. Default: false. */
+  /** Whether to leave out vertices without faces. Default: false. */
   dropIsolated?: boolean | undefined;
 }
 
@@ -61,10 +61,10 @@ export const SOUP_OPTIONS: OptionNames<SoupOptions> = {
   dropIsolated: true,
 };
 
-/** What became of a face of the input that was touched. */
+/** What became of a face of the input, if it was touched. */
 export interface FaceVerdict {
   readonly face: number;
-  /** Whether it is a face of the mesh. */
+  /** Whether it became a face of the mesh. */
   readonly kept: boolean;
   /** Why it was left out, or what was done to it. */
   readonly codes: readonly RepairCode[];
@@ -74,11 +74,11 @@ export interface FaceVerdict {
 export interface RepairReport {
   /** One sentence each; at most 100 of each code. Indices are those of the input. */
   readonly problems: readonly Problem[];
-  /** How many faces, edges or vertices each code was found of, listed or not. */
+  /** How many faces, edges or vertices there are with each code, listed or not. */
   readonly counts: Readonly<Partial<Record<RepairCode, number>>>;
-  /** How many of each code `problems` has no sentence for. One tells of all isolated vertices. */
+  /** How many of each code are not listed in `problems`. One entry stands for all isolated vertices. */
   readonly unlisted: Readonly<Partial<Record<RepairCode, number>>>;
-  /** The faces that were touched, in order. All others are as in the input. */
+  /** The faces that were touched, in order. All others are unchanged. */
   readonly verdicts: readonly FaceVerdict[];
   /** By vertex of the input: its (first) vertex in the mesh, or -1. */
   readonly vertexMap: Int32Array;

@@ -34,13 +34,13 @@ declare global {
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 
-/** How a job is done. */
+/** How to do a job. */
 export interface JobOptions {
-  /** Cancels the job: its promise is rejected with `signal.reason`. */
+  /** Cancels the job; its promise is then rejected with `signal.reason`. */
   signal?: AbortSignal | undefined;
   /**
-   * Hands the buffers that were passed over to the worker instead of copying them: here they are
-   * detached then. Default: false.
+   * Whether to transfer the buffers that you pass to the worker instead of copying them. They are then
+   * detached here. Default: false.
    */
   transfer?: boolean | undefined;
 }
@@ -48,8 +48,9 @@ export interface JobOptions {
 /** How to make a worker. */
 export interface MeshWorkerOptions {
   /**
-   * Makes the worker, which has to run `halfedge/worker-thread`; called again after a job was
-   * cancelled. By default one is made of the script beside this one, as all bundlers understand it.
+   * Makes the worker, which has to run `halfedge/worker-thread`. It is called again after a job was
+   * cancelled. By default the worker is made from the script beside this one, in the form that bundlers
+   * recognise.
    */
   worker?: (() => WorkerLike) | undefined;
 }
@@ -74,10 +75,10 @@ interface Task {
 }
 
 /**
- * Makes meshes in another thread, one job after the other. A mesh comes over as bytes: here only they
- * are copied into WebAssembly memory, without being checked again.
+ * Makes meshes in another thread, one job after the other. A finished mesh arrives as bytes, which are only
+ * copied into WebAssembly memory here, without being checked again.
  *
- * It keeps no Node process alive but while it has jobs.
+ * It keeps a Node process alive only while it has jobs.
  */
 export class MeshWorker {
   readonly #make: (() => WorkerLike) | undefined;
@@ -86,7 +87,7 @@ export class MeshWorker {
   #thread: Thread | undefined;
   #terminated = false;
 
-  /** As {@link createMeshWorker}. */
+  /** Like {@link createMeshWorker}. */
   constructor(options: MeshWorkerOptions = {}) {
     const { worker } = checkOptions(options, WORKER_OPTIONS);
     checkCallback('options.worker', worker, 'a function that makes a worker');
@@ -94,7 +95,7 @@ export class MeshWorker {
     this.#start();
   }
 
-  /** As `HalfedgeMesh.parse`, also of a Blob or File, which is read over there. */
+  /** Like `HalfedgeMesh.parse`. Also accepts a Blob or File, which is read in the worker. */
   async parse(
     source: string | ArrayBuffer | ArrayBufferView | Blob,
     options: ParseOptions & JobOptions = {},
@@ -115,7 +116,7 @@ export class MeshWorker {
     return { mesh: meshOf(bytes), report: report as ParseReport };
   }
 
-  /** As `HalfedgeMesh.fromSoup`. */
+  /** Like `HalfedgeMesh.fromSoup`. */
   async fromSoup(
     positions: ArrayLike<number>,
     faces: ArrayLike<number> | ArrayLike<ArrayLike<number>> | Polygons,
@@ -139,7 +140,7 @@ export class MeshWorker {
     return { mesh: meshOf(bytes), report };
   }
 
-  /** Ends the thread. Jobs that are not done are rejected; further ones throw. */
+  /** Ends the thread. Unfinished jobs are rejected; further ones throw. */
   terminate(): void {
     this.#terminated = true;
     const error = new HalfedgeError('worker-terminated', 'The worker was terminated.');
@@ -149,7 +150,7 @@ export class MeshWorker {
     this.#stop();
   }
 
-  /** `terminate()`, at the end of the block that declares `using worker = ...`. */
+  /** Calls `terminate()` at the end of the block that declares `using worker = ...`. */
   [disposeSymbol](): void {
     this.terminate();
   }
@@ -287,8 +288,8 @@ export class MeshWorker {
 named({ MeshWorker });
 
 /**
- * A worker that makes meshes, for several jobs. `init()` must be done; the worker gets the module that
- * is compiled already.
+ * Makes a worker that makes meshes, for several jobs. `await init()` first: the worker gets the module that
+ * is already compiled.
  *
  * @throws HalfedgeError `not-initialised`, `worker-failed`
  */
@@ -298,15 +299,15 @@ export function createMeshWorker(options: MeshWorkerOptions = {}): MeshWorker {
 
 /**
  * As `HalfedgeMesh.parse`, in a thread of its own that ends afterwards: the page goes on while a file is
- * read, repaired and built. The errors are the same, with their names and causes; those of other classes
- * than HalfedgeError, RangeError and TypeError come over as an Error. A File or another Blob is read over there; a buffer
- * is copied, unless `transfer` hands it over.
+ * read, repaired and built. The errors are the same, with their names and causes; those of other classes than
+ * HalfedgeError, RangeError and TypeError come over as an Error. A File or another Blob is read over there; a
+ * buffer is copied, unless `transfer` hands it over.
  *
  * ```ts
  * const { mesh, report } = await parseInWorker(input.files[0], { signal });
  * ```
  *
- * @throws also HalfedgeError `worker-failed`, where a worker can't be started or runs out of memory
+ * @throws also HalfedgeError `worker-failed`, if a worker can't be started or runs out of memory
  */
 export async function parseInWorker(
   source: string | ArrayBuffer | ArrayBufferView | Blob,

@@ -16,8 +16,8 @@ export type NormalOption = 'smooth' | 'flat' | 'none';
 /** What a geometry shows of a mesh. */
 export interface GeometryOptions {
   /**
-   * `'smooth'`: those of the attribute `normal`, or else by vertex, the mean of its faces by area;
-   * `'flat'`: those of the faces; `'none'`. Default: 'smooth'.
+   * `'smooth'` uses the attribute `normal` or, without one, the mean of the faces at each vertex, weighted by
+   * area; `'flat'` uses the normals of the faces; `'none'` makes none. Default: 'smooth'.
    */
   normals?: NormalOption | undefined;
   /** The names of the attributes of vertices and halfedges to show. Default: all. */

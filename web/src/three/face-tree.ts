@@ -19,30 +19,30 @@ const SMALL = 50_000;
 export interface ShownFaces {
   /** xyz by vertex. */
   readonly points: Float32Array;
-  /** Arrays that are nobody else's. */
+  /** In new arrays. */
   allTriangles(): Triangles;
   /** Three vertices for each triangle of a face; none if there is no such face. */
   triangleVertices(face: number): ArrayLike<number>;
 }
 
-/** How a tree is grown. */
+/** How to build a search tree. */
 export interface FaceTreeOptions {
   /**
-   * Makes the worker that grows trees over many triangles, such as `newPickingWorker`: one that runs
-   * `halfedge/three/picking-thread`, or null for none. Without, they are grown at once.
+   * Makes the worker that builds trees over many triangles, such as `newPickingWorker`: a worker that runs
+   * `halfedge/three/picking-thread`, or null for none. Without a worker, trees are built at once.
    */
   worker?: (() => WorkerLike | null) | undefined;
-  /** Fulfilled when that may begin to work, such as when a picture is drawn first. Default: at once. */
+  /** Fulfilled when the worker may begin, for example once a first picture is drawn. Default: at once. */
   begin?: (() => Promise<void>) | undefined;
 }
 
 export const FACE_TREE_OPTIONS: OptionNames<FaceTreeOptions> = { worker: true, begin: true };
 
 /**
- * Finds the face that a ray hits first. After an edit, the triangles of the faces that changed are taken out
- * of the tree, and those that came instead lie loose beside it: so an edit costs what it touched, whatever
- * the size of the mesh. While a worker grows a tree over many triangles, a ray is tried against each of them,
- * some 15 ms for a million.
+ * Finds the face that a ray hits first. After an edit, the triangles of changed faces are taken out of the
+ * tree, and their new triangles are kept loose beside it. So an edit costs what it touched, whatever the size
+ * of the mesh. Until a worker has built a first tree over many triangles, each ray is tested against all of
+ * them, which takes some 15 ms for a million.
  */
 export class FaceTree {
   readonly #makeWorker: () => WorkerLike | null;
@@ -65,17 +65,17 @@ export class FaceTree {
     this.#grow(this.#tree);
   }
 
-  /** Whether there is a tree already; if not, `cast` takes a while of many triangles. */
+  /** Whether there is a tree already; if not, `cast` takes a while if there are many triangles. */
   get isGrown(): boolean {
     return this.#tree.isGrown;
   }
 
-  /** Fulfilled when no tree is growing. */
+  /** Fulfilled when no tree is being built. */
   get ready(): Promise<void> {
     return this.#ready;
   }
 
-  /** Takes over faces that look different now; null: all of them. */
+  /** Takes over faces that now look different; null means all of them. */
   update(faces: Iterable<number> | null, shown: ShownFaces): void {
     if (faces === null) {
       this.#tree = new TriangleTree(shown.allTriangles());
@@ -111,7 +111,7 @@ export class FaceTree {
     return found;
   }
 
-  /** Ends the worker, if one is at work. */
+  /** Ends the worker, if one is running. */
   dispose(): void {
     this.#stopWorker();
   }

@@ -10,20 +10,20 @@ import { type DrawnLines, LineBatch, type LineKind, webglLines } from './lines.j
 import { ARROW_FLOATS } from './mitre.js';
 import { quadVertices } from './triangulate.js';
 
-/** What all helpers can be told. */
+/** Options of all helpers. */
 export interface HelperOptions {
   /** Default: that of the helper. */
   color?: ColorRepresentation | undefined;
   /** In CSS pixels. Default: that of the helper, 1.5 to 3.5. */
   linewidth?: number | undefined;
   /**
-   * What makes its lines: `webgpuLines` of `halfedge/three/webgpu` where WebGPURenderer is to draw them. Default:
-   * lines that WebGLRenderer draws.
+   * What makes its lines. For WebGPURenderer, pass `webgpuLines` of `halfedge/three/webgpu`. Default: lines
+   * that WebGLRenderer draws.
    */
   lines?: LineKind | undefined;
   /**
-   * The length of a CSS pixel where the mesh is seen, in its own units: arrows and dashes are sized by it.
-   * Default: such that a typical edge is 56 pixels long.
+   * The size of a CSS pixel in units of the mesh, as it is seen: arrows and dashes are sized by it. By
+   * default, a typical edge is taken to be 56 pixels long.
    */
   pixel?: number | undefined;
 }
@@ -36,13 +36,13 @@ export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
 };
 
 /**
- * What is drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines are as wide
- * as they are told to be, in CSS pixels, at any distance. Call `update()` after edits. Rays go through it: what
- * a `Raycaster` hits is the object.
+ * Something drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines keep their
+ * width, in CSS pixels, at any distance. Call `update()` after edits. Rays pass through it, so a `Raycaster`
+ * hits the object.
  */
 export abstract class MeshHelper extends Group implements DrawnMesh {
   readonly mesh: HalfedgeMesh;
-  /** See {@link HelperOptions}. To be followed by `update()`. */
+  /** See {@link HelperOptions}. Call `update()` after setting it. */
   pixel: number;
   readonly color: Color;
   protected readonly batch = new LineBatch();
@@ -85,13 +85,13 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.batch.upload();
   }
 
-  /** Frees what it has on the graphics card. */
+  /** Frees its memory on the graphics card. */
   override dispose(): void {
     this.batch.geometry.dispose();
     this.#material.dispose();
   }
 
-  /** A group without what it draws, as three.js has no JSON of such lines. */
+  /** A group without its lines, for which three.js has no JSON. */
   override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
     const group = new Group().copy(this as Group, false);
     return Object.assign(group, { uuid: this.uuid }).toJSON(...meta);

@@ -18,11 +18,14 @@ const PROBLEM = 0xe01297;
 /** More faces than these have arrows only if they are named. */
 const MOST_FACES = 8000;
 
-/** What {@link HalfedgesHelper} can be told. */
+/** Options of {@link HalfedgesHelper}. */
 export interface HalfedgesOptions extends HelperOptions {
   /** The colour of boundary halfedges. */
   boundaryColor?: ColorRepresentation | undefined;
-  /** Only the halfedges of these faces, and the boundary across their edges. Default: all, at most 8,000. */
+  /**
+   * Draws only the halfedges of these faces, and the boundary across their edges. Default: all faces, at most
+   * 8,000.
+   */
   faces?: Iterable<number> | undefined;
 }
 
@@ -33,8 +36,8 @@ const HALFEDGES_OPTIONS: OptionNames<HalfedgesOptions> = {
 };
 
 /**
- * All halfedges as half-arrows inside of their faces, where they never cross, however thin the face; those on
- * the boundary outside, dotted.
+ * Draws all halfedges as half-arrows inside their faces, where they never cross, however thin the face is.
+ * Boundary halfedges are drawn outside, dotted.
  *
  * ```ts
  * const helper = new HalfedgesHelper(mesh);
@@ -46,7 +49,7 @@ const HALFEDGES_OPTIONS: OptionNames<HalfedgesOptions> = {
 export class HalfedgesHelper extends MeshHelper {
   override readonly type = 'HalfedgesHelper' as 'Group';
   readonly boundaryColor: Color;
-  /** The faces that are shown; undefined for all. To be followed by `update()`. */
+  /** The faces that are shown; undefined for all. Call `update()` after setting it. */
   faces: readonly number[] | undefined;
 
   constructor(mesh: HalfedgeMesh, options: HalfedgesOptions = {}) {
@@ -107,13 +110,13 @@ export class BoundaryLoopsHelper extends MeshHelper {
   }
 }
 
-/** What {@link CirculatorHelper} can be told. */
+/** Options of {@link CirculatorHelper}. */
 export interface CirculatorOptions extends HelperOptions {
   /** Default: 'ccw'. */
   direction?: Direction | undefined;
-  /** How many steps of the circulator are shown. Default: one lap. */
+  /** How many steps of the circulator to show. Default: one lap. */
   steps?: number | undefined;
-  /** The colour of the step that it has come to. */
+  /** The colour of the current step. */
   currentColor?: ColorRepresentation | undefined;
 }
 
@@ -124,13 +127,13 @@ const CIRCULATOR_OPTIONS: OptionNames<CirculatorOptions> = {
   currentColor: true,
 };
 
-/** The trace of a circulator: the halfedges that it has been at, the last in a colour of its own. */
+/** Draws the trace of a circulator: the halfedges that it has visited, the last one in a different colour. */
 export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> extends MeshHelper {
   override readonly type = 'CirculatorHelper' as 'Group';
   readonly currentColor: Color;
   readonly kind: Kind;
   readonly direction: Direction;
-  /** The item that it goes around, and how far. To be followed by `update()`. */
+  /** The item that it goes around, and how far. Call `update()` after setting these. */
   item: CirculatorCentre<Kind>;
   steps: number;
 
@@ -187,16 +190,19 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   }
 }
 
-/** What {@link ProblemsHelper} can be told. */
+/** Options of {@link ProblemsHelper}. */
 export interface ProblemsOptions extends HelperOptions {
-  /** Problems, refusals and errors, whose items are shown. Default: what `mesh.validate()` finds at each update. */
+  /**
+   * The problems, refusals and errors whose items are shown. Default: what `mesh.validate()` finds at each
+   * update.
+   */
   problems?: readonly Partial<Pick<Problem, 'kind' | 'index' | 'witness'>>[] | undefined;
 }
 
 const PROBLEMS_OPTIONS: OptionNames<ProblemsOptions> = { ...HELPER_OPTIONS, problems: true };
 
 /**
- * The items that problems or refusals are about: edges, the outlines of faces, the edges at vertices.
+ * Draws the items that problems or refusals are about: edges, the outlines of faces, the edges at vertices.
  *
  * ```ts
  * const refusal = mesh.checkFlipEdge(e);
@@ -205,7 +211,7 @@ const PROBLEMS_OPTIONS: OptionNames<ProblemsOptions> = { ...HELPER_OPTIONS, prob
  */
 export class ProblemsHelper extends MeshHelper {
   override readonly type = 'ProblemsHelper' as 'Group';
-  /** To be followed by `update()`. */
+  /** Call `update()` after setting it. */
   problems: ProblemsOptions['problems'];
 
   constructor(mesh: HalfedgeMesh, options: ProblemsOptions = {}) {

@@ -16,16 +16,18 @@ import {
   sightTo,
 } from './projection.js';
 
-/** What is picked: whatever is nearest, or only items of one kind. */
+/** What to pick: whatever is nearest, or only items of one kind. */
 export type PickMode = 'auto' | ItemKind;
 
 /** How to pick. */
 export interface PickOptions {
   /** Default: 'auto'. */
   mode?: PickMode | undefined;
-  /** How far from a vertex, an edge or an arrow it is still meant: 1 for a mouse, 2 for a finger. Default: 1. */
+  /**
+   * How far from a vertex, an edge or an arrow the pointer may be: 1 for a mouse, 2 for a finger. Default: 1.
+   */
   reach?: number | undefined;
-  /** Boundary halfedges whose arrows are drawn, outside of the surface. Default: none. */
+  /** Boundary halfedges whose arrows are drawn, outside the surface. Default: none. */
   boundary?: Iterable<number> | undefined;
 }
 
@@ -37,17 +39,17 @@ export interface PickedItem {
   readonly index: number;
 }
 
-/** A face that a ray hits, where, and how far from its origin: in the world. */
+/** A face that a ray hits, where it hits it, and how far from the ray's origin, in world space. */
 export interface FaceHit {
   readonly face: number;
   readonly point: Vector3;
   readonly distance: number;
 }
 
-/** A mesh that is drawn somewhere, and the tree over its faces. */
+/** A mesh that is drawn somewhere, and the search tree over its faces. */
 export interface PickTarget extends DrawnMesh {
   readonly tree: FaceTree;
-  /** Takes its points into the world. */
+  /** Transforms its points into world space. */
   readonly matrixWorld: Matrix4;
 }
 
@@ -62,8 +64,8 @@ const TO_ARROW = 5.5;
 const MOST_ISOLATED = 20_000;
 
 /**
- * Finds the vertex, edge, halfedge or face under the pointer: the face by a ray, then the nearest of what is in
- * it, in pixels of the canvas. Polygons are picked as the faces that they are.
+ * Finds the vertex, edge, halfedge or face under the pointer: first the face, with a ray, and then the
+ * nearest item of that face, in pixels of the canvas. A polygon is picked as one face, not as triangles.
  */
 export class ItemPicker {
   readonly #target: PickTarget;
@@ -77,9 +79,9 @@ export class ItemPicker {
   }
 
   /**
-   * The item at a place of the canvas, in CSS pixels from its top left; null if there is none.
+   * The item at a point of the canvas, in CSS pixels from its top left; null if there is none.
    *
-   * @throws TypeError or RangeError for wrong arguments, such as a mode that there isn't
+   * @throws TypeError or RangeError for wrong arguments, such as an unknown mode
    */
   pick(x: number, y: number, view: PickView, options: PickOptions = {}): PickedItem | null {
     const { mode = 'auto', reach = 1, boundary = [] } = checkOptions(options, PICK_OPTIONS);
@@ -108,20 +110,20 @@ export class ItemPicker {
     return closest(hit.face, nearest, reach);
   }
 
-  /** What the surface shows at a place of the canvas. */
+  /** The face that is visible at a point of the canvas. */
   faceAt(x: number, y: number, view: PickView): FaceHit | null {
     checkPlace(x, y, view);
     return this.#hit(new Projection(view, this.#target.matrixWorld).sight(x, y));
   }
 
-  /** What a ray of the world hits first, from either side. */
+  /** The face that a ray, in world space, hits first, from either side. */
   cast(ray: Ray): FaceHit | null {
     const { origin, direction } = Object(ray) as Partial<Ray>;
     if (!origin || !direction) refuse('ray', ray, 'a Ray of three.js, such as raycaster.ray');
     return this.#hit(this.#sightOf(ray, origin));
   }
 
-  /** Whether the surface hides a point of the world from a camera. */
+  /** Whether the surface hides a point, in world space, from a camera. */
   hides(point: Vector3, camera: Camera): boolean {
     camera.updateWorldMatrix(true, false);
     const ray = sightTo(point, camera);

@@ -9,15 +9,18 @@ import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
 import { quadVertices } from './triangulate.js';
 
-/** What {@link IndexLabelsHelper} can be told. */
+/** Options of {@link IndexLabelsHelper}. */
 export interface LabelsOptions {
-  /** Of which items. Default: ['vertex']. */
+  /** Which kinds of items to label. Default: ['vertex']. */
   kinds?: readonly ItemKind[] | undefined;
-  /** So many labels at most. Default: 300. */
+  /** The largest number of labels. Default: 300. */
   most?: number | undefined;
-  /** The class of the labels, for a style sheet, beside `halfedge-vertex` and so on. Default: 'halfedge-label'. */
+  /** The CSS class of the labels, in addition to `halfedge-vertex` and so on. Default: 'halfedge-label'. */
   className?: string | undefined;
-  /** As for the arrows that labels of halfedges stand beside: a pixel in units of the mesh. Default: 0.01. */
+  /**
+   * The size of a pixel in units of the mesh, as for arrows: labels of halfedges stand beside them. Default:
+   * 0.01.
+   */
   pixel?: number | undefined;
 }
 
@@ -39,7 +42,7 @@ function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
   }
 }
 
-/** The indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
+/** Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
   readonly mesh: HalfedgeMesh;
@@ -60,7 +63,7 @@ export class IndexLabelsHelper extends Group {
     this.update();
   }
 
-  /** Labels the items that are there now, where they are. */
+  /** Labels the current items, at their current places. */
   update(): void {
     checkMesh(this.mesh);
     const { kinds, most, className } = this.#options;
@@ -83,7 +86,7 @@ export class IndexLabelsHelper extends Group {
     this.remove(...labels.slice(count)); // which takes them out of the page
   }
 
-  /** Takes all labels out of the page. */
+  /** Removes all labels from the page. */
   override dispose(): void {
     this.clear();
   }

@@ -24,19 +24,22 @@ import { toBufferGeometry } from './write.js';
 
 /** What an update has found. */
 export interface GeometryUpdate {
-  /** Faces that have other corners than before, came or went. */
+  /** Faces whose corners have changed, and faces that are new or gone. */
   readonly faces: number;
   /** Bytes that three.js will upload because of it. */
   readonly bytes: number;
 }
 
-/** Is told which faces look different: other corners, moved, come or gone; null where all may. */
+/**
+ * Called with the faces that look different: with other corners, moved, new or gone. Null if that may be all
+ * of them.
+ */
 export type ChangeListener = (faces: readonly number[] | null) => void;
 
 /**
- * A geometry of three.js that stays in step with a mesh. After any edits, undo and redo, `compact()`, or
- * writing into `mesh.positions` or an attribute that it shows, call `update()`: only what has changed is
- * written, and marked for upload.
+ * A three.js geometry that stays in step with a mesh. After edits, undo and redo, `compact()`, or writing
+ * into `mesh.positions` or into an attribute that it shows, call `update()`: only what has changed is written
+ * and marked for upload.
  *
  * ```ts
  * const geometry = new MeshGeometry(mesh);
@@ -45,16 +48,16 @@ export type ChangeListener = (faces: readonly number[] | null) => void;
  * geometry.update(); // { faces: 2, bytes: 84 }
  * ```
  *
- * Without attributes of halfedges and with smooth normals it is indexed, and vertex v of it is vertex v of the
- * mesh. Otherwise each triangle has three vertices of its own. Its buffers are longer than what they hold, so
- * that they can grow: the draw range tells how far they are used. Triangles that show nothing have no area; exporters
- * write them, too, so give those what `toBufferGeometry` makes. Nobody else may reorder them, as a MeshBVH does that
- * isn't `indirect`. Groups and morph targets are not shown: see `toBufferGeometry`. The attributes are those that the
- * mesh had when the geometry was made.
+ * Without halfedge attributes and with smooth normals, it is indexed, and its vertex v is vertex v of the
+ * mesh. Otherwise each triangle has three vertices of its own. Its buffers are longer than their content, so
+ * that they can grow; the draw range tells how far they are used. Unused triangles have no area. Exporters
+ * would write them too, so pass them the result of `toBufferGeometry` instead. Nothing else may reorder the
+ * triangles, as a MeshBVH that isn't `indirect` does. Groups and morph targets are not shown: see
+ * `toBufferGeometry`. The attributes shown are those that the mesh had when the geometry was made.
  *
- * To find what has changed, `update` makes a digest of the links, positions and attributes shown: of a
- * million triangles that takes some 5 ms, and 1 ms while the links are as they were. What was found costs
- * what it is.
+ * To find what has changed, `update` makes a digest of the links, positions and attributes shown. For a
+ * million triangles, that takes some 5 ms, or 1 ms if the links are unchanged. Beyond that, the cost depends
+ * only on what has changed.
  */
 export class MeshGeometry extends BufferGeometry {
   override readonly type = 'MeshGeometry' as 'BufferGeometry';
@@ -88,28 +91,33 @@ export class MeshGeometry extends BufferGeometry {
     this.#rebuild();
   }
 
-  /** The face that a triangle shows, such as the `faceIndex` of an intersection; -1 for one that shows none. */
+  /**
+   * The face that a triangle belongs to, such as the `faceIndex` of an intersection; -1 if it belongs to
+   * none.
+   */
   face(triangle: number | null | undefined): Face {
     return (this.#triangles.slots.faceOf[triangle ?? NONE] ?? NONE) as Face;
   }
 
-  /** The triangles that show a face: the first of them, and how many. None is 0. */
+  /** The triangles of a face: the first of them, and how many there are, or 0. */
   triangles(face: FaceLike): { first: number; count: number } {
     const { slots } = this.#triangles;
     return { first: slots.first(face), count: slots.count(face) };
   }
 
-  /** The vertices of the mesh in the corners of the triangles that show a face, three each. */
+  /** The mesh vertices at the corners of the triangles of a face, three for each triangle. */
   triangleVertices(face: FaceLike): Uint32Array {
     return this.#triangles.verticesOf(face).slice();
   }
 
-  /** By vertex of the mesh, xyz of where it is shown: as it was at the last update. Longer than that. */
+  /**
+   * By vertex of the mesh: x, y, z where it is shown, as of the last update. The array is longer than that.
+   */
   get points(): Float32Array {
     return this.#rows.points;
   }
 
-  /** Calls `listener` at each update that finds changes. Returns what ends that. */
+  /** Calls `listener` at each update that finds changes. Returns a function that stops this. */
   onChange(listener: ChangeListener): () => void {
     if (typeof listener !== 'function') refuse('listener', listener, 'a function');
     this.#listeners.add(listener);
@@ -117,10 +125,10 @@ export class MeshGeometry extends BufferGeometry {
   }
 
   /**
-   * Takes up what has changed in the mesh since the last time.
+   * Applies what has changed in the mesh since the last update.
    *
-   * @throws HalfedgeError `disposed`, `out-of-memory`, `unsupported-attribute` where an attribute that it shows is
-   * gone, or another
+   * @throws HalfedgeError `disposed`, `out-of-memory`, `unsupported-attribute` (an attribute that it shows
+   * was removed or replaced)
    */
   update(): GeometryUpdate {
     const mesh = checkMesh(this.mesh);
@@ -149,7 +157,7 @@ export class MeshGeometry extends BufferGeometry {
     return { faces: changed, bytes };
   }
 
-  /** The bounds of the live vertices: the buffers hold others, too. */
+  /** The bounds of the live vertices: the buffers also hold others. */
   override computeBoundingBox(): void {
     this.boundingBox ??= new Box3();
     fitBox(this.mesh, this.boundingBox);
@@ -167,7 +175,7 @@ export class MeshGeometry extends BufferGeometry {
     return Object.assign(new MeshGeometry(this.mesh, this.#options), { name, userData }) as this;
   }
 
-  /** The mesh as it is now, as an ordinary geometry without gaps: the loaders of three.js know no other. */
+  /** The mesh as it is now, as an ordinary geometry without gaps: three.js's loaders know no other kind. */
   override toJSON(): ReturnType<BufferGeometry['toJSON']> {
     const { geometry } = toBufferGeometry(this.mesh, { ...this.#options, groups: false });
     const { uuid, name, userData } = this;

@@ -1,8 +1,8 @@
 import { newWorker, type WorkerLike } from '../thread.js';
 
 /**
- * Starts a worker that grows the trees of pickers; null where none can be started, such as in Node. A file of
- * its own: bundlers that see it take the script of the worker along.
+ * Starts a worker that builds the search trees of pickers; null where none can be started, such as in Node.
+ * In a file of its own, because bundlers that see it include the script of the worker.
  */
 export function newPickingWorker(): WorkerLike | null {
   if (typeof Worker === 'undefined') return null;

@@ -26,7 +26,7 @@ export type { PickView } from './projection.js';
 export type { TriangleHit, Triangles } from './triangle-tree.js';
 
 /**
- * Finds the vertex, edge, halfedge or face under the pointer, of a million faces as quickly as of ten.
+ * Finds the vertex, edge, halfedge or face under the pointer, among a million faces as quickly as among ten.
  *
  * ```ts
  * const picker = new MeshPicker(new Mesh(new MeshGeometry(mesh), material));
@@ -34,15 +34,15 @@ export type { TriangleHit, Triangles } from './triangle-tree.js';
  * const item = picker.pick(event.offsetX, event.offsetY, view); // { kind: 'halfedge', index: 12 }
  * ```
  *
- * It follows the updates of the geometry by itself; each costs what it changes. It stays with the geometry that the
- * object had when it was made: another one needs another picker.
+ * It follows the updates of the geometry by itself; each costs what it changes. It stays with the geometry
+ * that the object had when the picker was made: another geometry needs another picker.
  */
 export class MeshPicker extends ItemPicker {
   readonly object: Mesh<MeshGeometry>;
   readonly #tree: FaceTree;
   readonly #leave: () => void;
 
-  /** @throws TypeError for what is no Mesh with a MeshGeometry, or wrong options */
+  /** @throws TypeError for anything but a Mesh with a MeshGeometry, or for wrong options */
   constructor(object: Mesh<MeshGeometry>, options: FaceTreeOptions = {}) {
     const geometry: unknown = object?.geometry;
     if (!(geometry instanceof MeshGeometry)) {
@@ -61,14 +61,14 @@ export class MeshPicker extends ItemPicker {
   }
 
   /**
-   * Fulfilled when the tree over the triangles has grown, which a worker does for more than 50,000: picking
-   * works before, too, but takes some 15 ms for a million.
+   * Fulfilled when the search tree over the triangles is built; for more than 50,000, a worker builds it.
+   * Picking works before that, but takes some 15 ms for a million triangles.
    */
   get ready(): Promise<void> {
     return this.#tree.ready;
   }
 
-  /** No longer follows the geometry. */
+  /** Stops following the geometry. */
   dispose(): void {
     this.#leave();
     this.#tree.dispose();

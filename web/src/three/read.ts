@@ -20,22 +20,26 @@ import {
 /** How to read a geometry. */
 export interface FromGeometryOptions extends SoupOptions {
   /**
-   * Joins the vertices that a geometry doubles along the seams of its attributes. `true`: those at the same
-   * position, but for the rounding of sines and cosines (2^-21 of the largest coordinate); 0 exactly; a
-   * number those closer than that; `false`: none, the index buffer as it is. Default: true.
+   * Joins the vertices that a geometry repeats along the seams of its attributes. `true` joins those at the
+   * same position, allowing for the rounding of sines and cosines (2^-21 of the largest coordinate); 0 joins
+   * those at exactly the same position; any other number joins those closer than that; `false` joins none,
+   * and takes the index buffer as it is. Default: true.
    */
   weld?: boolean | number | undefined;
-  /** Whether triangles that make no manifold are mended, and reported; else they are an error. Default: true. */
+  /**
+   * Whether triangles that don't form a manifold are repaired and reported; otherwise they are an error.
+   * Default: true.
+   */
   repair?: boolean | undefined;
 }
 
 const FROM_GEOMETRY_OPTIONS: OptionNames<FromGeometryOptions> = { ...SOUP_OPTIONS, repair: true };
 
-/** What became what. "None" is -1. */
+/** What became of what. -1 means none. */
 export interface GeometryMaps {
   /** By vertex of the geometry: its vertex in the mesh. */
   readonly vertices: Int32Array;
-  /** By triangle that is drawn: its face. */
+  /** By drawn triangle: its face. */
   readonly faces: Int32Array;
   /** By face: the triangle that it was. */
   readonly triangles: Int32Array;
@@ -53,14 +57,15 @@ export interface GeometryMesh {
 }
 
 /**
- * The mesh of a geometry of three.js, indexed or not, interleaved or not. Vertices that are doubled along
- * seams are one again, and what differs between them becomes attributes of halfedges (corners), so that
- * nothing is lost; what doesn't, attributes of vertices. They keep their names: `normal`, `uv`, `uv1`,
- * `color`, `tangent`, `skinIndex`, ... Normalised integers become floats, but for colours in bytes; morph
- * targets become `morph position 0` and so on, relative to the attribute; their names are not kept. Groups
- * become the face attribute `group`, which holds the index of the material (-1 where none is drawn).
- * Triangles outside of the draw range are no part of the mesh; their vertices stay, without faces, unless
- * `dropIsolated` leaves them out. What makes no manifold is mended, as by `HalfedgeMesh.fromSoup`.
+ * Makes a mesh from a three.js geometry, indexed or not, interleaved or not. Vertices that are repeated along
+ * seams become one again. Values that differ between them become attributes of halfedges (corners), so that
+ * nothing is lost; all others become attributes of vertices. Attributes keep their names: `normal`, `uv`,
+ * `uv1`, `color`, `tangent`, `skinIndex`, ... Normalised integers become floats, except colours in bytes.
+ * Morph targets become `morph position 0` and so on, relative to the attribute; their names are not kept.
+ * Groups become the face attribute `group`, which holds the index of the material (-1 where nothing is
+ * drawn). Triangles outside the draw range are not part of the mesh; their vertices stay, without faces,
+ * unless `dropIsolated` leaves them out. Triangles that don't form a manifold are repaired, as by
+ * `HalfedgeMesh.fromSoup`.
  *
  * ```ts
  * const { mesh, maps } = fromBufferGeometry(new BoxGeometry()); // 8 vertices, 24 in the geometry
@@ -68,8 +73,8 @@ export interface GeometryMesh {
  * ```
  *
  * @throws HalfedgeError `no-positions`, `unsupported-attribute`, `unsupported-geometry`, `truncated`,
- * `bad-group`, or with `repair: false` the first thing that would have to be mended; TypeError for what is
- * no geometry
+ * `bad-group`, or with `repair: false` the first thing that would have to be repaired; TypeError for anything
+ * but a geometry
  */
 export function fromBufferGeometry(
   given: BufferGeometry,

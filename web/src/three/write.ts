@@ -8,26 +8,27 @@ import { checkMesh, columnsToShow, GEOMETRY_OPTIONS, type GeometryOptions } from
 import { GROUP } from './read.js';
 import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.js';
 
-/** How to make a geometry of a mesh. */
+/** How to make a geometry from a mesh. */
 export interface ToGeometryOptions extends GeometryOptions {
-  /** Whether the face attribute `group` becomes groups, which puts the triangles in its order. Default: true. */
+  /** Whether the face attribute `group` becomes groups, which sorts the triangles by group. Default: true. */
   groups?: boolean | undefined;
 }
 
-/** A geometry, and what of the mesh it shows where. */
+/** A geometry, and which parts of the mesh it shows where. */
 export interface MeshBuffers {
   readonly geometry: BufferGeometry;
-  /** By triangle: its face. `faces[intersection.faceIndex]` is what a ray has hit. */
+  /** By triangle: its face. `faces[intersection.faceIndex]` is the face that a ray has hit. */
   readonly faces: Uint32Array;
   /** By vertex of the geometry: its vertex in the mesh. */
   readonly vertices: Uint32Array;
 }
 
 /**
- * An indexed geometry of three.js of a mesh as it is now. Polygons are cut into triangles as
- * `mesh.triangulate(face)` cuts them, each for itself; the mesh is not changed. Vertices come in the order of the mesh, then
- * copies of those whose corners have different attributes. Attributes keep their names; the face attribute
- * `group` becomes groups, `morph position 0` and so on, as far as none is missing, morph targets, relative ones.
+ * Makes an indexed three.js geometry from a mesh as it is now. Polygons are cut into triangles, each by
+ * itself, as `mesh.triangulate(face)` cuts them; the mesh is not changed. Vertices come in the order of the
+ * mesh, followed by copies of those whose corners have different attributes. Attributes keep their names. The
+ * face attribute `group` becomes groups. `morph position 0` and so on, up to the first number that is
+ * missing, become relative morph targets.
  *
  * ```ts
  * const { geometry, faces } = toBufferGeometry(mesh, { normals: 'flat' });
