@@ -65,15 +65,15 @@ const KINDS: Record<CirculatorKind, Kind> = {
 Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
 
 /**
- * A triangle mesh in about half the memory: Directed Edges (Campagna, Kobbelt, Seidel 1998), 64 bytes to a
- * vertex of a closed mesh, positions included. The three halfedges of face f are 3 f, 3 f + 1, 3 f + 2, so
- * that `next`, `prev` and `face` are arithmetic; boundary halfedges come after those of all faces.
+ * A triangle mesh in about half the memory: Directed Edges (Campagna, Kobbelt, Seidel 1998), 64 bytes per
+ * vertex of a closed mesh, positions included. The three halfedges of face f are 3 f, 3 f + 1 and 3 f + 2, so
+ * `next`, `prev` and `face` are arithmetic. Boundary halfedges come after those of all faces.
  *
- * Links, circulators and what is asked of one item are those of a {@link HalfedgeMesh}, in the same order, with
- * the same errors. What differs: it is not edited; `opposite(h)` is not `h ^ 1`; and an edge has the index of
- * the smaller of its two halfedges, so that the indices of edges have gaps. For edits, and for all else that a
- * HalfedgeMesh has (rows of all rings, neighbourhoods, components, attributes, files), convert it with
- * {@link toMesh}.
+ * Links, circulators and queries about single items are those of a {@link HalfedgeMesh}, in the same order
+ * and with the same errors. The differences: it can't be edited; `opposite(h)` is not `h ^ 1`; and an edge
+ * has the index of the smaller of its two halfedges, so edge indices have gaps. For edits, and for everything
+ * else that a HalfedgeMesh has (rows of all rings, neighbourhoods, components, attributes, files), convert it
+ * with {@link toMesh}.
  *
  * ```ts
  * await init();
@@ -98,8 +98,8 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
   }
 
   /**
-   * The mesh of an index buffer; takes and refuses what {@link HalfedgeMesh.fromTriangles} does. Vertex i
-   * and face j are vertex i and face j of the input, which is copied.
+   * Makes the mesh of an index buffer; accepts and refuses what {@link HalfedgeMesh.fromTriangles} does.
+   * Vertex i and face j are vertex i and face j of the input, which is copied.
    *
    * @param positions x, y, z of each vertex
    * @param indices three vertices of each face, counter-clockwise
@@ -113,11 +113,11 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
   }
 
   /**
-   * The Directed Edges of a mesh: the same vertices, faces and positions, and every circulator begins where
-   * it does there.
+   * Makes Directed Edges from a mesh: with the same vertices, faces and positions, and with every circulator
+   * beginning at the same place.
    *
-   * @throws HalfedgeError `not-a-triangle` for the first face of other than three corners,
-   * `deleted-item` for a mesh that is not compact, `corrupt-connectivity`, `out-of-memory`
+   * @throws HalfedgeError `not-a-triangle` for the first face that doesn't have three corners, `deleted-item`
+   * for a mesh that is not compact, `corrupt-connectivity`, `out-of-memory`
    */
   static fromMesh(mesh: HalfedgeMesh): DirectedEdgesMesh {
     if (!(mesh instanceof HalfedgeMesh)) refuse('mesh', mesh, 'a HalfedgeMesh');
@@ -126,8 +126,8 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
   }
 
   /**
-   * The full mesh: the same vertices, faces and positions; edges as {@link HalfedgeMesh.fromTriangles}
-   * numbers them. The inverse of {@link fromMesh}.
+   * Makes the full mesh: with the same vertices, faces and positions, and with edges numbered as by
+   * {@link HalfedgeMesh.fromTriangles}. The inverse of {@link fromMesh}.
    *
    * @throws HalfedgeError `corrupt-connectivity`, `out-of-memory`
    */
@@ -204,7 +204,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
     return lapAround(directedLinksOf(this), KINDS.faceEdges, f, direction, start);
   }
 
-  /** The neighbour across each edge of `f`: one that shares several edges comes as often. */
+  /** The neighbour across each edge of `f`. One that shares several edges with `f` occurs that many times. */
   faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): DirectedOrbit<Face> {
     return lapAround(directedLinksOf(this), KINDS.faceFaces, f, direction, start);
   }

@@ -1,8 +1,8 @@
 import type { ItemKind } from './items.js';
 
 /**
- * The items that show why something failed, such as the edge that three faces share. Indices are
- * those of the input for a build, of the mesh for everything else.
+ * The items that show why something failed, such as the edge that three faces share. For a build, indices are
+ * those of the input; for everything else, those of the mesh.
  */
 export interface Witness {
   readonly vertices: readonly number[];
@@ -16,12 +16,12 @@ export interface Problem {
   /** A stable name for programs, in kebab-case. */
   readonly code: string;
   readonly severity: 'error' | 'warning' | 'info';
-  /** The kind of item it is about, and which one; `'mesh'` and -1 where it is about no single one. */
+  /** The kind of item that it is about, and its index; `'mesh'` and -1 if it isn't about a single item. */
   readonly kind: ItemKind | 'mesh';
   readonly index: number;
   /** One sentence that names the item, its value and what was expected. */
   readonly message: string;
-  /** The items that show it, of a build or a repair. */
+  /** The items that show it, for a build or a repair. */
   readonly witness?: Witness;
 }
 
@@ -34,14 +34,14 @@ export const NO_WITNESS: Witness = Object.freeze({
 });
 
 /**
- * Whatever the library refuses that is not simply a wrong argument (those are a `TypeError` or a
- * `RangeError`): `code` is stable, `message` one sentence for people, `witness` the items that show
- * why. A refused build lists what it found in `problems`, up to a thousand.
+ * Thrown for everything that the library refuses, except wrong arguments (those are a `TypeError` or a
+ * `RangeError`). `code` is stable, `message` is one sentence for people, and `witness` has the items that
+ * show why. A refused build lists all that it found in `problems`, up to a thousand.
  */
 export class HalfedgeError extends Error {
   readonly code: string;
   readonly witness: Witness;
-  /** Not enumerable: an error that nobody caught would be printed with hundreds of them. */
+  /** Not enumerable: otherwise an uncaught error would be printed with hundreds of them. */
   declare readonly problems: readonly Problem[];
 
   constructor(
@@ -55,7 +55,7 @@ export class HalfedgeError extends Error {
     Object.defineProperty(this, 'problems', { value: details.problems ?? [] });
   }
 
-  /** What JSON has of it: the sentence as well, which errors leave out by themselves. */
+  /** The error as JSON, including the message, which errors leave out by default. */
   toJSON(): Pick<HalfedgeError, 'name' | 'code' | 'message' | 'witness' | 'problems'> {
     const { name, code, message, witness, problems } = this;
     return { name, code, message, witness, problems };

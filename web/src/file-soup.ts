@@ -22,8 +22,8 @@ import { sentence } from './reports.js';
 /** How to read a file without making a mesh of it. */
 export interface FileSoupOptions extends Pick<ParseOptions, 'format' | 'attributes'> {
   /**
-   * Whether positions that an STL file repeats are one vertex. With false, corner k of triangle i is
-   * vertex 3 i + k, as the file has it, which is quicker. Default: true.
+   * Whether positions that an STL file repeats become one vertex. With false, corner k of triangle i is
+   * vertex 3 i + k, as in the file, which is faster. Default: true.
    */
   weld?: boolean | undefined;
 }
@@ -34,32 +34,32 @@ const FILE_SOUP_OPTIONS: OptionNames<FileSoupOptions> = {
   weld: true,
 };
 
-/** A column of numbers that a file has beside its polygons. */
+/** A column of numbers that a file has in addition to its polygons. */
 export interface FileAttribute {
-  /** As {@link HalfedgeMesh.parse} names attributes: `normal`, `color`, `uv`, ... */
+  /** The name that {@link HalfedgeMesh.parse} gives to the attribute: `normal`, `color`, `uv`, ... */
   readonly name: string;
   /** Corners are counted face after face, as in `faces.corners`. */
   readonly item: 'vertex' | 'corner' | 'face';
   readonly type: AttributeType;
   /** Numbers for each item. */
   readonly components: number;
-  /** Those of item i begin at `components * i`; 0 where the file says nothing. */
+  /** The values of item i begin at `components * i`; 0 where the file says nothing. */
   readonly values: AttributeView;
 }
 
-/** What a file holds before a mesh is made of it: its faces as they stand there, good or bad. */
+/** What a file holds, before a mesh is made of it: its faces as they are, good or bad. */
 export interface FileSoup {
   /** xyz of each vertex. */
   readonly positions: Float32Array;
-  /** Corners may be vertices that do not exist, and faces may have any number of them. */
+  /** Corners may refer to vertices that don't exist, and faces may have any number of corners. */
   readonly faces: Polygons & { readonly sizes: Uint32Array; readonly corners: Uint32Array };
-  /** What the file says beside that. */
+  /** What else the file says. */
   readonly attributes: readonly FileAttribute[];
-  /** Words for the numbers of attributes, as in the report of {@link HalfedgeMesh.parse}. */
+  /** The names behind the numbers of attributes, as in the report of {@link HalfedgeMesh.parse}. */
   readonly names: AttributeNames;
   /** The format of the content. */
   readonly format: FileFormat;
-  /** What was ignored, a sentence each. */
+  /** What was ignored, in one sentence each. */
   readonly notes: readonly string[];
 }
 

@@ -3,15 +3,15 @@ import { HalfedgeError } from './errors.js';
 import { load } from './loader.js';
 
 /**
- * Loads the WebAssembly module. Await it once, before the first mesh is made. No options are needed
- * in Node, in a browser, in a worker, or behind a bundler.
+ * Loads the WebAssembly module. Await it once, before the first mesh is made. No options are needed in Node,
+ * in a browser, in a worker, or behind a bundler.
  *
- * Idempotent: later calls, also concurrent ones, resolve as soon as the first has loaded the module,
- * wherever theirs would have come from. If the first fails, they try it in their own way; and it can be
- * called again.
+ * Idempotent: later calls, including concurrent ones, resolve as soon as the first has loaded the module,
+ * whatever source they name themselves. If the first fails, they try their own source; and you can call it
+ * again.
  *
- * @throws HalfedgeError `not-webassembly` if the bytes are something else (an HTML page, the usual
- * accident), `init-failed` if they can't be had or started; TypeError for a wrong argument.
+ * @throws HalfedgeError `not-webassembly` if the bytes are something else (most often an HTML page),
+ * `init-failed` if they can't be loaded or started; TypeError for a wrong argument
  */
 export async function init(options: InitOptions = {}): Promise<void> {
   const wasm = wasmOption(options);

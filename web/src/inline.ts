@@ -6,8 +6,8 @@ export * from './api.js';
 export type { InitOptions } from './compile.js';
 
 /**
- * As `init` of the main entry, but with the WebAssembly module embedded in the JavaScript: nothing is
- * fetched. A third larger; for single-file pages and places without a server.
+ * Like `init` of the main entry, but with the WebAssembly module embedded in the JavaScript, so nothing is
+ * fetched. The module takes a third more space. For single-file pages and places without a server.
  */
 export async function init(options: InitOptions = {}): Promise<void> {
   const wasm = wasmOption(options);

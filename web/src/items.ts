@@ -13,18 +13,18 @@ export type Edge = Index<'edge'>;
 export type Face = Index<'face'>;
 
 /**
- * A vertex where one is asked for: one that the mesh handed out, or any plain number. A `Face` is
- * neither, and does not compile.
+ * A vertex as an argument: one that the mesh handed out, or any plain number. A `Face` is neither, and does
+ * not compile.
  */
 export type VertexLike = Vertex | PlainNumber;
-/** A halfedge where one is asked for; as {@link VertexLike}. */
+/** A halfedge as an argument; like {@link VertexLike}. */
 export type HalfedgeLike = Halfedge | PlainNumber;
-/** An edge where one is asked for; as {@link VertexLike}. */
+/** An edge as an argument; like {@link VertexLike}. */
 export type EdgeLike = Edge | PlainNumber;
-/** A face where one is asked for; as {@link VertexLike}. */
+/** A face as an argument; like {@link VertexLike}. */
 export type FaceLike = Face | PlainNumber;
 
-/** An item of a kind where one is asked for; as {@link VertexLike}. */
+/** An item of a kind as an argument; like {@link VertexLike}. */
 export type ItemLike<Kind extends ItemKind = ItemKind> = Indices[Kind] | PlainNumber;
 /** An item of a kind, as the mesh hands it out; a plain number where the kind may be any. */
 export type ItemOf<Kind extends ItemKind> = ItemKind extends Kind ? number : Indices[Kind];

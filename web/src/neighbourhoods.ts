@@ -16,7 +16,7 @@ export interface Items {
   readonly faces?: ArrayLike<FaceLike> | undefined;
 }
 
-/** Some items of a mesh, each once, in ascending order. Can be given where {@link Items} are asked for. */
+/** Some items of a mesh, each once, in ascending order. Can be passed wherever {@link Items} are expected. */
 export interface ItemSet {
   readonly vertices: Uint32Array;
   readonly edges: Uint32Array;
@@ -26,30 +26,32 @@ export interface ItemSet {
 /** In the order of the enum Surroundings in C++. */
 const SURROUNDINGS = ['star', 'closure', 'link'] as const;
 
-/** What kind of surface a mesh is, and what lies around its items. One call into WebAssembly each. */
+/**
+ * Queries about the kind of surface, and about the surroundings of items. Each is one call into WebAssembly.
+ */
 export abstract class Neighbourhoods extends Editing {
-  /** Whether there is no boundary. True of a mesh without edges. */
+  /** Whether there is no boundary. True for a mesh without edges. */
   isClosed(): boolean {
     const { core, address } = linksOf(this);
     return core.isClosed(address);
   }
 
-  /** Whether all faces have three corners. True of a mesh without faces. */
+  /** Whether all faces have three corners. True for a mesh without faces. */
   isTriangleMesh(): boolean {
     const { core, address } = linksOf(this);
     return core.onlyTrianglesOrQuads(address, true);
   }
 
-  /** Whether all faces have four corners. True of a mesh without faces. */
+  /** Whether all faces have four corners. True for a mesh without faces. */
   isQuadMesh(): boolean {
     const { core, address } = linksOf(this);
     return core.onlyTrianglesOrQuads(address, false);
   }
 
   /**
-   * All vertices that are up to `k` edges away from a vertex, or from the nearest of several. Row d has
-   * those at distance d, row 0 the vertices themselves; `items` has all of them. There are as many rows
-   * as have vertices in them: `k` may be Infinity. Linear in what is visited, and a bit for each vertex.
+   * All vertices up to `k` edges away from a vertex, or from the nearest of several. Row d has those at
+   * distance d, and row 0 the given vertices; `items` has all of them. Rows end with the last that has
+   * vertices, so `k` may be Infinity. Linear in what is visited, plus one bit for each vertex.
    *
    * ```ts
    * const { offsets, items } = mesh.kRing(v, 2); // items.subarray(offsets[2]): the second ring alone
@@ -75,21 +77,21 @@ export abstract class Neighbourhoods extends Editing {
   }
 
   /**
-   * The items, and all edges and faces that they lie on: of a vertex, its edges and faces; of an edge,
-   * its faces.
+   * The items, and all edges and faces that they lie on: for a vertex, its edges and faces; for an edge, its
+   * faces.
    */
   star(items: Items): ItemSet {
     return surroundings(linksOf(this), 'star', items);
   }
 
-  /** The items, and all edges and vertices of them: the smallest complex that they are a part of. */
+  /** The items, and all their edges and vertices: the smallest complex that contains them. */
   closure(items: Items): ItemSet {
     return surroundings(linksOf(this), 'closure', items);
   }
 
   /**
-   * The closure of the star without the star of the closure: of a vertex inside of a triangle mesh, the
-   * ring of edges and vertices around it.
+   * The closure of the star, minus the star of the closure. For an interior vertex of a triangle mesh, that
+   * is the ring of edges and vertices around it.
    */
   link(items: Items): ItemSet {
     return surroundings(linksOf(this), 'link', items);

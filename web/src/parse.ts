@@ -18,19 +18,18 @@ export const FORMATS: readonly FileFormat[] = ['obj', 'off', 'ply', 'stl'];
 
 /** How to read a file. */
 export interface ParseOptions extends StorageOptions, ProgressOptions {
-  /** Decides where the content leaves the format open. The content is believed first. */
+  /** Decides if the content leaves the format open; otherwise the content decides. */
   format?: FileFormat | undefined;
   /**
-   * Whether faces that make no manifold are mended, as {@link HalfedgeMesh.fromSoup} does, and
-   * reported; otherwise they are an error, as in a strict build. Files that need no repair give the
-   * same mesh in both ways. Default: true.
+   * Whether faces that don't form a manifold are repaired, as by {@link HalfedgeMesh.fromSoup}, and reported;
+   * otherwise they are an error, as in a strict build. Files that need no repair give the same mesh either
+   * way. Default: true.
    */
   repair?: boolean | undefined;
   /**
-   * Whether what the file says of its vertices, corners and faces beside positions becomes
-   * {@link HalfedgeMesh.attributes}: `normal`, `color`, `uv`, and what else it names. Texture
-   * coordinates and normals of corners are attributes of halfedges. Left out, they cost nothing.
-   * Default: true.
+   * Whether everything else that the file says about vertices, corners and faces becomes
+   * {@link HalfedgeMesh.attributes}: `normal`, `color`, `uv`, and whatever else it names. Texture coordinates
+   * and normals of corners become attributes of halfedges. With false, they cost nothing. Default: true.
    */
   attributes?: boolean | undefined;
 }
@@ -43,20 +42,20 @@ export const PARSE_OPTIONS: OptionNames<ParseOptions> = {
   attributes: true,
 };
 
-/** What reading a file has found: what was repaired, and after that what was ignored. */
+/** What reading a file has found: what was repaired, followed by what was ignored. */
 export interface ParseReport extends RepairReport {
   /** The format of the content. */
   readonly format: FileFormat;
   /**
-   * Of an OBJ file, the words for the numbers of the face attributes `group`, `object` and `material`:
-   * `names.material[2]` is the material of faces with a 2, `names.material[0]` stands for none. Left out
-   * where the words are numbers themselves. `names.library` lists the files of materials. To be passed on
-   * to {@link HalfedgeMesh.write}.
+   * For an OBJ file, the names behind the numbers of the face attributes `group`, `object` and `material`:
+   * `names.material[2]` is the material of faces with the value 2, and `names.material[0]` stands for none.
+   * Left out if the names are numbers themselves. `names.library` lists the material files. Pass it on to
+   * {@link HalfedgeMesh.write}.
    */
   readonly names: AttributeNames;
 }
 
-/** Words for the numbers of an attribute, by its name. */
+/** The names behind the numbers of an attribute, by the name of the attribute. */
 export type AttributeNames = Readonly<Record<string, readonly string[]>>;
 
 /** The mesh in a file. */

@@ -9,22 +9,25 @@ declare global {
 }
 
 /**
- * What is being done: reading the file; mending its faces, if that is necessary; building the mesh.
- * A build that finds that faces have to be mended begins again after that.
+ * What is being done: reading the file; repairing its faces, if necessary; building the mesh. If a build
+ * finds that faces have to be repaired, it begins again after the repair.
  */
 export type ParseStage = 'read' | 'repair' | 'build';
 
 /** In the order of the enum Stage in C++. */
 const STAGES: readonly ParseStage[] = ['read', 'repair', 'build'];
 
-/** Following a long piece of work, and ending it. */
+/** How to follow a long job, and how to cancel it. */
 export interface ProgressOptions {
   /**
-   * Is told how much of a stage is done, from 0 to 1: of reading about every MiB. `false` cancels with
-   * a HalfedgeError `cancelled`; what it throws is thrown.
+   * Called with how much of a stage is done, from 0 to 1; while reading, about once per MiB. Return `false`
+   * to cancel with a HalfedgeError `cancelled`. Anything that it throws is passed on.
    */
   onProgress?: ((fraction: number, stage: ParseStage) => unknown) | undefined;
-  /** Cancels: `signal.reason` is thrown. In the same thread that can only happen in `onProgress`. */
+  /**
+   * Cancels the job: `signal.reason` is thrown. In the same thread, it can only be aborted from within
+   * `onProgress`.
+   */
   signal?: AbortSignal | undefined;
 }
 

@@ -19,7 +19,10 @@ export interface Component {
   readonly genus: number;
 }
 
-/** What `validate` looks at: level 4 adds the rules of polygon meshes, and 'geometry' where the vertices lie. */
+/**
+ * What `validate` checks: level 4 adds the rules of polygon meshes, and 'geometry' adds where the vertices
+ * lie.
+ */
 export type ValidationLevel = number | 'geometry';
 /** The number that 'geometry' has in C++. */
 const GEOMETRY = 5;

@@ -10,8 +10,7 @@ import { take } from './rings.js';
 import type { OwnBytes } from './write.js';
 
 /**
- * Where the items of a mesh went when it was appended to another, by its slots; -1 for those that
- * were deleted.
+ * Where the items of a mesh went when it was appended to another: the new index by slot, -1 for deleted ones.
  */
 export interface AppendMaps {
   readonly vertices: Int32Array;

@@ -8,12 +8,12 @@ import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
 /**
- * Bytes in a buffer of their own, as a Blob or a Response takes them. So said that TypeScript before 5.7, which
- * doesn't tell them from shared ones, understands it, too.
+ * Bytes in a buffer of their own, as a Blob or a Response takes them. Defined in a way that TypeScript before
+ * 5.7, which doesn't tell such buffers from shared ones, also understands.
  */
 export type OwnBytes = ReturnType<Uint8Array['slice']>;
 
-/** How the numbers of a file are written. */
+/** How to write the numbers in a file. */
 export type FileEncoding = 'text' | 'binary' | 'binary-big-endian';
 
 /** In the order of the enum Encoding in C++. */
@@ -22,21 +22,20 @@ const ENCODINGS: readonly FileEncoding[] = ['text', 'binary', 'binary-big-endian
 /** How to write a file. */
 export interface WriteOptions {
   /**
-   * Text for OBJ and OFF and binary for PLY and STL where it is left out. `'binary'` is in the byte
-   * order that the format is defined with: little-endian of PLY and STL, big-endian of OFF. Only PLY
-   * has another.
+   * Default: text for OBJ and OFF, binary for PLY and STL. `'binary'` uses the byte order that defines the
+   * format: little-endian for PLY and STL, big-endian for OFF. Only PLY has another.
    */
   encoding?: FileEncoding | undefined;
-  /** Whether attributes are written, as far as the format has a place for them. Default: true. */
+  /** Whether to write attributes, as far as the format has a place for them. Default: true. */
   attributes?: boolean | undefined;
   /**
-   * The words for the numbers of the face attributes `group`, `object` and `material` in OBJ, as the report
-   * of reading it has them. Without them numbers are written.
+   * The names behind the numbers of the face attributes `group`, `object` and `material` in OBJ, as in the
+   * report of reading it. Without them, numbers are written.
    */
   names?: AttributeNames | undefined;
   /**
-   * Called with a sentence for each attribute that isn't in the file, or not as it was; and with one if
-   * vertices lie in the same place, which readers of STL join.
+   * Called with a sentence for each attribute that is missing or changed in the file, and with one if
+   * vertices lie in the same place, where readers of STL will join them.
    */
   onNote?: ((sentence: string) => void) | undefined;
 }

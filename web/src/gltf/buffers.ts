@@ -6,7 +6,7 @@ import type { GltfDocument, GltfView } from './document.js';
 
 /** Where the other files of a document come from. */
 export interface GltfResources {
-  /** The address of the file, that others are named relative to. */
+  /** The address of the file, to which the names of other files are relative. */
   readonly baseUrl?: URL | string | undefined;
   /** Gets the content of another file by its name in the document, instead of fetching it. */
   readonly resource?:

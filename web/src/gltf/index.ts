@@ -17,26 +17,26 @@ export type { GltfPart, GltfReport, ReadGltfOptions } from './read.js';
 export type { WriteGltfOptions } from './write.js';
 
 /**
- * The triangles of the scene in a glTF or GLB file, as one mesh: those of all nodes, where they stand in
- * the scene. Strips and fans become triangles. Vertices at the same position are welded, and what makes no
- * manifold is mended as by `HalfedgeMesh.fromSoup`.
+ * Reads the scene of a glTF or GLB file as one mesh: the triangles of all nodes, where they are in the scene.
+ * Strips and fans become triangles. Vertices at the same position are welded, and triangles that don't form a
+ * manifold are repaired as by `HalfedgeMesh.fromSoup`.
  *
- * Normals, colours and texture coordinates become the attributes `normal`, `color` and `uv`: of vertices,
- * or of halfedges (corners) where the corners at a vertex differ. Materials, textures, animations, skins
- * and morph targets are not read. Works in Node as well.
+ * Normals, colours and texture coordinates become the attributes `normal`, `color` and `uv`: of vertices, or
+ * of halfedges (corners) where the corners at a vertex differ. Materials, textures, animations, skins and
+ * morph targets are not read. Works in Node as well.
  *
  * ```ts
  * import { readGltf } from 'halfedge/gltf';
  * const { mesh, report } = await readGltf(new URL('duck.glb', document.baseURI));
  * ```
  *
- * @param data the content of the file, or its address. Buffers in other files are found by `baseUrl` or
+ * @param data the content of the file, or its address. Buffers in other files are found with `baseUrl` or
  * `resource`
- * @throws HalfedgeError with what was expected where: `unknown-format`, `not-text`, `parse-error`, `truncated`,
- * `unsupported-format` (compressed geometry without a decoder in the options, ...), `missing-resource`,
- * `too-large`, `missing-dependency` (three.js is not installed), `out-of-memory`, `not-initialised`; with
- * `repair: false` the first thing that would have to be mended. TypeError or RangeError for wrong arguments, and whatever
- * `options.resource` throws
+ * @throws HalfedgeError with what was expected where: `unknown-format`, `not-text`, `parse-error`,
+ * `truncated`, `unsupported-format` (compressed geometry without a decoder in the options, ...),
+ * `missing-resource`, `too-large`, `missing-dependency` (three.js is not installed), `out-of-memory`,
+ * `not-initialised`; with `repair: false` the first thing that would have to be repaired. TypeError or
+ * RangeError for wrong arguments, and whatever `options.resource` throws
  */
 export function readGltf(
   data: URL | string | ArrayBuffer | ArrayBufferView,
@@ -46,9 +46,9 @@ export function readGltf(
 }
 
 /**
- * As {@link readGltf}, with a mesh for each primitive of each node.
+ * Like {@link readGltf}, but with a mesh for each primitive of each node.
  *
- * @throws what {@link readGltf} throws; no mesh is left behind then
+ * @throws what {@link readGltf} throws; in that case, no mesh is left behind
  */
 export function readGltfParts(
   data: URL | string | ArrayBuffer | ArrayBufferView,
@@ -58,14 +58,15 @@ export function readGltfParts(
 }
 
 /**
- * A GLB file of a mesh, or a glTF file with its buffers in it. Positions keep all their bits. Polygons are
- * cut into triangles, as `mesh.triangulate()` does; vertices are doubled where the corners at them have
- * different attributes. `normal`, `uv` and `color` are written, of vertices or of halfedges; `onNote` tells
- * what is left out, and what was changed: normals are brought to length 1. A mesh without faces becomes an empty scene.
+ * Writes a mesh as a GLB file, or as a glTF file with embedded buffers. Positions keep all their bits.
+ * Polygons are cut into triangles, as by `mesh.triangulate()`; vertices are repeated if their corners have
+ * different attributes. The attributes `normal`, `uv` and `color` of vertices or halfedges are written.
+ * `onNote` is told what is left out, and what was changed: normals are scaled to length 1. A mesh without
+ * faces becomes an empty scene.
  *
  * @throws HalfedgeError `missing-dependency` (three.js is not installed), `out-of-memory`, `disposed`,
- * `non-finite-position`, `no-triangulation` and the like where `mesh.triangulate()` fails, `write-error` where three.js does; TypeError
- * or RangeError for wrong arguments
+ * `non-finite-position`, `no-triangulation` and the like if `mesh.triangulate()` fails, `write-error` if
+ * three.js fails; TypeError or RangeError for wrong arguments
  */
 export function writeGltf(
   mesh: HalfedgeMesh,

@@ -3,7 +3,7 @@ import { fileError } from './container.js';
 import type { GltfDocument, GltfNode, GltfPrimitive } from './document.js';
 import { checkCompressed, knownName, MESHOPT } from './meshopt.js';
 
-/** What can read compressed geometry. */
+/** Decoders for compressed geometry. */
 export interface GltfDecoders {
   /** three.js's DRACOLoader, for KHR_draco_mesh_compression. */
   readonly dracoLoader?: object | undefined;

@@ -26,13 +26,13 @@ import { loadLoader, loadMeshoptDecoder, loadThree } from './three.js';
 /** How to read a glTF file. */
 export interface ReadGltfOptions extends SoupOptions, GltfResources, GltfDecoders {
   /**
-   * As `HalfedgeMesh.fromSoup`; here exact welding is the default, because buffers double the vertices
-   * along the seams of normals, colours and texture coordinates.
+   * As for `HalfedgeMesh.fromSoup`, except that exact welding is the default, because buffers repeat the
+   * vertices along the seams of normals, colours and texture coordinates.
    */
   weld?: boolean | number | undefined;
   /**
-   * Whether faces that make no manifold are mended, and reported; otherwise they are an error.
-   * Default: true.
+   * Whether faces that don't form a manifold are repaired and reported; otherwise they are an error. Default:
+   * true.
    */
   repair?: boolean | undefined;
 }
@@ -46,14 +46,17 @@ const READ_GLTF_OPTIONS: OptionNames<ReadGltfOptions> = {
   meshoptDecoder: true,
 };
 
-/** What reading a file has found. Vertices and faces of the input are those of its buffers, in a row. */
+/**
+ * What reading a file has found. Vertices and faces of the input are those of its buffers, one after the
+ * other.
+ */
 export interface GltfReport extends RepairReport {
   readonly format: 'glb' | 'gltf';
 }
 
 /** One primitive of a file. */
 export interface GltfPart {
-  /** That of its mesh in the file; empty if it has none. */
+  /** The name of its mesh in the file; empty if it has none. */
   readonly name: string;
   readonly mesh: HalfedgeMesh;
   readonly report: GltfReport;

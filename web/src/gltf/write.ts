@@ -14,9 +14,9 @@ import { checkPositions, writableBuffers } from './writable.js';
 
 /** How to write a glTF file. */
 export interface WriteGltfOptions {
-  /** `'glb'`, or `'gltf'` for JSON with the buffers in it. Default: 'glb'. */
+  /** `'glb'`, or `'gltf'` for JSON with embedded buffers. Default: 'glb'. */
   format?: 'glb' | 'gltf' | undefined;
-  /** Called with a sentence for each thing that isn't in the file, or not as it was. */
+  /** Called with a sentence for each thing that is missing or changed in the file. */
   onNote?: ((sentence: string) => void) | undefined;
 }
 
