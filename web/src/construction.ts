@@ -104,7 +104,8 @@ export abstract class Construction extends Circulation {
    * edges have default attributes.
    *
    * Amortised O(number of corners), plus the smaller valence of the two ends of each side, plus O(valence)
-   * for each corner with several fans of faces. So if you add many faces around one vertex, add them in turn.
+   * for each corner with several fans of faces. So if you add many faces around one vertex, add them in
+   * order.
    *
    * Inverse: `deleteFace`, keeping isolated vertices.
    *

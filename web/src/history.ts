@@ -16,7 +16,7 @@ export interface HistoryLimits {
 const HISTORY_LIMITS: OptionNames<HistoryLimits> = { steps: true, bytes: true };
 
 /**
- * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and then free.
+ * Undo and redo, exact to the last word of all arrays and attributes. Off by default, and then almost free.
  *
  * Each operation is a step, as are `setPosition` and `attributes.set`; `group` combines several into one.
  * Writing into live views isn't recorded: undoing steps across it restores only single words.
