@@ -130,7 +130,7 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
             for (int v = 0; v < 7; ++v) lines += "vn 0 0 0\n";
             return lines;
           }() +
-          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak#_2\nf 4/2/4 3/1/3 5/1/5\nusemtl (null)\n"
+          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak#_2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
           "f 2/1/2 6/1/6 3/1/3\nf 6/1/6 7/1/7 3/1/3\n");
   EXPECT_EQ(notes,
             (Strings{"wrote the vertex attribute \"normal\" for the corners of faces, to which "

@@ -172,7 +172,7 @@ TEST(Write, WritesNothingButAHeader) {
     EXPECT_EQ(file.error, "");
     EXPECT_TRUE(file.positions.empty());
   }
-  EXPECT_EQ(written(Mesh(), Format::kObj), "# no vertices\nusemtl (null)\n");
+  EXPECT_EQ(written(Mesh(), Format::kObj), "# no vertices\nusemtl\n");
 }
 
 TEST(Write, CountsTheCornersOfLargeFaces) {

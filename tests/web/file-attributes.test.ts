@@ -97,23 +97,6 @@ describe('attributes of files', () => {
     mesh.dispose();
   });
 
-  test('have a word for no material, which readers need', () => {
-    const mesh = sample();
-    mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' }).set([1, 0, 2]);
-    const names = { material: ['', 'oak', '(null)'] };
-    const notes: string[] = [];
-    const text = mesh.write('obj', { names, onNote: (note) => notes.push(note) });
-    expect(text.match(/usemtl.*/g)).toEqual(['usemtl oak', 'usemtl (null)', 'usemtl (null)']);
-    expect(notes).toEqual([
-      'Wrote the face attribute "material" with 1 of its 2 names that say that there is none.',
-    ]);
-    const { mesh: again, report } = HalfedgeMesh.parse(text);
-    expect(report.names).toEqual({ material: ['', 'oak'] });
-    expect(Array.from(again.attributes.get('face', 'material'))).toEqual([1, 0, 0]);
-    again.dispose();
-    mesh.dispose();
-  });
-
   test.each(['text', 'binary'] as const)('come back in OFF, %s', (encoding) => {
     const mesh = sample();
     mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });

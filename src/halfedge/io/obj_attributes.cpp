@@ -152,8 +152,7 @@ bool ObjAttributes::read_name(TextScanner& text, Name kind, std::size_t face) {
   Names& names = names_[static_cast<std::size_t>(kind)];
   const std::string_view name = read_rest(text);
   Index id = 0;  // of no name
-  const bool is_none = name.empty() || (kind == Name::kMaterial && name == kNoMaterial);
-  if (!is_none) {
+  if (!name.empty()) {
     const auto known = names.ids.find(name);
     if (known != names.ids.end()) {
       id = known->second;

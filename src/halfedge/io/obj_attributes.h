@@ -15,9 +15,6 @@
 
 namespace halfedge::io {
 
-/// The name of no material: readers refuse a `usemtl` without a name, or stay with the last one.
-inline constexpr std::string_view kNoMaterial = "(null)";
-
 /// Collects what an OBJ file says beside positions and faces. What reads false has run out of
 /// memory; text that is none of what it should be is passed over.
 class ObjAttributes {

@@ -1,5 +1,4 @@
 #include <halfedge/io/distinct_rows.h>
-#include <halfedge/io/obj_attributes.h>
 #include <halfedge/io/obj_writer.h>
 #include <halfedge/sentence.h>
 
@@ -53,10 +52,7 @@ class ObjWriter {
     choose();
     write_libraries();
     // An empty file is of no format: this statement, which changes nothing, tells that it is OBJ.
-    if (mesh_.vertex_count() == 0) {
-      out_.text("# no vertices\n");
-      write_statement(kMaterial, kNoMaterial);
-    }
+    if (mesh_.vertex_count() == 0) out_.text("# no vertices\nusemtl\n");
     mesh_.for_each_vertex([this](Index v) {
       out_.text("v");
       for (std::size_t i = 0; i < 3; ++i) out_.number(' ', mesh_.position(v)[i]);
@@ -74,7 +70,6 @@ class ObjWriter {
   }
 
  private:
-  static constexpr std::string_view kMaterial = "usemtl";
   static constexpr std::string_view kSmoothing = "smoothing";  // whose groups have no names
 
   /// What a corner refers to: values of its vertex or its own.
@@ -85,7 +80,7 @@ class ObjWriter {
   /// A statement that holds for the faces behind it.
   struct Label {
     std::string_view attribute;
-    std::string_view statement;
+    const char* statement;
     const Attribute* column = nullptr;
     const SoupNames* names = nullptr;
     double current = 0;
@@ -142,7 +137,6 @@ class ObjWriter {
     });
     std::size_t changed = 0;
     std::size_t empty = 0;
-    std::size_t nulls = 0;
     std::size_t numbers = 0;
     std::size_t used = 0;
     for (std::size_t i = 1; i < names.size(); ++i) {  // the first is that of no name
@@ -151,7 +145,6 @@ class ObjWriter {
       ++used;
       changed += text != names[i] ? 1U : 0U;
       empty += text.empty() ? 1U : 0U;
-      nulls += label.statement == kMaterial && text == kNoMaterial ? 1U : 0U;
       numbers += is_number(text) ? 1U : 0U;
     }
     const auto note = [&](std::size_t count, const char* verb, const char* what) {
@@ -162,8 +155,6 @@ class ObjWriter {
     note(changed, "changed:",
          "control characters and a # that starts a word become _, blanks at the ends are left out");
     note(empty, "left out,", "being empty");
-    note(nulls, "that", "say that there is none");
-    empty += nulls;
     if (numbers + empty == used) note(numbers, "that", "are numbers, for which readers take them");
     if (any_without && numbers + empty < used) {
       mesh_.note_change(*label.column, "with names that are the numbers of faces which have none");
@@ -191,7 +182,7 @@ class ObjWriter {
     if (libraries == nullptr) return;
     for (const std::string& name : libraries->names) write_statement("mtllib", spelt(name));
   }
-  void write_statement(std::string_view statement, std::string_view rest) {
+  void write_statement(const char* statement, const std::string& rest) {
     out_.text(statement);
     if (!rest.empty()) out_.text(" ");
     out_.text(rest);
@@ -240,10 +231,9 @@ class ObjWriter {
     const double value = label.column->get(face, 0);
     if (value == label.current) return;
     label.current = value;
-    std::string name = has_name(label, value) ? spelt(label.names->names[std::size_t(value)])
-                                              : std::to_string(std::int64_t(value));
-    if (name.empty() && label.statement == kMaterial) name = kNoMaterial;
-    write_statement(label.statement, name);
+    write_statement(label.statement, has_name(label, value)
+                                         ? spelt(label.names->names[std::size_t(value)])
+                                         : std::to_string(std::int64_t(value)));
   }
 
   void write_face(Index f, std::span<const Index> corners) {
@@ -273,7 +263,7 @@ class ObjWriter {
   Reference texture_;
   Reference normal_;
   std::array<Label, 4> labels_ = {
-      {{"object", "o"}, {"group", "g"}, {"material", kMaterial}, {kSmoothing, "s"}}};
+      {{"object", "o"}, {"group", "g"}, {"material", "usemtl"}, {kSmoothing, "s"}}};
 };
 
 }  // namespace
