@@ -5,6 +5,7 @@
 #include <halfedge/operations/deletion.h>
 
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -128,7 +129,7 @@ TEST(OffAttributes, ComeBackToTheLastBit) {
 TEST(OffAttributes, ComeBackAsFloatsThatAreWholeNumbers) {
   Mesh mesh = sample_mesh();
   Attribute& color =
-      add(mesh, ItemKind::kVertex, "color", Scalar::kFloat32, 3, OnSplit::kInterpolate);
+      add(mesh, ItemKind::kVertex, "color", Scalar::kFloat32, 4, OnSplit::kInterpolate);
   for (float& value : color.values<float>())
     value = float(&value - color.values<float>().data()) * 10;
   expect_round_trip(mesh, Format::kOff, Encoding::kText);
@@ -141,13 +142,39 @@ TEST(OffAttributes, SaysWhatItCannotHold) {
   add(mesh, ItemKind::kHalfedge, "uv", Scalar::kFloat32, 2, OnSplit::kInterpolate);
   Strings notes;
   (void)write(mesh, Format::kOff, {.notes = &notes});
-  EXPECT_EQ(notes, (Strings{"wrote the vertex attribute \"color\" as numbers from 0 to 1",
+  EXPECT_EQ(notes, (Strings{"wrote the vertex attribute \"color\" with an alpha of 1",
                             "left out the halfedge attribute \"uv\": OFF has no place for it"}));
   notes.clear();
   (void)write(mesh, Format::kOff, {.encoding = Encoding::kBinary, .notes = &notes});
   EXPECT_EQ(notes, (Strings{"wrote the vertex attribute \"color\" as numbers from 0 to 1",
                             "wrote the vertex attribute \"color\" with an alpha of 1",
                             "left out the halfedge attribute \"uv\": OFF has no place for it"}));
+}
+
+// With three, Geomview takes the next number of the file for the fourth.
+TEST(OffAttributes, ColoursOfVerticesHaveFourNumbersInText) {
+  const auto lines = [](Scalar type, double red) {
+    Mesh mesh = sample_mesh();
+    add(mesh, ItemKind::kVertex, "color", type, 3, OnSplit::kInterpolate).set(0, 0, red, nullptr);
+    add(mesh, ItemKind::kFace, "color", type, 3, OnSplit::kInterpolate).set(0, 0, 2, nullptr);
+    const auto bytes = write(mesh, Format::kOff);
+    const test::MeshFile read = read_mesh(bytes.value().span());
+    EXPECT_EQ(read.notes, Strings());
+    EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color")[0], red);
+    EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color")[3],
+              type == Scalar::kUint8 ? 255 : 1);
+    std::istringstream text(std::string(bytes.value().begin(), bytes.value().end()));
+    Strings lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    return lines;
+  };
+  const Strings bytes = lines(Scalar::kUint8, 1);
+  EXPECT_EQ(bytes[2].substr(bytes[2].size() - 10), " 1 0 0 255");
+  EXPECT_EQ(bytes[3].substr(bytes[3].size() - 10), " 0 0 0 255");
+  EXPECT_EQ(bytes[9], "4 0 1 2 3 2 0 0");
+  const Strings floats = lines(Scalar::kFloat32, .5);
+  EXPECT_EQ(floats[2].substr(floats[2].size() - 16), " 0.5 0.0 0.0 1.0");
+  EXPECT_EQ(floats[9], "4 0 1 2 3 2.0 0.0 0.0");
 }
 
 // Integers of which none is above 1 are taken for numbers from 0 to 1, and so would bytes be.

@@ -49,9 +49,7 @@ class OffWriter {
     texture_ = mesh_.take(ItemKind::kVertex, "uv", of_width(2));
     of_vertices_ = choose_colors(ItemKind::kVertex);
     of_faces_ = choose_colors(ItemKind::kFace);
-    if (!is_text_ && of_vertices_.components() == 3) {
-      mesh_.note_change(*of_vertices_.column, "with an alpha of 1");
-    }
+    if (gets_alpha(of_vertices_)) mesh_.note_change(*of_vertices_.column, "with an alpha of 1");
   }
 
   [[nodiscard]] Colors choose_colors(ItemKind kind) {
@@ -62,9 +60,15 @@ class OffWriter {
     });
     if (colors.column == nullptr || colors.column->type() == Scalar::kFloat32) return colors;
     // Readers take integers up to 1 for numbers from 0 to 1; zeros alone are black either way.
-    colors.bytes_as_fractions = !is_text_ || most(*colors.column, kind) == 1;
+    const bool has_255 = kind == ItemKind::kVertex && colors.components() == 3;  // its alpha
+    colors.bytes_as_fractions = !is_text_ || (!has_255 && most(*colors.column, kind) == 1);
     if (colors.bytes_as_fractions) mesh_.note_change(*colors.column, "as numbers from 0 to 1");
     return colors;
+  }
+  /// A colour of a vertex has four numbers, by the definition of the format; one of a face may have
+  /// three.
+  [[nodiscard]] bool gets_alpha(const Colors& colors) const {
+    return &colors == &of_vertices_ && colors.components() == 3;
   }
   /// Of what will be written: the slots of deleted items don't count.
   [[nodiscard]] float most(const Attribute& column, ItemKind kind) const {
@@ -95,17 +99,17 @@ class OffWriter {
     for (Index i = 0; i < column->components(); ++i) put(' ', value(*column, item, i));
   }
   void put_color(const Colors& colors, Index item) {
-    for (Index i = 0; i < colors.components(); ++i) {
-      const float number = value(*colors.column, item, i);
-      if (colors.bytes_as_fractions) {
-        put_fraction(number / 255);
-      } else if (colors.column->type() == Scalar::kUint8) {
+    if (colors.column == nullptr) return;
+    const bool are_bytes = colors.column->type() == Scalar::kUint8;
+    const auto put_component = [&](float number) {
+      if (are_bytes && !colors.bytes_as_fractions) {
         put(' ', static_cast<Index>(number));
       } else {
-        put_fraction(number);
+        put_fraction(are_bytes ? number / 255 : number);
       }
-    }
-    if (!is_text_ && &colors == &of_vertices_ && colors.components() == 3) put(' ', 1.0F);
+    };
+    for (Index i = 0; i < colors.components(); ++i) put_component(value(*colors.column, item, i));
+    if (gets_alpha(colors)) put_component(are_bytes ? 255 : 1);
   }
   void put_fraction(float number) {
     put(' ', number);
