@@ -107,7 +107,9 @@ Mesh sample_for_obj(Index color_components) {
 
 TEST(ObjAttributes, ComeBackToTheLastBit) {
   expect_round_trip(sample_for_obj(3), Format::kObj, Encoding::kText);
-  expect_round_trip(sample_for_obj(4), Format::kObj, Encoding::kText);
+  expect_round_trip(sample_for_obj(4), Format::kObj, Encoding::kText,
+                    {"wrote the vertex attribute \"color\" with an alpha, for which some readers "
+                     "refuse the file"});
 }
 
 TEST(ObjAttributes, ShareValuesAndHaveNames) {
@@ -130,7 +132,7 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
             for (int v = 0; v < 7; ++v) lines += "vn 0 0 0\n";
             return lines;
           }() +
-          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak#_2\nf 4/2/4 3/1/3 5/1/5\nusemtl\n"
+          "f 1/1/1 2/1/2 3/1/3 4/1/4\nusemtl oak#_2\nf 4/2/4 3/1/3 5/1/5\nusemtl (null)\n"
           "f 2/1/2 6/1/6 3/1/3\nf 6/1/6 7/1/7 3/1/3\n");
   EXPECT_EQ(notes,
             (Strings{"wrote the vertex attribute \"normal\" for the corners of faces, to which "
@@ -139,6 +141,45 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
                      "wrote the face attribute \"material\" with 1 of its 1 names changed: "
                      "control characters and a # that starts a word become _, blanks at the ends "
                      "are left out"}));
+}
+
+TEST(ObjAttributes, FacesBehindThoseOfAMaterialMayHaveNone) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nusemtl oak\nf 1 2 3\nusemtl (null)\nf 3 2 4\n"
+      "usemtl\nf 4 2 5\n";
+  const test::MeshFile read = read_mesh(text);
+  EXPECT_EQ(values_of(read.mesh, ItemKind::kFace, "material"), (Doubles{1, 0, 0}));
+  const Result<ParsedFile> file = parse(test::bytes_of(text), {}, {.attributes = true});
+  ASSERT_EQ(file.value().names.size(), 1U);
+  EXPECT_EQ(file.value().names[0].names, (Strings{"", "oak"}));
+  const std::vector<SoupNames> others = {{"material", {"", "(null)"}}};
+  Strings notes;
+  (void)write(read.mesh, Format::kObj, {.names = others, .notes = &notes});
+  EXPECT_EQ(notes, Strings{"wrote the face attribute \"material\" with 1 of its 1 names left out, "
+                           "being (null), which stands for none"});
+}
+
+// Vertices with seven numbers stop some readers, so they have them only where it says something.
+TEST(ObjAttributes, WritesAnAlphaThatIsNotOneEverywhere) {
+  for (const Scalar type : {Scalar::kFloat32, Scalar::kUint8}) {
+    Mesh mesh = sample_mesh();
+    Attribute& color = add(mesh, ItemKind::kVertex, "color", type, 4, OnSplit::kInterpolate);
+    for (Index v = 0; v < 7; ++v) color.set(v, 3, type == Scalar::kUint8 ? 255 : 1, nullptr);
+    const auto components_and_note = [&mesh] {
+      Strings notes;
+      const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
+      const Attribute* const read =
+          read_mesh(bytes.value().span()).mesh.attributes().find(ItemKind::kVertex, "color");
+      return std::pair(read->components(), notes.back());
+    };
+    EXPECT_EQ(components_and_note(),
+              std::pair(Index{3}, std::string("wrote the vertex attribute \"color\" without its "
+                                              "alpha, which is 1 everywhere")));
+    color.set(6, 3, 0, nullptr);
+    EXPECT_EQ(components_and_note(),
+              std::pair(Index{4}, std::string("wrote the vertex attribute \"color\" with an alpha, "
+                                              "for which some readers refuse the file")));
+  }
 }
 
 TEST(ObjAttributes, SaysWhichNamesDoNotComeBack) {

@@ -172,7 +172,7 @@ TEST(Write, WritesNothingButAHeader) {
     EXPECT_EQ(file.error, "");
     EXPECT_TRUE(file.positions.empty());
   }
-  EXPECT_EQ(written(Mesh(), Format::kObj), "# no vertices\nusemtl\n");
+  EXPECT_EQ(written(Mesh(), Format::kObj), "# no vertices\nusemtl (null)\n");
 }
 
 TEST(Write, CountsTheCornersOfLargeFaces) {
@@ -186,6 +186,9 @@ TEST(Write, CountsTheCornersOfLargeFaces) {
   for (const Encoding encoding : {Encoding::kText, Encoding::kBinary, Encoding::kBinaryBigEndian}) {
     EXPECT_EQ(read_back(mesh, Format::kPly, encoding).faces, faces);
   }
+  EXPECT_NE(written(mesh, Format::kPly).find("\nproperty list int int vertex_indices\n"),
+            std::string::npos)
+      << "OpenMesh has no lists of uint";
   EXPECT_EQ(read_back(mesh, Format::kStl, Encoding::kBinary).faces.size(), 298U);
 }
 

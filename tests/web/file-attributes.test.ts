@@ -97,6 +97,20 @@ describe('attributes of files', () => {
     mesh.dispose();
   });
 
+  test('come back in OBJ, where a face without a material follows one with it', () => {
+    const mesh = sample();
+    const numbers = [1, 0, 2];
+    mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' }).set(numbers);
+    const names = { material: ['', 'oak', 'elm'] };
+    const text = mesh.write('obj', { names });
+    expect(text.match(/usemtl.*/g)).toEqual(['usemtl oak', 'usemtl (null)', 'usemtl elm']);
+    const { mesh: again, report } = HalfedgeMesh.parse(text);
+    expect(report.names).toEqual(names);
+    expect([...again.attributes.get('face', 'material')]).toEqual(numbers);
+    again.dispose();
+    mesh.dispose();
+  });
+
   test.each(['text', 'binary'] as const)('come back in OFF, %s', (encoding) => {
     const mesh = sample();
     mesh.attributes.add('vertex', 'normal', { components: 3, onSplit: 'normalize' });

@@ -152,7 +152,7 @@ bool ObjAttributes::read_name(TextScanner& text, Name kind, std::size_t face) {
   Names& names = names_[static_cast<std::size_t>(kind)];
   const std::string_view name = read_rest(text);
   Index id = 0;  // of no name
-  if (!name.empty()) {
+  if (!name.empty() && !(kind == Name::kMaterial && name == kNoMaterial)) {
     const auto known = names.ids.find(name);
     if (known != names.ids.end()) {
       id = known->second;

@@ -15,6 +15,9 @@
 
 namespace halfedge::io {
 
+/// What programs write for faces without a material.
+inline constexpr std::string_view kNoMaterial = "(null)";
+
 /// Collects what an OBJ file says beside positions and faces. What reads false has run out of
 /// memory; text that is none of what it should be is passed over.
 class ObjAttributes {

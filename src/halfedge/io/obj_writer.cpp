@@ -1,4 +1,5 @@
 #include <halfedge/io/distinct_rows.h>
+#include <halfedge/io/obj_attributes.h>
 #include <halfedge/io/obj_writer.h>
 #include <halfedge/sentence.h>
 
@@ -52,7 +53,7 @@ class ObjWriter {
     choose();
     write_libraries();
     // An empty file is of no format: this statement, which changes nothing, tells that it is OBJ.
-    if (mesh_.vertex_count() == 0) out_.text("# no vertices\nusemtl\n");
+    if (mesh_.vertex_count() == 0) out_.text("# no vertices\nusemtl (null)\n");
     mesh_.for_each_vertex([this](Index v) {
       out_.text("v");
       for (std::size_t i = 0; i < 3; ++i) out_.number(' ', mesh_.position(v)[i]);
@@ -91,9 +92,7 @@ class ObjWriter {
       const bool has_type = is_real(column) || column.type() == Scalar::kUint8;
       return has_type && (column.components() == 3 || column.components() == 4);
     });
-    if (color_ != nullptr && !is_real(*color_)) {
-      mesh_.note_change(*color_, "as numbers from 0 to 1");
-    }
+    if (color_ != nullptr) choose_color();
     texture_.column = take_reference("uv", 2);
     normal_.column = take_reference("normal", 3);
     for (const Attribute* column : {color_, texture_.column, normal_.column}) {
@@ -107,6 +106,18 @@ class ObjWriter {
       }
     }
     for (Label& label : labels_) choose(label);
+  }
+  /// Some readers leave out vertices with seven numbers, or refuse the file.
+  void choose_color() {
+    if (!is_real(*color_)) mesh_.note_change(*color_, "as numbers from 0 to 1");
+    color_width_ = color_->components();
+    if (color_width_ == 3) return;
+    const double full = is_real(*color_) ? 1 : 255;
+    bool is_opaque = true;
+    mesh_.for_each_vertex([&](Index v) { is_opaque &= color_->get(v, 3) == full; });
+    if (is_opaque) color_width_ = 3;
+    mesh_.note_change(*color_, is_opaque ? "without its alpha, which is 1 everywhere"
+                                         : "with an alpha, for which some readers refuse the file");
   }
   void choose(Label& label) {
     label.column = mesh_.take(ItemKind::kFace, label.attribute, [this](const Attribute& column) {
@@ -137,6 +148,7 @@ class ObjWriter {
     });
     std::size_t changed = 0;
     std::size_t empty = 0;
+    std::size_t none = 0;
     std::size_t numbers = 0;
     std::size_t used = 0;
     for (std::size_t i = 1; i < names.size(); ++i) {  // the first is that of no name
@@ -145,6 +157,7 @@ class ObjWriter {
       ++used;
       changed += text != names[i] ? 1U : 0U;
       empty += text.empty() ? 1U : 0U;
+      none += is_material(label) && text == kNoMaterial ? 1U : 0U;
       numbers += is_number(text) ? 1U : 0U;
     }
     const auto note = [&](std::size_t count, const char* verb, const char* what) {
@@ -155,10 +168,14 @@ class ObjWriter {
     note(changed, "changed:",
          "control characters and a # that starts a word become _, blanks at the ends are left out");
     note(empty, "left out,", "being empty");
+    note(none, "left out,", "being (null), which stands for none");
     if (numbers + empty == used) note(numbers, "that", "are numbers, for which readers take them");
     if (any_without && numbers + empty < used) {
       mesh_.note_change(*label.column, "with names that are the numbers of faces which have none");
     }
+  }
+  [[nodiscard]] static bool is_material(const Label& label) {
+    return label.attribute == "material";
   }
   [[nodiscard]] static bool has_name(const Label& label, double value) {
     return label.names != nullptr && value >= 0 && value < double(label.names->names.size());
@@ -190,7 +207,7 @@ class ObjWriter {
   }
 
   void write_color(Index v) {
-    for (Index i = 0; i < color_->components(); ++i) {
+    for (Index i = 0; i < color_width_; ++i) {
       if (is_real(*color_)) {
         write_number(*color_, v, i);
       } else {
@@ -231,9 +248,12 @@ class ObjWriter {
     const double value = label.column->get(face, 0);
     if (value == label.current) return;
     label.current = value;
-    write_statement(label.statement, has_name(label, value)
-                                         ? spelt(label.names->names[std::size_t(value)])
-                                         : std::to_string(std::int64_t(value)));
+    std::string name = has_name(label, value) ? spelt(label.names->names[std::size_t(value)])
+                                              : std::to_string(std::int64_t(value));
+    // Readers pass over the statement without a name, which leaves the material as it was, or stop
+    // at it.
+    if (is_material(label) && name.empty()) name = kNoMaterial;
+    write_statement(label.statement, name);
   }
 
   void write_face(Index f, std::span<const Index> corners) {
@@ -260,6 +280,7 @@ class ObjWriter {
   std::span<const SoupNames> names_;
   ByteWriter& out_;
   const Attribute* color_ = nullptr;
+  Index color_width_ = 0;  // of what is written of it
   Reference texture_;
   Reference normal_;
   std::array<Label, 4> labels_ = {

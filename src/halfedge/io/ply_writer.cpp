@@ -101,8 +101,9 @@ class PlyWriter {
     if (!is_text_) out_.text("\n");
   }
 
+  /// Of those for long lists, int is the one that all readers know.
   [[nodiscard]] static Scalar length_type(std::uint64_t longest) {
-    return longest < 256 ? Scalar::kUint8 : Scalar::kUint32;
+    return longest < 256 ? Scalar::kUint8 : Scalar::kInt32;
   }
   void write_list(Scalar length_type, const std::string& property) {
     out_.text("\nproperty list ");

@@ -110,13 +110,14 @@ inline std::vector<double> values_of(const Mesh& mesh, ItemKind kind, const char
   return values;
 }
 
-/// Writes, reads, and compares the attributes.
-inline void expect_round_trip(const Mesh& mesh, Format format, Encoding encoding) {
+/// Writes, with these notes, reads, and compares the attributes.
+inline void expect_round_trip(const Mesh& mesh, Format format, Encoding encoding,
+                              const std::vector<std::string>& expected_notes = {}) {
   SCOPED_TRACE(std::string(name_of(format)) + " " + std::to_string(int(encoding)));
   std::vector<std::string> notes;
   const auto bytes = write(mesh, format, {.encoding = encoding, .notes = &notes});
   ASSERT_TRUE(bytes) << bytes.error().message;
-  EXPECT_EQ(notes, std::vector<std::string>());
+  EXPECT_EQ(notes, expected_notes);
   const test::MeshFile read = read_mesh(bytes.value().span());
   ASSERT_EQ(read.error, "");
   EXPECT_EQ(read.notes, std::vector<std::string>());
