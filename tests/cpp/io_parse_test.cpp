@@ -87,6 +87,12 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
   const std::pair<std::string, std::string> kinds[] = {
       {"glTF\x02\0\0\0"s, "a GLB file"},
       {"{\"asset\": {}}", "a JSON (perhaps glTF) file"},
+      {" {\n  \"asset\": {}}", "a JSON (perhaps glTF) file"},
+      {"{", "a JSON (perhaps glTF) file"},
+      {"{ }", "a JSON (perhaps glTF) file"},
+      {"{asset : {}}", "a JSON (perhaps glTF) file"},
+      {"{ OFF", "a JSON (perhaps glTF) file"},
+      {"# a list\n{\nOFF\n1 0 0\n0 0 0\n}\n", "a Geomview file with objects in braces"},
       {"<!DOCTYPE html>\n<p>404\n", "an HTML or XML file"},
       {"version https://git-lfs.github.com/spec/v1\nsize 1\n",
        "a Git LFS pointer, which stands for the file itself"},

@@ -148,6 +148,10 @@ valid                 yes
     expect(JSON.parse(out)).toMatchObject({ format: 'obj', faces: 1 });
     writeFileSync(join(folder, 'nothing.glb'), 'nothing at all');
     expect((await run(['info', 'nothing.glb'])).err).toMatch(/^halfedge: nothing\.glb: .*glTF/);
+    writeFileSync(join(folder, 'list.off'), '{\nOFF\n1 0 0\n0 0 0\n}\n');
+    expect((await run(['info', 'list.off'])).err).toBe(
+      'halfedge: list.off: This is a Geomview file with objects in braces, expected an OBJ, OFF, PLY or STL file.\n',
+    );
   });
 
   test('tells of several files, in JSON a line for each', async () => {

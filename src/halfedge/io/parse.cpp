@@ -3,11 +3,24 @@
 #include <halfedge/sentence.h>
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 #include <utility>
 
 namespace halfedge {
 namespace {
+
+/// Whether a word with something behind it follows the brace, as in "{ OFF 8 6 12", and no colon.
+bool is_geomview(std::string_view text) {
+  constexpr const char* kBlanks = " \t\r\n";
+  const std::size_t word = std::min(text.find_first_not_of(kBlanks, 1), text.size());
+  const std::size_t end = std::min(text.find_first_of(kBlanks, word), text.size());
+  const std::size_t behind = text.find_first_not_of(kBlanks, end);
+  const std::string_view letters = text.substr(word, end - word);
+  return !letters.empty() && behind != std::string_view::npos && text[behind] != ':' &&
+         std::all_of(letters.begin(), letters.end(),
+                     [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; });
+}
 
 /// Formats that are recognised only so that the error can say what the file is: by its bytes, or by
 /// its text behind comments.
@@ -18,7 +31,6 @@ const char* name_of_unreadable(std::string_view bytes, std::string_view text) {
   };
   constexpr Sign kSigns[] = {
       {"glTF", "a GLB file"},
-      {"{", "a JSON (perhaps glTF) file"},
       {"<", "an HTML or XML file"},
       {"version https://git-lfs", "a Git LFS pointer, which stands for the file itself"},
       {"\x1F\x8B", "a gzip archive, to be unpacked first"},
@@ -46,6 +58,10 @@ const char* name_of_unreadable(std::string_view bytes, std::string_view text) {
   };
   for (const auto& [start, name] : kSigns) {
     if (bytes.starts_with(start) || text.starts_with(start)) return name;
+  }
+  if (text.starts_with("{")) {
+    return is_geomview(text) ? "a Geomview file with objects in braces"
+                             : "a JSON (perhaps glTF) file";
   }
   return nullptr;
 }

@@ -17,10 +17,12 @@ const BINARY_CHUNK = 0x004e4942;
 /** An error of a file, with what was expected. */
 export const fileError = (code: string, message: string) => new HalfedgeError(code, message);
 
-/** Whether the bytes are a GLB file, or text that begins as a JSON object does. */
+/** Whether the bytes are a GLB file, or text that begins as a JSON object does, and not as Geomview's: `{ OFF 8 6 12`. */
 export function looksLikeGltf(bytes: Uint8Array): boolean {
   if (bytes.length >= 4 && viewOf(bytes).getUint32(0, true) === MAGIC) return true;
-  return /^\uFEFF?\s*\{/.test(new TextDecoder().decode(bytes.subarray(0, 64)));
+  return /^\uFEFF?\s*\{(?!\s*[a-z\d]+\s+[^\s:])/i.test(
+    new TextDecoder().decode(bytes.subarray(0, 64)),
+  );
 }
 
 /** Takes a file apart: GLB by its first four bytes, else JSON. */
