@@ -168,9 +168,9 @@ TEST(ObjAttributes, WritesAnAlphaThatIsNotOneEverywhere) {
     const auto components_and_note = [&mesh] {
       Strings notes;
       const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
-      const Attribute* const read =
-          read_mesh(bytes.value().span()).mesh.attributes().find(ItemKind::kVertex, "color");
-      return std::pair(read->components(), notes.back());
+      const test::MeshFile read = read_mesh(bytes.value().span());
+      const Attribute* const found = read.mesh.attributes().find(ItemKind::kVertex, "color");
+      return std::pair(found->components(), notes.back());
     };
     EXPECT_EQ(components_and_note(),
               std::pair(Index{3}, std::string("wrote the vertex attribute \"color\" without its "
