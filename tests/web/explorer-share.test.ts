@@ -72,6 +72,48 @@ describe('a link', () => {
     expect([explorer.tab.value, explorer.pickMode.value]).toEqual(['records', 'halfedge']);
   });
 
+  test('has the problem that is lit of a sample, not of a file, of which it has the mesh alone', async () => {
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    const light = (explorer: InstanceType<typeof Explorer>) => {
+      const problems = [...(explorer.document.value?.diagnosis?.placed ?? [])];
+      explorer.showProblem(problems[1]);
+      return problems[1];
+    };
+    const explorer = new Explorer();
+    await share.follow('sample=flipped-patch', explorer, sight);
+    const { message } = light(explorer);
+    const link = share.linkOf(explorer, sight);
+    expect(link).toContain('&problem=1&');
+    const other = new Explorer();
+    await share.follow(link, other, sight);
+    expect(other.problem.value?.message).toBe(message);
+
+    const file = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 2\nf 1 2\nf 1 2 3\n';
+    const opened = new Explorer();
+    await opened.open(new File([file], 'three.obj'));
+    light(opened);
+    await share.follow(share.linkOf(opened, sight), other, sight);
+    expect(other.document.value?.mesh.faceCount).toBe(1);
+    expect(other.problem.value).toBeNull();
+  });
+
+  test('counts the problems that have a place in the picture', async () => {
+    const explorer = new Explorer();
+    const following = share.follow('sample=not-there&problem=4', explorer, sightAt([]));
+    await expect(following).rejects.toThrow('It has problem=4; expected 0 to 2.');
+    const { diagnosis } = explorer.document.value ?? {};
+    expect(diagnosis?.findings.flatMap(({ problems }) => problems)).toHaveLength(4);
+  });
+
+  test.each(['three-faces', 'crack'])(
+    'without a tab to %s has its problems in front',
+    async (id) => {
+      const explorer = new Explorer();
+      await share.follow(`sample=${id}`, explorer, sightAt([1, 2, 3, 0, 0, 0]));
+      expect(explorer.tab.value).toBe('problems');
+    },
+  );
+
   test.each([
     [
       '&tab=problems',
