@@ -12,7 +12,7 @@ import { type Rows, rings } from './rings.js';
  *
  * `into`: the rows of an earlier call, to be overwritten. If their arrays have the right length, they are
  * returned; if they are longer, their first part; if they are shorter, new ones. This saves making and
- * clearing arrays, which is half the time of a call for a large mesh.
+ * clearing arrays, up to half the time of a call for a large mesh.
  */
 export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */
