@@ -383,7 +383,7 @@ test('Leaving the page asks, as long as there are edits that no file has', async
   await page.close({ runBeforeUnload: true });
   await closed;
   expect(leaving.complaints).toEqual([]);
-  await leaving.close();
+  await leaving.closeTab();
 });
 
 describe('The picture', () => {
@@ -432,7 +432,7 @@ describe('The picture', () => {
     await page.clock.runFor(1000);
     expect(await moving.differingPixels(await picture(), before)).toBeLessThan(100);
     expect(moving.complaints).toEqual([]);
-    await moving.close();
+    await moving.closeTab();
   }, 180_000);
 
   test('changes at once where motion is to be reduced', async () => {

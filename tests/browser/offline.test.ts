@@ -120,5 +120,5 @@ test('A browser without WebGL 2 is told what the page lacks, and what to do', as
     'Turn on graphics acceleration in its settings and reload the page, or open it in another browser.',
   ]);
   expect(await page.locator('button').count()).toBe(0);
-  await explorer.close();
+  await explorer.closeTab();
 });

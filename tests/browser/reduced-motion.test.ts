@@ -12,7 +12,7 @@ describe('Where less motion is asked for, the explorer', () => {
 
   afterEach(async () => {
     expect(explorer.complaints).toEqual([]);
-    await explorer.close();
+    await explorer.closeTab(); // and the clock that some of them stop
   });
 
   const open = async (motion: boolean) => {

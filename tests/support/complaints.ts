@@ -6,17 +6,21 @@ import type { Page } from 'playwright-core';
  */
 const FRAME_WAS_READ = /GL Driver Message .* GPU stall due to ReadPixels/;
 
-/**
- * Collects what a page complains of: errors and warnings in the console, uncaught errors, and that it
- * makes the graphics card wait by reading pixels. To be called before the page is opened.
- */
-export async function collectComplaints(page: Page, complaints: string[]): Promise<void> {
+/** Collects what a page complains of: errors and warnings in the console, uncaught errors, and failed requests. */
+export function collectComplaints(page: Page): string[] {
+  const complaints: string[] = [];
   page.on('console', (message) => {
     const text = message.text();
     if (!['error', 'warning'].includes(message.type()) || FRAME_WAS_READ.test(text)) return;
     complaints.push(text);
   });
   page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('requestfailed', (it) => complaints.push(`${it.url()}: ${it.failure()?.errorText}`));
+  return complaints;
+}
+
+/** Has pages warn where they make the graphics card wait by reading pixels. To be called before the first one. */
+export async function warnOfReadPixels(page: Page): Promise<void> {
   await page.addInitScript(() => {
     const { prototype } = WebGL2RenderingContext;
     const { readPixels } = prototype;

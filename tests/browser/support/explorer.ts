@@ -1,9 +1,8 @@
 import { mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { HalfedgeMesh } from 'halfedge';
-import type { BrowserContext, Page } from 'playwright-core';
-import { collectComplaints } from '../../support/complaints.js';
-import { connect } from '../../support/connection.js';
+import type { Page } from 'playwright-core';
+import { Tab, type TabSettings } from './tab.js';
 
 export { disconnect } from '../../support/connection.js';
 
@@ -12,13 +11,7 @@ const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
   screenshots: string;
 };
 
-export interface Settings {
-  readonly width?: number;
-  readonly height?: number;
-  readonly dark?: boolean;
-  /** A telephone: touch, and two device pixels to the CSS pixel. */
-  readonly phone?: boolean;
-  readonly motion?: boolean;
+export interface Settings extends TabSettings {
   /** What the address has after `#`. */
   readonly link?: string;
   /** The mesh that is shown first; the first sample if left out. */
@@ -31,37 +24,31 @@ export type Point = readonly [x: number, y: number];
 export class ExplorerPage {
   readonly page: Page;
   /** Errors and warnings in the console, uncaught errors and failed requests. */
-  readonly complaints: string[] = [];
-  readonly #context: BrowserContext;
+  readonly complaints: string[];
+  readonly #tab: Tab;
 
-  private constructor(context: BrowserContext, page: Page) {
-    this.#context = context;
-    this.page = page;
-    page.on('requestfailed', (it) => {
-      this.complaints.push(`${it.url()}: ${it.failure()?.errorText}`);
-    });
+  private constructor(tab: Tab) {
+    this.page = tab.page;
+    this.complaints = tab.complaints;
+    this.#tab = tab;
   }
 
   /** Opens the page and waits until the first mesh is drawn. */
   static async open(settings: Settings = {}): Promise<ExplorerPage> {
-    const { width = 1280, height = 800, dark = false, phone = false, motion = false } = settings;
-    const context = await (await connect()).newContext({
-      viewport: { width, height },
-      colorScheme: dark ? 'dark' : 'light',
-      reducedMotion: motion ? 'no-preference' : 'reduce',
-      ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
-    });
-    context.setDefaultTimeout(90_000); // a busy machine takes its time
-    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-    const explorer = new ExplorerPage(context, await context.newPage());
-    await collectComplaints(explorer.page, explorer.complaints);
+    const explorer = new ExplorerPage(await Tab.open(settings, { name: 'explorer' }));
     await explorer.page.goto(shared.address + (settings.link ? `#${settings.link}` : ''));
     await explorer.ready(settings.mesh ?? 'Bunny');
     return explorer;
   }
 
+  /** Leaves the page; the next test may go on in its tab. */
   close(): Promise<void> {
-    return this.#context.close();
+    return this.#tab.leave();
+  }
+
+  /** Leaves the page, and closes its tab: for tests that added scripts to it, stopped its clock or closed it. */
+  closeTab(): Promise<void> {
+    return this.#tab.close();
   }
 
   /** Waits until this mesh is on show, drawn and at rest. */

@@ -1,11 +1,10 @@
 import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import type { FigureEvents, HalfedgeFigure } from 'halfedge/figure';
-import type { BrowserContext, Page } from 'playwright-core';
+import type { Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
 import { serve } from '../../package/support/server.js';
-import { collectComplaints } from '../../support/complaints.js';
-import { connect } from '../../support/connection.js';
+import { type Preparation, Tab, type TabSettings } from './tab.js';
 
 export { disconnect } from '../../support/connection.js';
 
@@ -13,13 +12,7 @@ const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
   screenshots: string;
 };
 
-export interface FigurePageSettings {
-  readonly width?: number;
-  readonly height?: number;
-  readonly dark?: boolean;
-  readonly motion?: boolean;
-  /** A telephone: touch, and two device pixels to the CSS pixel. */
-  readonly phone?: boolean;
+export interface FigurePageSettings extends TabSettings {
   /** The Content-Security-Policy that is sent. */
   readonly policy?: string;
   /** Whether the browser has WebGL. */
@@ -41,17 +34,17 @@ interface Counts {
 export class FigurePage {
   readonly page: Page;
   /** Errors and warnings in the console, and uncaught errors. */
-  readonly complaints: string[] = [];
+  readonly complaints: string[];
   readonly #close: () => Promise<unknown>;
 
-  private constructor(page: Page, close: () => Promise<unknown>) {
+  private constructor({ page, complaints }: Tab, close: () => Promise<unknown>) {
     this.page = page;
+    this.complaints = complaints;
     this.#close = close;
   }
 
   /** Opens a page with this body, and waits for the element to be defined. */
   static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
-    const { width = 900, height = 700, dark = false, motion = false, phone = false } = settings;
     const { policy, webgl = true, path = 'figures.html', script = 'figure' } = settings;
     const html = `<!doctype html><html lang="en"><meta charset="utf-8">
       <meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark">
@@ -62,20 +55,15 @@ export class FigurePage {
       answers: { 'figures.html': { body: html, type }, 'favicon.ico': { body: '' } },
       ...(policy ? { policy } : {}),
     });
-    const context = await (await connect()).newContext({
-      viewport: { width, height },
-      colorScheme: dark ? 'dark' : 'light',
-      reducedMotion: motion ? 'no-preference' : 'reduce',
-      ...(phone ? { hasTouch: true, isMobile: true, deviceScaleFactor: 2 } : {}),
-    });
-    context.setDefaultTimeout(90_000); // a busy machine takes its time
-    await watch(context, webgl);
-    const page = await context.newPage();
-    const figures = new FigurePage(page, async () => {
-      await context.close();
+    const tab = await Tab.open(
+      { width: 900, height: 700, ...settings },
+      webgl ? WITH_WEBGL : WITHOUT_WEBGL,
+    );
+    const figures = new FigurePage(tab, async () => {
+      await tab.leave();
       await server.close();
     });
-    await collectComplaints(page, figures.complaints);
+    const { page } = tab;
     await page.goto(server.address + path);
     await page.waitForFunction(() => customElements.get('halfedge-figure') !== undefined);
     return figures;
@@ -160,8 +148,8 @@ export class FigurePage {
 type Method = (this: object, ...parameters: unknown[]) => unknown;
 
 /** Makes pages count what matters here. */
-async function watch(context: BrowserContext, webgl: boolean): Promise<void> {
-  await context.addInitScript((allowed) => {
+async function watch(page: Page, webgl: boolean): Promise<void> {
+  await page.addInitScript((allowed) => {
     const counts = window as unknown as Counts;
     counts.contexts = counts.copies = 0;
     counts.events = [];
@@ -191,3 +179,9 @@ async function watch(context: BrowserContext, webgl: boolean): Promise<void> {
     }
   }, webgl);
 }
+
+const WITH_WEBGL: Preparation = { name: 'figures', prepare: (page) => watch(page, true) };
+const WITHOUT_WEBGL: Preparation = {
+  name: 'figures without WebGL',
+  prepare: (page) => watch(page, false),
+};

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import type { Page } from 'playwright-core';
 import { root } from '../../../scripts/lib/run.mjs';
-import { collectComplaints } from '../../support/complaints.js';
+import { collectComplaints, warnOfReadPixels } from '../../support/complaints.js';
 import { connect } from '../../support/connection.js';
 
 export { disconnect } from '../../support/connection.js';
@@ -39,12 +39,11 @@ export async function withPage<T>(
   const context = await (await connect()).newContext();
   try {
     const page = await context.newPage();
-    const complaints: string[] = [];
+    const complaints = collectComplaints(page);
     const lines: string[] = [];
     const requests: string[] = [];
     page.on('console', (message) => lines.push(message.text()));
-    await collectComplaints(page, complaints);
-    page.on('requestfailed', (it) => complaints.push(`${it.url()}: ${it.failure()?.errorText}`));
+    await warnOfReadPixels(page);
     page.on('request', (request) => requests.push(request.url()));
     await page.goto(address);
     return await use({ page, complaints, lines, requests });
