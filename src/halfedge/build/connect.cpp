@@ -199,7 +199,7 @@ class SideConnector {
     Index* const firsts = links_.face_halfedge.data();
     const Index* halfedges = halfedge_of_;
     for_each_face<kTriangles>(polygons_, [&](Index f, const Index* corners, auto size) {
-      if constexpr (kCanPrefetch) fetch_links(halfedges);
+      if constexpr (kCanPrefetch) fetch_links(halfedges, corners);
       Index before = halfedges[size - 1];
       firsts[f] = before;
       for (Index i = 0; i < size; ++i) {
@@ -213,13 +213,16 @@ class SideConnector {
     });
   }
 
-  [[gnu::always_inline]] void fetch_links(const Index* halfedges) const {
+  [[gnu::always_inline]] void fetch_links(const Index* halfedges, const Index* corners) const {
     const std::size_t before = std::size_t(halfedges - halfedge_of_);
     if (polygons_.corners.size() - before <= kAhead + 3) return;
     for (std::size_t i = kAhead; i < kAhead + 3; ++i) {
       prefetch(next_ + halfedges[i]);
       if constexpr (kPrev) prefetch(face_ + halfedges[i]);
     }
+    if (polygons_.vertex_count() < kTooManyForCache) return;
+    const Index* const anchors = links_.vertex_halfedge.data();
+    for (std::size_t i = kAhead; i < kAhead + 3; ++i) prefetch(anchors + corners[i]);
   }
 
   // Where `face` has held something else until now.
