@@ -41,8 +41,8 @@ template <class Mesh>
 
 /// Calls `edit(item)` for each of the faces or edges, in order, as a loop over them does; the
 /// memory around those that come next is asked for meanwhile. A mesh of a million faces doesn't fit
-/// into a cache, and a loop waits for most of what an operation reads: with this it took 0.4 to
-/// 0.75 of the time to split all faces, and 0.75 to 0.85 to flip all edges.
+/// into a cache, and a loop waits for most of what an operation reads: with this it took 0.3 to 0.6
+/// of the time to split all faces, and three quarters to flip all edges (bench/README.md).
 ///
 /// `edit` may do anything with the mesh, so also delete items that would come later: it is called
 /// with them all the same, and an operation on them is refused.
