@@ -208,6 +208,46 @@ describe('writeGltf', () => {
     warn.mockRestore();
   });
 
+  test('brings colours between 0 and 1, and says so', async () => {
+    using mesh = HalfedgeMesh.tetrahedron();
+    const color = mesh.attributes.add('vertex', 'color', { components: 3 });
+    const written = async () => {
+      const notes: string[] = [];
+      const bytes = await writeGltf(mesh, { onNote: (note) => notes.push(note) });
+      using again = (await readGltf(bytes)).mesh;
+      return { notes, read: [...again.attributes.get('vertex', 'color')] };
+    };
+    color.set([0, 1, 0.5, 1e-45]);
+    expect(await written()).toEqual({ notes: [], read: [...color] });
+    color.set([-1, 2.5, 0.5, -1e-45, 1 + 2 ** -23, 1]);
+    const { notes, read } = await written();
+    expect(notes).toEqual([
+      'Wrote the vertex attribute "color" brought between 0 and 1: glTF has no other colours.',
+    ]);
+    expect(read).toEqual([0, 1, 0.5, 0, 1, 1, 0, 0, 0, 0, 0, 0]);
+    expect(color[0]).toBe(-1);
+  });
+
+  test('leaves out triangles with a vertex at two corners, and no others', async () => {
+    using mesh = new HalfedgeMesh();
+    mesh.insertVertexOnEdge(mesh.edge(mesh.makeSegment())); // a face around a path, of four corners
+    const corners = [0, 1, 2].map((i) => mesh.addVertex([i, i * i, 1]));
+    mesh.addFace(corners);
+    const notes: string[] = [];
+    const bytes = await writeGltf(mesh, { onNote: (note) => notes.push(note) });
+    expect(notes).toEqual([
+      'Cut 2 faces into 3 triangles: glTF has no polygons.',
+      'Left out 2 triangles with a vertex at two corners.',
+    ]);
+    using again = (await readGltf(bytes)).mesh;
+    expect(again.faceCount).toBe(1);
+    const places = again
+      .faceVertices(0)
+      .toArray()
+      .map((v) => [...again.position(v)]);
+    expect(places).toEqual(corners.map((v) => [...mesh.position(v)]));
+  });
+
   test.each(['glb', 'gltf'] as const)(
     'fails where its own bytes can not be read back: %s',
     async (format) => {

@@ -94,16 +94,17 @@ const truncated = (size: number, expected: string) =>
 const viewOf = (bytes: Uint8Array) =>
   new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
-/** A GLB file of a document with one buffer. */
-export function makeGlb(json: unknown, binary: Uint8Array): ArrayBuffer {
+/** A GLB file of a document with one buffer, or with none. */
+export function makeGlb(json: unknown, binary?: Uint8Array): ArrayBuffer {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const textSize = Math.ceil(text.length / 4) * 4;
-  const size = 12 + 8 + textSize + 8 + binary.length;
+  const size = 12 + 8 + textSize + (binary === undefined ? 0 : 8 + binary.length);
   const glb = new Uint8Array(size);
   const view = viewOf(glb);
   const words = [MAGIC, 2, size, textSize, JSON_CHUNK];
   for (const [i, word] of words.entries()) view.setUint32(4 * i, word, true);
   glb.fill(0x20, 20, 20 + textSize).set(text, 20);
+  if (binary === undefined) return glb.buffer;
   view.setUint32(20 + textSize, binary.length, true);
   view.setUint32(24 + textSize, BINARY_CHUNK, true);
   glb.set(binary, 28 + textSize);

@@ -1,6 +1,7 @@
 // What glTF allows of numbers is less than what a mesh holds.
 
 import { describe } from '../arguments.js';
+import { counted } from '../counted.js';
 import { HalfedgeError, NO_WITNESS } from '../errors.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { type Buffers, buffersOf, type CornerValues, columnsOf, type Note } from './corners.js';
@@ -19,10 +20,10 @@ export function checkPositions(mesh: HalfedgeMesh): void {
   }
 }
 
-/** The buffers of a mesh, as `buffersOf` makes them, with such attributes as glTF allows. */
+/** The buffers of a mesh, as `buffersOf` makes them, with such triangles and attributes as glTF allows. */
 export function writableBuffers(mesh: HalfedgeMesh, note: Note, halfedges?: Uint32Array): Buffers {
   const columns = columnsOf(mesh, note);
-  const buffers = buffersOf(mesh, columns, halfedges);
+  const buffers = withThreeVertices(buffersOf(mesh, columns, halfedges), note);
   columns.forEach(({ kind, name }, i) => {
     const { values } = buffers.attributes[i];
     const title = `the ${kind} attribute ${describe(name)}`;
@@ -30,11 +31,33 @@ export function writableBuffers(mesh: HalfedgeMesh, note: Note, halfedges?: Uint
       if (bringToLengthOne(values, buffers.indices)) {
         note(`Wrote ${title} brought to length 1: glTF has no other normals.`);
       }
-    } else if (clearNonFinite(values)) {
+      return;
+    }
+    if (clearNonFinite(values)) {
       note(`Wrote 0 where ${title} is no finite number: glTF has no others.`);
+    }
+    if (name === 'color' && values instanceof Float32Array && clamp(values)) {
+      note(`Wrote ${title} brought between 0 and 1: glTF has no other colours.`);
     }
   });
   return buffers;
+}
+
+/** Without triangles of fewer vertices, into which the faces of degenerate complexes are cut; in place. */
+function withThreeVertices(buffers: Buffers, note: Note): Buffers {
+  const { indices, vertexOf } = buffers;
+  let size = 0;
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [vertexOf[indices[i]], vertexOf[indices[i + 1]], vertexOf[indices[i + 2]]];
+    if (a === b || b === c || c === a) continue;
+    if (size < i) indices.copyWithin(size, i, i + 3);
+    size += 3;
+  }
+  if (size === indices.length) return buffers;
+  note(
+    `Left out ${counted((indices.length - size) / 3, 'triangle')} with a vertex at two corners.`,
+  );
+  return { ...buffers, indices: indices.subarray(0, size) };
 }
 
 /** How far from 1 the validator of glTF allows the length of a normal to be. */
@@ -55,6 +78,17 @@ function bringToLengthOne(normals: CornerValues, indices: Uint32Array): boolean 
     changed.add(i / 3);
   }
   return changed.size > 0 && indices.some((row) => changed.has(row));
+}
+
+/** Returns whether a number has changed. */
+function clamp(values: Float32Array): boolean {
+  let changed = false;
+  for (let i = 0; i < values.length; i++) {
+    if (values[i] >= 0 && values[i] <= 1) continue;
+    values[i] = values[i] < 0 ? 0 : 1;
+    changed = true;
+  }
+  return changed;
 }
 
 /** Returns whether there was one that isn't. */

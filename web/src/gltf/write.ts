@@ -8,6 +8,7 @@ import { checkOptions, type OptionNames } from '../options.js';
 import { liveFaces, triangulateFaces } from '../three/triangulate.js';
 import type { OwnBytes } from '../write.js';
 import { withAlpha } from './colors.js';
+import { makeGlb } from './container.js';
 import type { Buffers, Note } from './corners.js';
 import { loadExporter, loadThree } from './three.js';
 import { checkPositions, writableBuffers } from './writable.js';
@@ -35,14 +36,18 @@ export async function writeMesh(
   const notes: string[] = [];
   // Now: the mesh may change while three.js is loaded.
   const note: Note = (sentence) => notes.push(sentence);
-  const scene = await sceneOf(triangleBuffers(mesh, note), note);
+  const buffers = triangleBuffers(mesh, note);
+  const scene = await sceneOf(buffers, note);
+  // A GLB file without bytes has no chunk for them; three.js would write an empty one.
+  const binary = format === 'glb' && buffers.indices.length > 0;
   const { GLTFExporter } = await loadExporter();
   let content: OwnBytes | string;
   try {
     const written = await withFileReader(() =>
-      new GLTFExporter().parseAsync(scene, { binary: format === 'glb', onlyVisible: false }),
+      new GLTFExporter().parseAsync(scene, { binary, onlyVisible: false }),
     );
-    content = written instanceof ArrayBuffer ? new Uint8Array(written) : JSON.stringify(written);
+    if (written instanceof ArrayBuffer) content = new Uint8Array(written);
+    else content = format === 'glb' ? new Uint8Array(makeGlb(written)) : JSON.stringify(written);
   } catch (cause) {
     throw new HalfedgeError('write-error', `three.js can't write the mesh: ${messageOf(cause)}.`, {
       cause,
