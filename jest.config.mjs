@@ -43,7 +43,7 @@ export default {
     {
       ...web,
       displayName: 'three-oldest',
-      testMatch: ['three-*', 'gltf', 'gltf-write', 'gltf-broken', 'gltf-meshopt'].map(
+      testMatch: ['three-*', 'gltf', 'gltf-write', 'gltf-broken', 'gltf-meshopt', 'gltf-valid'].map(
         (name) => `<rootDir>/tests/web/${name}.test.ts`,
       ),
       moduleNameMapper: {
