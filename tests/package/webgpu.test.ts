@@ -128,6 +128,18 @@ describe.each(EVERYTHING)('With %s', (name) => {
     });
   });
 
+  test('a helper with the lines of another renderer is told in a sentence', async () => {
+    await withRenderers(`webgpu-wrong-lines-${name}`, async (run) => {
+      const { thrown, ink } = await run<{ thrown: string[]; ink: number }>('withWrongLines', name);
+      const expected =
+        name === 'WebGLRenderer'
+          ? "TypeError: WebGLRenderer can't draw the lines of a helper that is made with { lines: webgpuLines }; expected WebGPURenderer, or a helper without this option."
+          : "TypeError: WebGPURenderer can't draw the lines of a helper that is made without { lines: webgpuLines }; expected WebGLRenderer, or a helper with this option, of halfedge/three/webgpu.";
+      expect(thrown).toEqual([expected, expected]);
+      expect(ink).toBeGreaterThan(200);
+    });
+  });
+
   test.each(['none', 'flat'])(
     'edits are drawn, and only what they changed is uploaded, with the normals %s',
     async (normals) => {

@@ -55,6 +55,17 @@ describe('HalfedgesHelper', () => {
     expect(vertexShader.indexOf('clip.z +=')).toBeLessThan(vertexShader.indexOf('gl_Position ='));
   });
 
+  test('learns how large the picture is from WebGLRenderer, and tells WebGPURenderer what it needs', () => {
+    const lines = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
+    const render = (renderer: object) => lines.onBeforeRender(renderer as THREE.WebGLRenderer);
+    const getViewport = (to: THREE.Vector4) => to.set(0, 0, 640, 480);
+    render({ isWebGLRenderer: true, getViewport });
+    expect(lines.material.resolution.toArray()).toEqual([640, 480]);
+    expect(() => render({ isWebGPURenderer: true, getViewport })).toThrow(
+      /^WebGPURenderer can't draw .*; expected .* of halfedge\/three\/webgpu\.$/,
+    );
+  });
+
   test('shares the program of its lines with others that are wider or nearer, and with ghosts of them', () => {
     const [one, other] = [lineMaterial(1.5, 2), lineMaterial(7, 4)];
     const ghost = ghostOf(other);

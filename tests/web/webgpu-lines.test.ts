@@ -99,3 +99,16 @@ test('A copy of a material is as wide and as near as what it is a copy of', () =
   expect([copy.linewidth, copy.lift, copy.polygonOffsetUnits]).toEqual([4, 3, -2]);
   expect(copy.customProgramCacheKey()).toBe(material.customProgramCacheKey());
 });
+
+test('WebGLRenderer is told that it needs other lines, unless it has been taught nodes', () => {
+  using mesh = HalfedgeMesh.cube();
+  const { material } = drawnBy(new HalfedgesHelper(mesh, { lines }));
+  const compile = (shader: object) =>
+    material.onBeforeCompile(
+      ...([shader] as unknown as Parameters<THREE.Material['onBeforeCompile']>),
+    );
+  expect(() => compile({ uniforms: undefined, vertexShader: undefined })).toThrow(
+    /^WebGLRenderer can't draw .*\{ lines: webgpuLines \}; expected .*\.$/,
+  );
+  compile({ vertexShader: 'void main() {}' }); // as three.js's WebGLNodesHandler does
+});

@@ -258,5 +258,24 @@ async function programs(name) {
   return [before, renderer.info.memory.programs];
 }
 
-Object.assign(window, { likeWebGL, uponSurface, edited, programs });
+/** What is thrown where a helper has the lines of another renderer, twice; and then a picture of one that hasn't. */
+async function withWrongLines(name) {
+  const renderer = await rendererOf(name, 'stencil');
+  const camera = cameraOf();
+  const wrong = name === 'WebGLRenderer' ? webgpuLines : undefined;
+  const scene = sceneOf(HELPERS.HalfedgesHelper(MESHES.box(), wrong));
+  const thrown = [];
+  for (let i = 0; i < 2; i++) {
+    try {
+      await picture(renderer, scene, camera);
+    } catch (error) {
+      thrown.push(`${error}`);
+    }
+  }
+  const right = sceneOf(HELPERS.HalfedgesHelper(MESHES.box(), linesFor(name)));
+  const pixels = await picture(renderer, right, camera);
+  return { thrown, ink: compare(pixels, pixels).ink };
+}
+
+Object.assign(window, { likeWebGL, uponSurface, edited, programs, withWrongLines });
 document.title = 'ready';

@@ -139,8 +139,21 @@ export interface LineKind {
 
 /** The lines of helpers for WebGLRenderer. */
 export const webglLines: LineKind = {
-  make: (geometry, linewidth, bias) => lines({ geometry }, lineMaterial(linewidth, bias), 0),
+  make(geometry, linewidth, bias) {
+    const drawn = lines({ geometry }, lineMaterial(linewidth, bias), 0);
+    const { onBeforeRender } = drawn;
+    drawn.onBeforeRender = (renderer, ...rest) => {
+      if ((renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer) throw cannotDraw();
+      onBeforeRender.call(drawn, renderer, ...rest);
+    };
+    return drawn;
+  },
 };
+
+const cannotDraw = () =>
+  new TypeError(
+    "WebGPURenderer can't draw the lines of a helper that is made without { lines: webgpuLines }; expected WebGLRenderer, or a helper with this option, of halfedge/three/webgpu.",
+  );
 
 /** Line segments as an object of the scene; drawn in `order` among the overlays. */
 export function lines(

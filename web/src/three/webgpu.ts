@@ -54,6 +54,14 @@ class LineNodeMaterial extends NodeMaterial {
     offsetBy(this, bias);
   }
 
+  /** WebGLRenderer calls it before it makes a program, WebGPURenderer never. */
+  override onBeforeCompile({ vertexShader }: { readonly vertexShader?: string }): void {
+    if (vertexShader !== undefined) return; // it has been taught nodes
+    throw new TypeError(
+      "WebGLRenderer can't draw the lines of a helper that is made with { lines: webgpuLines }; expected WebGPURenderer, or a helper without this option.",
+    );
+  }
+
   override setupPositionView(): Node {
     return positionView;
   }
