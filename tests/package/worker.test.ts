@@ -1,6 +1,6 @@
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { disconnect, visit } from './support/browser.js';
+import { disconnect, visit, withPage } from './support/browser.js';
 import { page, TITLE } from './support/programs.js';
 import { node, project, tool } from './support/project.js';
 import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
@@ -10,7 +10,10 @@ const FILE = 'v 0 0 0\\nv 1 0 0\\nv 1 1 0\\nv 0 1 0\\nf 1 2 3\\nf 1 4 3\\nf 1 1 
 const EXPECTED = 'OBJ: 2 faces, valid, same as here. Line 1: nonsense is told.';
 
 /** Parses a file and a broken one in a worker, and hands a line about that to `show`. */
-const program = (show: string, { halfedge = 'halfedge', worker = 'halfedge/worker' } = {}) => `
+const program = (
+  show: string,
+  { halfedge = 'halfedge', worker = 'halfedge/worker', options = '{}' } = {},
+) => `
 import { HalfedgeError, HalfedgeMesh, init } from '${halfedge}';
 import { parseInWorker } from '${worker}';
 
@@ -18,10 +21,10 @@ const show = ${show};
 
 async function compare() {
   await init();
-  const { mesh, report } = await parseInWorker(new Blob(['${FILE}']));
+  const { mesh, report } = await parseInWorker(new Blob(['${FILE}']), ${options});
   const here = HalfedgeMesh.parse('${FILE}');
   const same = String(here.mesh.toBytes()) === String(mesh.toBytes()) && here.report.summary === report.summary;
-  const error = await parseInWorker('nonsense').catch((error) => error);
+  const error = await parseInWorker('nonsense', ${options}).catch((error) => error);
   return [
     report.format.toUpperCase() + ': ' + mesh.faceCount + ' faces,',
     mesh.validate().length === 0 ? 'valid,' : 'not valid,',
@@ -38,7 +41,21 @@ const sources = {
   'src/index.js': program(TITLE),
 };
 
+const atAnyPort = ['--host', '127.0.0.1', '--port', '0'];
+
 afterAll(disconnect);
+
+/** What a page says that can't do it; in the console there may be complaints then. */
+async function titleOnceThere(server: RunningServer): Promise<string> {
+  try {
+    return await withPage(server.address, async ({ page }) => {
+      await page.waitForFunction(() => document.title !== '');
+      return page.title();
+    });
+  } finally {
+    await server.close();
+  }
+}
 
 async function expectWorking(server: RunningServer, path = '') {
   try {
@@ -110,7 +127,71 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
     });
 
     test('in development', async () => {
-      await expectWorking(await serveWith(folder, vite, '--host', '127.0.0.1', '--port', '0'));
+      await expectWorking(await serveWith(folder, vite, ...atAnyPort));
+    });
+
+    test('in development, with its copies in a folder of another name', async () => {
+      const config = "export default { cacheDir: 'node_modules/.cache/vite/client' };";
+      writeFileSync(join(folder, 'vite.config.js'), config); // as in Nuxt
+      await expectWorking(await serveWith(folder, vite, ...atAnyPort));
+    });
+  });
+
+  describe('through Vite in development, installed above the project,', () => {
+    const workspace = (name: string, config = '{}') =>
+      project(name, {
+        'package.json': '{ "private": true, "workspaces": ["app"] }',
+        'app/package.json': sources['package.json'],
+        'app/index.html': page('/src/index.js'),
+        'app/src/index.js': sources['src/index.js'],
+        'app/vite.config.js': `export default ${config};`,
+      });
+    const develop = (name: string, folder: string) =>
+      serveWith(join(folder, 'app'), tool(`${name}/bin/vite.js`), ...atAnyPort);
+
+    test('from Vite 8 on', async () => {
+      await expectWorking(await develop('vite', workspace('workspace-vite')));
+    });
+
+    test('in Vite 7, which has to leave the package as it is, as the error says', async () => {
+      const server = await develop('vite-7', workspace('workspace-vite-7'));
+      const advice = "optimizeDeps: { exclude: ['halfedge'] }";
+      expect(await titleOnceThere(server)).toContain(`In Vite up to 7, set ${advice}.`);
+      const folder = workspace('workspace-vite-7-excluded', `{ ${advice} }`);
+      await expectWorking(await develop('vite-7', folder));
+    });
+  });
+
+  describe('through esbuild', () => {
+    const esbuild = tool('esbuild/bin/esbuild');
+    const inline = program(TITLE, { halfedge: 'halfedge/inline' });
+
+    test('into modules, with core.wasm and the script of the worker beside them', async () => {
+      const options = "{ worker: () => new Worker('worker-thread.js', { type: 'module' }) }";
+      const folder = project('worker-esbuild', {
+        'index.html': page('main.js'),
+        'index.js': program(TITLE, { options }),
+      });
+      const entries = ['main=index.js', 'worker-thread=halfedge/worker-thread'];
+      const flags = ['--bundle', '--splitting', '--format=esm', '--outdir=.'];
+      await node(folder, esbuild, ...entries, ...flags);
+      const wasm = join(folder, 'node_modules/halfedge/dist/core.wasm');
+      copyFileSync(wasm, join(folder, 'core.wasm'));
+      await expectWorking(await serve(folder, { policy: STRICT_POLICY }));
+    });
+
+    test.each([
+      ['esm', 'its script could not be loaded. Some bundlers (Angular, Bun, esbuild, Rollup)'],
+      ['iife', 'this script has no address (it was bundled as something else than a module)'],
+    ])('as %s without these, the error says what to do', async (format, message) => {
+      const folder = project(`worker-esbuild-${format}`, {
+        'index.html': page('main.js'),
+        'index.js': inline,
+      });
+      await node(folder, esbuild, 'main=index.js', '--bundle', `--format=${format}`, '--outdir=.');
+      const title = await titleOnceThere(await serve(folder));
+      expect(title).toContain(message);
+      expect(title).toContain('pass { worker: () => new Worker(…) }');
     });
   });
 

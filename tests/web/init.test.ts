@@ -239,7 +239,7 @@ test('init says what to do in a script that has no address', async () => {
   const error = await rejection(api.init());
   expect(error.code).toBe('init-failed');
   expect(error.message).toContain(
-    "call init({ wasm }) with an address, or import from 'halfedge/inline'",
+    "call init({ wasm }) with an address or a compiled module, or import from 'halfedge/inline'",
   );
   await api.init({ wasm: bytes });
   expectWorking(api);

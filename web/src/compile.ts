@@ -141,11 +141,14 @@ async function fromBytes(bytes: Uint8Array, origin: string): Promise<WebAssembly
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      `The WebAssembly module from ${shorten(origin)} can't be compiled: ${messageOf(cause)}.`,
+      `The WebAssembly module from ${shorten(origin)} can't be compiled: ${messageOf(cause)}.${/embedder/.test(messageOf(cause)) ? COMPILED_ELSEWHERE : ''}`,
       { cause },
     );
   }
 }
+
+const COMPILED_ELSEWHERE =
+  " Where programs may not compile, as in Cloudflare Workers, import the compiled module from 'halfedge/core.wasm' and pass it to init({ wasm }).";
 
 /** Shared memory can't be compiled from. */
 function unshared(bytes: Uint8Array): Uint8Array<ArrayBuffer> {

@@ -21,6 +21,9 @@ export interface Thread {
   terminate(): void;
 }
 
+/** What is heard of a worker whose script isn't there. */
+export const NOT_LOADED = 'its script could not be loaded';
+
 interface WebWorker extends WorkerLike {
   addEventListener(
     type: string,
@@ -40,7 +43,7 @@ export function connect(worker: WorkerLike, listener: Listener): Thread {
   web.addEventListener('message', ({ data }) => listener.message(data));
   web.addEventListener('messageerror', () => listener.failure('a message could not be read'));
   web.addEventListener('error', ({ message }) =>
-    listener.failure(message ? messageOf({ message }) : 'its script could not be loaded'),
+    listener.failure(message ? messageOf({ message }) : NOT_LOADED),
   );
   return {
     post: (message, transfer) => web.postMessage(message, transfer),

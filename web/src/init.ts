@@ -1,6 +1,7 @@
 import { type InitOptions, moduleFrom, wasmOption } from './compile.js';
 import { HalfedgeError } from './errors.js';
 import { load } from './loader.js';
+import { originalOf } from './original.js';
 
 /**
  * Loads the WebAssembly module. Await it once, before the first mesh is made. No options are needed in Node,
@@ -15,15 +16,25 @@ import { load } from './loader.js';
  */
 export async function init(options: InitOptions = {}): Promise<void> {
   const wasm = wasmOption(options);
-  await load(() => moduleFrom(wasm ?? besideThisFile()));
+  await load(() => (wasm === undefined ? moduleBesideThisFile() : moduleFrom(wasm)));
 }
 
-function besideThisFile(): URL {
+async function moduleBesideThisFile(): Promise<WebAssembly.Module> {
   const url = addressOfModule();
-  // In development, Vite up to 7 serves packages from copies of their JavaScript alone.
-  const copied = url.pathname.includes('/.vite/deps/');
-  return copied ? new URL('../../halfedge/dist/core.wasm', url) : url;
+  const original = originalOf('core.wasm', url.href);
+  try {
+    return await moduleFrom(original ?? url);
+  } catch (error) {
+    // Where a bundler for servers is at fault, the error has said so.
+    if (!(error instanceof HalfedgeError) || url.protocol === '') throw error;
+    const { code, message, cause } = error;
+    throw new HalfedgeError(code, `${message} ${original ? EXCLUDE : LEFT_BEHIND}`, { cause });
+  }
 }
+
+const LEFT_BEHIND =
+  "Some bundlers (Angular, Bun, esbuild, Rollup) leave core.wasm behind: copy it from halfedge/dist to the folder of the script, or import from 'halfedge/inline'.";
+const EXCLUDE = "In Vite up to 7, set optimizeDeps: { exclude: ['halfedge'] }.";
 
 function addressOfModule(): URL {
   try {
@@ -31,8 +42,8 @@ function addressOfModule(): URL {
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      "This script has no address (it is a blob: or data: URL, or was bundled as CommonJS), so that core.wasm can't be looked for beside it: " +
-        "call init({ wasm }) with an address, or import from 'halfedge/inline'.",
+      "This script has no address (it is a blob: or data: URL, or was bundled as something else than a module), so that core.wasm can't be looked for beside it: " +
+        "call init({ wasm }) with an address or a compiled module, or import from 'halfedge/inline'.",
       { cause },
     );
   }

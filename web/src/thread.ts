@@ -1,5 +1,13 @@
 import { describe } from './arguments.js';
-import { connect, type Listener, type Thread, type WorkerLike, workerOf } from './connection.js';
+import {
+  connect,
+  type Listener,
+  NOT_LOADED,
+  type Thread,
+  type WorkerLike,
+  workerOf,
+} from './connection.js';
+import { originalOf } from './original.js';
 
 export type { Thread, WorkerLike } from './connection.js';
 
@@ -18,8 +26,18 @@ export function startThread(listener: Listener, make: () => WorkerLike = newMesh
     );
   }
   connected.add(worker);
-  return connect(worker, listener);
+  return connect(worker, make === newMeshWorker ? advising(listener) : listener);
 }
+
+/** Tells what to do about a script that isn't where it was looked for. */
+function advising(listener: Listener): Listener {
+  const failure = (why: string) =>
+    listener.failure(why === NOT_LOADED ? `${why}. ${LEFT_BEHIND}` : why);
+  return { ...listener, failure };
+}
+
+const LEFT_BEHIND =
+  'Some bundlers (Angular, Bun, esbuild, Rollup) leave it behind: bundle halfedge/worker-thread by itself, and pass { worker: () => new Worker(…) } with that';
 
 const newMeshWorker = () =>
   newWorker(
@@ -30,23 +48,29 @@ const newMeshWorker = () =>
 
 /** Starts a script of the package; `direct` does so in a browser, as bundlers understand it. */
 export function newWorker(script: string, direct: () => WorkerLike): WorkerLike {
-  const here = import.meta.url;
+  const here: string | undefined = import.meta.url;
   if (typeof Worker === 'undefined') {
+    if (here === undefined) throw new Error(NO_ADDRESS);
     // Not in the form that bundlers recognise: they would make an asset of it.
     return new (nodeWorkerClass())(new URL(script, here));
   }
-  // In development, Vite up to 7 serves packages from copies of their JavaScript, without this script.
-  if (here.includes('/.vite/deps/')) {
-    return new Worker(new URL(`../../halfedge/dist/${script}`, here), { type: 'module' });
+  const original = originalOf(script, here ?? '');
+  // Vite from 8 on has put the right address there, which may be outside of the project.
+  if (original !== undefined && !String(direct).includes(`/dist/${script}`)) {
+    return new Worker(original, { type: 'module' });
   }
   try {
     return direct();
-  } catch (error) {
+  } catch (cause) {
+    if (here === undefined) throw new Error(NO_ADDRESS, { cause });
     // From another site, such as a CDN, scripts can be imported but not started.
-    if (!here.endsWith('/thread.js')) throw error;
+    if (!here.endsWith('/thread.js')) throw cause;
     return workerOf(`import ${JSON.stringify(new URL(script, here).href)};`);
   }
 }
+
+const NO_ADDRESS =
+  "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it: pass { worker: () => new Worker(…) } with a bundle of halfedge/worker-thread";
 
 function nodeWorkerClass(): new (script: URL) => WorkerLike {
   const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
