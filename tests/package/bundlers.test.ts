@@ -1,7 +1,7 @@
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { filesBelow } from '../../scripts/lib/files.mjs';
-import { disconnect, visit } from './support/browser.js';
+import { disconnect, titleOf, visit } from './support/browser.js';
 import { EXPECTED, page, program, startWorker, TITLE } from './support/programs.js';
 import { node, project, tool } from './support/project.js';
 import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
@@ -106,6 +106,23 @@ describe('Through webpack', () => {
 });
 
 describe('Through esbuild', () => {
+  test('what it leaves behind is told with what to do about it', async () => {
+    const folder = project('esbuild-module', {
+      'main.js': program(TITLE),
+      'index.html': page('bundle.js'),
+    });
+    const options = ['--bundle', '--format=esm', '--outfile=bundle.js'];
+    await node(folder, tool('esbuild/bin/esbuild'), 'main.js', ...options);
+    const server = await serve(folder);
+    const told = await titleOf(server.address);
+    expect(told).toContain('/core.wasm: the server answered 404');
+    expect(told).toContain(
+      'copy it from halfedge/dist to the folder of the script, or import from',
+    );
+    copyFileSync(join(folder, 'node_modules/halfedge/dist/core.wasm'), join(folder, 'core.wasm'));
+    expect(await visitOnce(server)).toMatchObject({ title: EXPECTED, complaints: [] });
+  });
+
   test('`halfedge/inline` becomes one file that runs without a server', async () => {
     const folder = project('esbuild', {
       'main.js': program(TITLE, { from: 'halfedge/inline' }),

@@ -73,6 +73,16 @@ import('halfedge').then(async ({ init, HalfedgeMesh }) => {
     expect(await node(folder, 'main.cjs')).toBe('0');
   });
 
+  test('a CommonJS program can require it', async () => {
+    const folder = project('required', {
+      'main.cjs': `
+const { init, HalfedgeMesh } = require('halfedge');
+init().then(() => console.log(new HalfedgeMesh().vertexCount));
+`,
+    });
+    expect(await node(folder, '--no-warnings', 'main.cjs')).toBe('0');
+  });
+
   test('it leaves prototypes, globals and the handlers of the process alone', async () => {
     const folder = project('globals', { 'main.mjs': inspect });
     expect(await node(folder, 'main.mjs')).toBe('as before');

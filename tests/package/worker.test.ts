@@ -1,6 +1,6 @@
 import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { disconnect, visit, withPage } from './support/browser.js';
+import { disconnect, titleOf, visit } from './support/browser.js';
 import { page, TITLE } from './support/programs.js';
 import { node, project, tool } from './support/project.js';
 import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
@@ -45,13 +45,10 @@ const atAnyPort = ['--host', '127.0.0.1', '--port', '0'];
 
 afterAll(disconnect);
 
-/** What a page says that can't do it; in the console there may be complaints then. */
+/** What a page says that can't do it. */
 async function titleOnceThere(server: RunningServer): Promise<string> {
   try {
-    return await withPage(server.address, async ({ page }) => {
-      await page.waitForFunction(() => document.title !== '');
-      return page.title();
-    });
+    return await titleOf(server.address);
   } finally {
     await server.close();
   }
@@ -166,18 +163,19 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
     const esbuild = tool('esbuild/bin/esbuild');
     const inline = program(TITLE, { halfedge: 'halfedge/inline' });
 
-    test('into modules, with core.wasm and the script of the worker beside them', async () => {
-      const options = "{ worker: () => new Worker('worker-thread.js', { type: 'module' }) }";
+    test('as its guide says, into modules with core.wasm beside them', async () => {
+      const guide = readFileSync('docs/bundlers.md', 'utf8');
+      const [, command] = /^esbuild (main\.js .*)$/m.exec(guide) ?? [];
+      const [, worker] = /^const worker = (.*mesh-worker\.js.*);$/m.exec(guide) ?? [];
       const folder = project('worker-esbuild', {
-        'index.html': page('main.js'),
-        'index.js': program(TITLE, { options }),
+        'main.js': program(TITLE, { options: `{ worker: ${worker} }` }),
+        'mesh-worker.js': "import 'halfedge/worker-thread';",
+        'dist/index.html': page('main.js'),
       });
-      const entries = ['main=index.js', 'worker-thread=halfedge/worker-thread'];
-      const flags = ['--bundle', '--splitting', '--format=esm', '--outdir=.'];
-      await node(folder, esbuild, ...entries, ...flags);
+      await node(folder, esbuild, ...String(command).split(' '));
       const wasm = join(folder, 'node_modules/halfedge/dist/core.wasm');
-      copyFileSync(wasm, join(folder, 'core.wasm'));
-      await expectWorking(await serve(folder, { policy: STRICT_POLICY }));
+      copyFileSync(wasm, join(folder, 'dist/core.wasm'));
+      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }));
     });
 
     test.each([
@@ -191,7 +189,7 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
       await node(folder, esbuild, 'main=index.js', '--bundle', `--format=${format}`, '--outdir=.');
       const title = await titleOnceThere(await serve(folder));
       expect(title).toContain(message);
-      expect(title).toContain('pass { worker: () => new Worker(…) }');
+      expect(title).toContain('pass { worker: () => new Worker(...) }');
     });
   });
 

@@ -3,6 +3,7 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { createContext, runInContext } from 'node:vm';
 import { build as bundle } from 'esbuild';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 
@@ -242,6 +243,19 @@ test('init says what to do in a script that has no address', async () => {
     "call init({ wasm }) with an address or a compiled module, or import from 'halfedge/inline'",
   );
   await api.init({ wasm: bytes });
+  expectWorking(api);
+});
+
+test('init says what to do where programs may not compile WebAssembly', async () => {
+  const api = await fresh('halfedge/inline');
+  const options = { codeGeneration: { strings: true, wasm: false } }; // as in Cloudflare Workers
+  const { compile } = runInContext('WebAssembly', createContext({}, options));
+  const spy = import.meta.jest.spyOn(WebAssembly, 'compile').mockImplementation(compile);
+  const error = await rejection(api.init());
+  spy.mockRestore();
+  expect(error.code).toBe('init-failed');
+  expect(error.message).toMatch(/disallowed by embedder.*'halfedge\/core\.wasm'.*init\({ wasm }\)/);
+  await api.init({ wasm: await WebAssembly.compile(bytes) });
   expectWorking(api);
 });
 

@@ -37,7 +37,7 @@ function advising(listener: Listener): Listener {
 }
 
 const LEFT_BEHIND =
-  'Some bundlers (Angular, Bun, esbuild, Rollup) leave it behind: bundle halfedge/worker-thread by itself, and pass { worker: () => new Worker(…) } with that';
+  'Some bundlers (Angular, Bun, esbuild, Rollup) leave it behind: bundle halfedge/worker-thread by itself, and pass { worker: () => new Worker(...) } with that';
 
 const newMeshWorker = () =>
   newWorker(
@@ -70,7 +70,7 @@ export function newWorker(script: string, direct: () => WorkerLike): WorkerLike 
 }
 
 const NO_ADDRESS =
-  "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it: pass { worker: () => new Worker(…) } with a bundle of halfedge/worker-thread";
+  "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it: pass { worker: () => new Worker(...) } with a bundle of halfedge/worker-thread";
 
 function nodeWorkerClass(): new (script: URL) => WorkerLike {
   const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };

@@ -31,6 +31,14 @@ export async function visit(address: string) {
   });
 }
 
+/** What a page says, whatever complaints there are in the console. */
+export async function titleOf(address: string): Promise<string> {
+  return withPage(address, async ({ page }) => {
+    await page.waitForFunction(() => document.title !== '');
+    return page.title();
+  });
+}
+
 /** Opens a page in a fresh profile for as long as `use` runs. */
 export async function withPage<T>(
   address: string,
