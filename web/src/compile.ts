@@ -141,14 +141,22 @@ async function fromBytes(bytes: Uint8Array, origin: string): Promise<WebAssembly
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      `The WebAssembly module from ${shorten(origin)} can't be compiled: ${messageOf(cause)}.${/embedder/.test(messageOf(cause)) ? COMPILED_ELSEWHERE : ''}`,
+      `The WebAssembly module from ${shorten(origin)} can't be compiled: ${messageOf(cause)}.${remedy(cause)}`,
       { cause },
     );
   }
 }
 
-const COMPILED_ELSEWHERE =
-  " Where programs may not compile, as in Cloudflare Workers, import the compiled module from 'halfedge/core.wasm' and pass it to init({ wasm }).";
+/** What to do where WebAssembly may not be compiled. */
+function remedy(cause: unknown): string {
+  const message = messageOf(cause);
+  // What browsers say names other words of old, or none.
+  if (/Content.Security.Policy|\bCSP\b/i.test(message)) {
+    return " In that policy, script-src needs 'wasm-unsafe-eval'.";
+  }
+  if (!/disallowed by embedder/.test(message)) return '';
+  return " Where programs may not compile, as in Cloudflare Workers, import the compiled module from 'halfedge/core.wasm' and pass it to init({ wasm }).";
+}
 
 /** Shared memory can't be compiled from. */
 function unshared(bytes: Uint8Array): Uint8Array<ArrayBuffer> {

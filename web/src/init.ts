@@ -25,9 +25,10 @@ async function moduleBesideThisFile(): Promise<WebAssembly.Module> {
   try {
     return await moduleFrom(original ?? url);
   } catch (error) {
-    // Where a bundler for servers is at fault, the error has said so.
+    // Where a bundler for servers is at fault, the error has said so; and what can't be compiled is there.
     if (!(error instanceof HalfedgeError) || url.protocol === '') throw error;
     const { code, message, cause } = error;
+    if (cause instanceof WebAssembly.CompileError) throw error;
     throw new HalfedgeError(code, `${message} ${original ? EXCLUDE : LEFT_BEHIND}`, { cause });
   }
 }
