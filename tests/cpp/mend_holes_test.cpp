@@ -280,6 +280,32 @@ TEST(FillHoles, GivesNewFacesTheDefaultAttributes) {
   }
 }
 
+// The search for the hole of 9 edges misses a filling within the angle. The hole of 3 edges, which
+// is filled later, joins two of its vertices: now the search finds one.
+TEST(FillHoles, LeavesNothingThatASecondCallFills) {
+  constexpr Point kPoints[] = {
+      {0.81f, -1.44f, 0.43f},  {0.94f, -1.24f, -0.01f}, {-0.18f, -1.07f, -0.34f},
+      {0.45f, -0.29f, 0.99f},  {-0.55f, -1.1f, -0.19f}, {0.52f, -0.43f, 0.31f},
+      {0.11f, -0.36f, -0.19f}, {0.34f, -0.5f, -0.4f},   {-0.11f, -0.58f, -0.41f},
+      {0.26f, -1.35f, -0.33f}, {0.44f, -0.77f, -0.39f}, {0.29f, -0.29f, -0.99f},
+      {0.19f, -1.15f, 0.06f},  {0.25f, -0.85f, -0.32f}, {0.56f, -1.41f, 0.45f},
+      {0.31f, 0.33f, -0.35f},  {0.3f, -0.62f, 0.71f}};
+  constexpr Index kFaces[][3] = {{0, 1, 2},  {1, 3, 4},    {4, 5, 6},   {7, 8, 9},   {6, 10, 8},
+                                 {7, 9, 11}, {12, 11, 13}, {0, 12, 14}, {13, 15, 16}};
+  Mesh mesh;
+  for (const Point& p : kPoints) (void)mesh.add_vertex(p);
+  for (const auto& [a, b, c] : kFaces) {
+    const std::array corners = {Vertex(a), Vertex(b), Vertex(c)};
+    ASSERT_TRUE(operations::add_face(mesh, corners));
+  }
+  const mend::Report first = mended(mesh, fill);
+  const mend::Report second = mended(mesh, fill);
+  EXPECT_EQ(second.count(Code::kFilledHole), 0U) << second.summary;
+  EXPECT_EQ(first.summary, "2 holes filled.");
+  EXPECT_EQ(first.problems.size(), 0U);
+  EXPECT_LE(sharpest_at(mesh, first.faces), 160);
+}
+
 TEST(FillHoles, LeavesPositionsThatAreNoNumbers) {
   Mesh mesh = shapes::mesh_of(shapes::cylinder(5, 1, shapes::Caps::kOpen)).value();
   mesh.set_position(Vertex(0), {0, std::nanf(""), 0});

@@ -215,9 +215,7 @@ export abstract class Mending extends Modelling {
    * would fold over (`folding-hole`), and those for which each triangulation found joins vertices that are
    * joined already (`unfillable-hole`). Up to 200 edges, triangulations are compared by dynamic programming,
    * in O(n^3): the largest fold is kept small, in steps of 30 degrees, and then diagonals short. Above that,
-   * the triangulation is a good one, in about O(n log n) and the valences. Each loop is looked at once.
-   * Filling a later loop beside one that was left may lead the search another way, so a second call will,
-   * rarely, fill it.
+   * the triangulation is a good one, in about O(n log n) and the valences.
    *
    * @returns `faces`: the new ones
    * @throws HalfedgeError `out-of-memory`, `disposed`

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <string>
 
 namespace halfedge::mend {
@@ -14,15 +16,51 @@ namespace {
 
 using decorator::internal::refusal;
 
-Failure no_room_for_triangles() {
-  return decorator::internal::no_memory("the triangles of a hole");
+// From kBlocked on for lack of a plan.
+enum class Why : std::uint8_t { kFilled, kLarge, kSmall, kNoNumber, kBlocked, kFolding };
+
+// What became of a loop. Triangles beside one that was left may join two of its corners, which
+// forbids a diagonal, and may by chance lead the search to what it had missed: it is planned again.
+struct Loop {
+  Halfedge first;
+  Why why = Why::kBlocked;
+  std::size_t edges = 0;
+  std::size_t joins = HolePlan::kUnplanned;
+  double degrees = 0;  // of the fold
+};
+
+Code code_of(Why why) {
+  if (why == Why::kLarge) return Code::kLargeHole;
+  return why == Why::kFolding ? Code::kFoldingHole : Code::kUnfillableHole;
 }
 
-Failure left_open(Halfedge h, std::size_t edges, const std::string& why) {
-  return refusal("",
-                 sentence::of("the boundary loop of halfedge {}, of {}{}{}", h.index(), edges,
-                              edges == 1 ? " edge, " : " edges, ", why),
-                 {.halfedges = {h.index()}});
+std::string sentence_of(const Loop& loop, const FillOptions& options) {
+  switch (loop.why) {
+    case Why::kLarge:
+      return sentence::of("is larger than asked for, expected {} at most", options.max_edges);
+    case Why::kSmall:
+      return "can't be filled: a face has three corners at least";
+    case Why::kNoNumber:
+      return "has a position that is no finite number";
+    case Why::kBlocked:
+      return "can't be filled: each triangulation found joins vertices that are joined already, "
+             "expected one that does not";
+    case Why::kFilled:
+    case Why::kFolding:
+      break;
+  }
+  return sentence::of(
+      "would be filled with a fold of {} degrees, expected {} at most between the normals of "
+      "neighbours",
+      sentence::number(loop.degrees), sentence::number(options.max_angle));
+}
+
+Failure left_open(const Loop& loop, const FillOptions& options) {
+  return refusal(
+      "",
+      sentence::of("the boundary loop of halfedge {}, of {}{}{}", loop.first.index(), loop.edges,
+                   loop.edges == 1 ? " edge, " : " edges, ", sentence_of(loop, options)),
+      {.halfedges = {loop.first.index()}});
 }
 
 class Filler {
@@ -30,64 +68,54 @@ class Filler {
   Filler(Surface& surface, const FillOptions& options, Report& report)
       : surface_(surface), options_(options), report_(report), plan_(surface, options.max_angle) {}
 
-  [[nodiscard]] Result<void> fill(Halfedge first) {
-    std::size_t edges = 0;
+  // False when memory is exhausted.
+  [[nodiscard]] bool fill(std::span<const Halfedge> loops) {
+    if (!loops_.resize(loops.size(), {})) return false;
+    for (std::size_t i = 0; i < loops.size(); ++i) look_at(loops_[i], loops[i]);
+    for (bool again = true; again;) {
+      again = false;
+      for (Loop& loop : loops_) {
+        if (loop.why < Why::kBlocked) continue;
+        if (!fill(loop)) return false;
+        again = again || loop.why == Why::kFilled;
+      }
+    }
+    for (const Loop& loop : loops_) {
+      if (loop.why == Why::kFilled) continue;
+      report_.leave(code_of(loop.why), [&] { return left_open(loop, options_); });
+    }
+    return true;
+  }
+
+ private:
+  void look_at(Loop& loop, Halfedge first) {
     bool is_finite = true;
     Halfedge h = first;
     do {
       const Point p = surface_.position(surface_.to_vertex(h));
       is_finite = is_finite && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-      ++edges;
+      ++loop.edges;
       h = surface_.next(h);
     } while (h != first);
-
-    if (edges > options_.max_edges) {
-      report_.leave(Code::kLargeHole, [&] {
-        return left_open(
-            first, edges,
-            sentence::of("is larger than asked for, expected {} at most", options_.max_edges));
-      });
-      return {};
+    loop.first = first;
+    if (loop.edges > options_.max_edges) {
+      loop.why = Why::kLarge;
+    } else if (loop.edges < 3) {
+      loop.why = Why::kSmall;
+    } else if (!is_finite) {
+      loop.why = Why::kNoNumber;
     }
-    if (edges < 3) {
-      report_.leave(Code::kUnfillableHole, [&] {
-        return left_open(first, edges, "can't be filled: a face has three corners at least");
-      });
-      return {};
-    }
-    if (!is_finite) {
-      report_.leave(Code::kUnfillableHole, [&] {
-        return left_open(first, edges, "has a position that is no finite number");
-      });
-      return {};
-    }
-    return fill(first, edges);
   }
 
- private:
-  [[nodiscard]] Result<void> fill(Halfedge first, std::size_t edges) {
-    const HolePlan::Outcome outcome = plan_.run(first);
-    if (outcome == HolePlan::Outcome::kOutOfMemory) return no_room_for_triangles();
-    if (outcome == HolePlan::Outcome::kBlocked) {
-      report_.leave(Code::kUnfillableHole, [&] {
-        return left_open(first, edges,
-                         "can't be filled: each triangulation found joins vertices that are joined "
-                         "already, expected one that does not");
-      });
-      return {};
-    }
-    const double degrees = 57.29577951308232 * std::acos(std::clamp(plan_.worst(), -1.0, 1.0));
-    if (degrees > options_.max_angle) {
-      report_.leave(Code::kFoldingHole, [&] {
-        return left_open(
-            first, edges,
-            sentence::of("would be filled with a fold of {} degrees, expected {} at most between "
-                         "the normals of neighbours",
-                         sentence::number(degrees), sentence::number(options_.max_angle)));
-      });
-      return {};
-    }
-    return cut(first) ? Result<void>{} : no_room_for_triangles();
+  [[nodiscard]] bool fill(Loop& loop) {
+    const HolePlan::Outcome outcome = plan_.run(loop.first, loop.joins);
+    if (outcome == HolePlan::Outcome::kOutOfMemory) return false;
+    if (outcome == HolePlan::Outcome::kSame) return true;
+    loop.why = Why::kBlocked;
+    if (outcome == HolePlan::Outcome::kBlocked) return true;
+    loop.degrees = 57.29577951308232 * std::acos(std::clamp(plan_.worst(), -1.0, 1.0));
+    loop.why = loop.degrees > options_.max_angle ? Why::kFolding : Why::kFilled;
+    return loop.why == Why::kFolding || cut(loop.first);
   }
 
   // One face, from which the ears are cut off.
@@ -124,6 +152,7 @@ class Filler {
   const FillOptions& options_;
   Report& report_;
   HolePlan plan_;
+  Array<Loop> loops_;
   Array<Halfedge> into_;  // by corner
   Array<Index> next_;
   Array<Index> prev_;
@@ -141,9 +170,8 @@ Result<Report> fill_holes(Surface& surface, const FillOptions& options) {
   if (!loops) return loops.error();
   Report report;
   Filler filler(surface, options, report);
-  for (const Halfedge h : loops.value()) {
-    if (!surface.is_live(h)) continue;
-    if (Result<void> done = filler.fill(h); !done) return done.error();
+  if (!filler.fill(loops.value().span())) {
+    return decorator::internal::no_memory("the triangles of a hole");
   }
   report.summarize();
   return report;

@@ -2,6 +2,7 @@
 #include <halfedge/sort.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace halfedge::mend {
 
@@ -184,16 +185,18 @@ HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
   return Outcome::kDone;
 }
 
-HolePlan::Outcome HolePlan::run(Halfedge first) {
+HolePlan::Outcome HolePlan::run(Halfedge first, std::size_t& joins) {
   if (!read_loop(first)) return Outcome::kOutOfMemory;
   const std::size_t n = vertices_.size();
   if (!next_.resize(n) || !prev_.resize(n) || !stamp_.resize(n) || !side_.resize(n) ||
       !rest_.reserve(kExact)) {
     return Outcome::kOutOfMemory;
   }
-  if (!list_forbidden()) {
-    return forbidden_.size() > kMaxForbidden ? Outcome::kBlocked : Outcome::kOutOfMemory;
-  }
+  const bool is_listed = list_forbidden();
+  const std::size_t before = std::exchange(joins, forbidden_.size());
+  if (!is_listed && joins <= kMaxForbidden) return Outcome::kOutOfMemory;
+  if (joins == before) return Outcome::kSame;
+  if (!is_listed) return Outcome::kBlocked;
   constexpr int kTries = 8;
   for (int i = 0; i < kTries; ++i) {
     Outcome outcome = plan();

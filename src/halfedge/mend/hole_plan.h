@@ -28,16 +28,19 @@ class HolePlan {
   static constexpr std::size_t kExact = 200;
   static constexpr std::size_t kPlanar = 5000;
 
-  enum class Outcome : std::uint8_t { kDone, kBlocked, kOutOfMemory };
+  enum class Outcome : std::uint8_t { kDone, kSame, kBlocked, kOutOfMemory };
+  static constexpr std::size_t kUnplanned = std::size_t(-1);
 
   /// Plans so that no fold is sharper than `max_angle`, in degrees, where it can be helped.
   HolePlan(const Surface& surface, double max_angle);
 
-  /// Plans the loop of `first`.
+  /// Plans the loop of `first`. `joins` becomes the number of pairs of corners whose vertices are
+  /// joined already, or the same. Triangles beside the loop can only add some: where there are as
+  /// many as the last time, the plan would be the same, and there is none.
   /// pre: finite positions, three edges at least; faces beside it are as they were for the loops
   /// before. cost: O(n^3) of n <= kExact corners, else O(n log n + kExact^3) and,
   /// up to kPlanar, that of PolygonTriangulator
-  [[nodiscard]] Outcome run(Halfedge first);
+  [[nodiscard]] Outcome run(Halfedge first, std::size_t& joins);
 
   /// The corners in the order in which they are cut off, of which corner 0 is where `first` leads.
   [[nodiscard]] std::span<const Index> ears() const { return ears_.span(); }

@@ -124,8 +124,7 @@ struct FillOptions {
 ///
 /// Left is what has too many edges (large-hole), what would fold over (folding-hole), and what
 /// would join vertices that are joined already, or has fewer than three edges (unfillable-hole).
-/// Each is looked at once: what is filled later beside it may lead the search another way, so that,
-/// rarely, a second call fills it.
+/// A loop that was left is planned again where a triangle beside it joins two of its vertices.
 ///
 /// attributes: new faces and edges have the defaults; corners what the boundary halfedges had
 /// report: faces: the new ones
