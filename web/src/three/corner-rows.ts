@@ -1,5 +1,11 @@
 import { newArray } from '../arguments.js';
-import { eachOutgoing, GeometryRows, type ShownColumn, type ShownRows } from './geometry-rows.js';
+import {
+  eachOutgoing,
+  GeometryRows,
+  isMost,
+  type ShownColumn,
+  type ShownRows,
+} from './geometry-rows.js';
 import { ItemSet } from './item-set.js';
 import {
   type Shape,
@@ -69,7 +75,12 @@ export class CornerRows extends GeometryRows {
         hasMoved = true;
       }
       if (hasMoved && vertexHalfedge[v] >= -1) moved.push(v);
-      eachOutgoing(next, vertexHalfedge[v], (h) => faces.add(face[h]));
+    }
+    if (isMost(vertices, this.mesh)) {
+      // All, in the order in which they lie: that is several times as fast.
+      for (let f = 0; f < this.mesh.faceSlots; f++) faces.add(f);
+    } else {
+      for (const v of vertices) eachOutgoing(next, vertexHalfedge[v], (h) => faces.add(face[h]));
     }
     return moved;
   }
@@ -107,6 +118,15 @@ export class CornerRows extends GeometryRows {
 
   #writeSmoothNormals(vertices: readonly number[], moved: readonly number[]): void {
     if (this.normal === undefined) return;
+    if (isMost(moved, this.mesh)) {
+      const normals = vertexNormals(this.mesh);
+      const { slots, buffer } = this.triangles;
+      for (let row = 0; row < 3 * slots.end; row++) {
+        if (slots.faceOf[Math.floor(row / 3)] >= 0)
+          this.normal.write(row, normals, 3 * buffer.array[row]);
+      }
+      return;
+    }
     const shape = this.findStale(vertices, moved, this.#stale);
     const { next, face, vertexHalfedge } = shape;
     for (const v of this.#stale.items) {

@@ -106,6 +106,11 @@ export abstract class GeometryRows {
   }
 }
 
+/** Whether these are so many that all of the mesh is written sooner than what is around each of them. */
+export function isMost(vertices: readonly number[], mesh: HalfedgeMesh): boolean {
+  return 4 * vertices.length > mesh.vertexCount;
+}
+
 /** Calls `use` with each halfedge that leaves a vertex, by one of them; none for a negative one. */
 export function eachOutgoing(next: Int32Array, first: number, use: (h: number) => void): void {
   if (!(first >= 0)) return;

@@ -63,9 +63,8 @@ export class RowBuffer {
 
   /** Tells three.js which ranges to upload. Returns the bytes of them. */
   mark(): number {
-    const rows = this.#written;
-    if (rows.length === 0) return 0;
-    rows.sort((a, b) => a - b);
+    if (this.#written.length === 0) return 0;
+    const rows = new Uint32Array(this.#written).sort(); // many times as fast as sorting the list
     const { attribute, components } = this;
     let bytes = 0;
     for (let i = 0; i < rows.length; ) {
@@ -75,7 +74,7 @@ export class RowBuffer {
       attribute.addUpdateRange(from * components, (to - from) * components);
       bytes += (to - from) * components * attribute.array.BYTES_PER_ELEMENT;
     }
-    rows.length = 0;
+    this.#written.length = 0;
     const ranges = attribute.updateRanges;
     if (ranges.length > MOST_RANGES) {
       let start = Number.POSITIVE_INFINITY;

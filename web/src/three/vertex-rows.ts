@@ -1,4 +1,4 @@
-import { eachOutgoing, GeometryRows } from './geometry-rows.js';
+import { eachOutgoing, GeometryRows, isMost } from './geometry-rows.js';
 import { ItemSet } from './item-set.js';
 import { vertexNormals, writeVertexNormal } from './normals.js';
 import { roomFor } from './rows.js';
@@ -31,8 +31,10 @@ export class VertexRows extends GeometryRows {
       for (const { buffer, values } of columns) buffer.write(v, values, v * buffer.components);
       if (!this.position.write(v, positions, 3 * v)) continue;
       if (vertexHalfedge[v] >= -1) moved.push(v);
-      // Polygons may have to be cut in another way now.
-      eachOutgoing(next, vertexHalfedge[v], (h) => faces.add(face[h]));
+      // Polygons may have to be cut in another way now; triangles stay as they are.
+      eachOutgoing(next, vertexHalfedge[v], (h) => {
+        if (next[next[next[h]]] !== h) faces.add(face[h]);
+      });
     }
     return moved;
   }
@@ -44,6 +46,11 @@ export class VertexRows extends GeometryRows {
     moved: readonly number[],
   ): void {
     if (this.normal === undefined) return;
+    if (isMost(moved, this.mesh)) {
+      const normals = vertexNormals(this.mesh);
+      for (const v of this.mesh.vertices()) this.normal.write(v, normals, 3 * v);
+      return;
+    }
     const shape = this.findStale(vertices, moved, this.#stale);
     for (const v of this.#stale.items) {
       writeVertexNormal(shape, v, normal, 0);
