@@ -1,4 +1,4 @@
-import { cpSync, readdirSync, readFileSync } from 'node:fs';
+import { cpSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as pause } from 'node:timers/promises';
 import { root } from '../../scripts/lib/run.mjs';
@@ -67,6 +67,38 @@ test('planar_map.mjs prints what the program in C++ does, but for the levels of 
   const printed = await node(folder, 'examples/planar_map.mjs');
   expect(printed).toContain('dual of vertex 6');
   expect(example('planar_map.txt').startsWith(`${printed}\nvalid at level 2: yes`)).toBe(true);
+});
+
+test('edge_loop.mjs cuts a strip of quads, and takes it back in one step', async () => {
+  expect(await node(folder, 'examples/edge_loop.mjs')).toBe(
+    `a cube: 8 vertices, 12 edges, 6 faces
+with a loop of 4 edges: 12 vertices, 20 edges, 10 faces
+with another of 6: 18 vertices, 32 edges, 16 faces
+all quads: true, problems: 0
+the second taken back: 12 vertices, 20 edges, 10 faces`,
+  );
+});
+
+describe('simplify.mjs', () => {
+  test('prints what the program in C++ prints', async () => {
+    const printed = await node(folder, 'examples/simplify.mjs');
+    expect(`${printed}\n`).toBe(example('simplify.txt'));
+  });
+
+  test('reduces a file to a tenth of its triangles, and leaves its boundary where it is', async () => {
+    const rows = Array.from({ length: 21 }, (_, i) => i);
+    const quads = rows.slice(1).flatMap((y) => rows.slice(1).map((x) => 21 * y + x - 21));
+    const grid = [
+      ...rows.flatMap((y) => rows.map((x) => `v ${x} ${y} ${(x * y) / 100}`)),
+      ...quads.map((v) => `f ${v} ${v + 1} ${v + 22} ${v + 21}`),
+    ];
+    writeFileSync(join(folder, 'grid.obj'), grid.join('\n'));
+    expect(await node(folder, 'examples/simplify.mjs', 'grid.obj', 'small.ply')).toMatch(
+      /^441 vertices, 800 triangles, Euler characteristic 1\n\d+ vertices, (80|79) triangles, .* 1\nvalid$/,
+    );
+    const info = await node(folder, 'node_modules/halfedge/dist/cli/main.js', 'info', 'small.ply');
+    expect(info).toMatch(/bounding box +0 0 0 to 20 20 4$/m);
+  });
 });
 
 describe('load_file.mjs', () => {
