@@ -297,8 +297,8 @@ export class HalfedgeMesh extends Shapes {
   }
 
   /**
-   * One halfedge of each boundary loop, in ascending order. `halfedgeLoop(h)` walks the loop.
-   * O(halfedges).
+   * One halfedge of each boundary loop, in ascending order. `halfedgeLoop(h)` walks the loop, with the gap on
+   * its left: clockwise around a disk. O(halfedges).
    */
   boundaryLoops(): Halfedge[] {
     return boundaryLoopsOf(linksOf(this));
