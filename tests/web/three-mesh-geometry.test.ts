@@ -131,9 +131,11 @@ describe.each(LAYOUTS)('MeshGeometry, %s,', (_name, options) => {
           if (way < 0.15) done.push(`undo ${history.undo()}`);
           else if (way < 0.25) done.push(`redo ${history.redo()}`);
           else if (way < 0.3 && mesh.vertexCount > 0) {
-            const [v] = mesh.vertices();
-            mesh.positions[3 * v + 1] += 0.25;
-            done.push(`moved ${v}`);
+            const every = next() < 0.5 ? 1 : mesh.vertexSlots;
+            const moved = mesh.vertices().toArray();
+            for (let at = 0; at < moved.length; at += every)
+              mesh.positions[3 * moved[at] + 1] += 0.25 + 0.1 * next();
+            done.push(`moved one in ${every}`);
           } else {
             const made = randomEdit(mesh, next);
             refusalOf(made);
