@@ -173,6 +173,7 @@ describe.each(LAYOUTS)('MeshGeometry, %s,', (_name, options) => {
       expectSame(geometry, mesh, options, `one in ${every}`);
       const around = moved.filter((v) => v % every === 0).flatMap((v) => [...mesh.vertexFaces(v)]);
       expect(new Set(told)).toEqual(new Set(around));
+      expect(told).toHaveLength(new Set(around).size); // each once
       expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
       card.upload(geometry);
       card.expectUpToDate(geometry);

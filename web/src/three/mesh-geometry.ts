@@ -14,7 +14,8 @@ import {
   shownAttributes,
 } from './columns.js';
 import { CornerRows } from './corner-rows.js';
-import type { GeometryRows } from './geometry-rows.js';
+import { eachOutgoing, type GeometryRows } from './geometry-rows.js';
+import { ItemSet } from './item-set.js';
 import { MeshChanges } from './mesh-changes.js';
 import type { RowBuffer } from './rows.js';
 import { TriangleIndex } from './triangle-index.js';
@@ -31,8 +32,8 @@ export interface GeometryUpdate {
 }
 
 /**
- * Called with the faces that look different: with other corners, moved, new or gone. Null if that may be all
- * of them.
+ * Called with the faces that look different, each once: with other corners, moved, new or gone. Null if that
+ * may be all of them.
  */
 export type ChangeListener = (faces: readonly number[] | null) => void;
 
@@ -155,7 +156,7 @@ export class MeshGeometry extends BufferGeometry {
     const bytes = this.#show();
     this.#isTorn = false;
     if (this.#listeners.size > 0 && (changed > 0 || moved.length > 0))
-      this.#tell([...placement.faces, ...this.#around(moved)]);
+      this.#tell(this.#lookDifferent(placement.faces, moved));
     return { faces: changed, bytes };
   }
 
@@ -241,9 +242,14 @@ export class MeshGeometry extends BufferGeometry {
     return this.#buffers().reduce((sum, [, { array }]) => sum + array.byteLength, 0);
   }
 
-  /** The faces around some vertices; some several times. */
-  #around(vertices: readonly number[]): number[] {
-    return vertices.flatMap((v) => [...this.mesh.vertexFaces(v)]);
+  /** Faces with other triangles, and those around vertices that have moved. */
+  #lookDifferent(others: readonly number[], moved: readonly number[]): readonly number[] {
+    const faces = new ItemSet();
+    const { next, face, vertexHalfedge } = this.mesh.connectivity;
+    faces.begin(this.#triangles.slots.faces);
+    for (const f of others) faces.add(f);
+    for (const v of moved) eachOutgoing(next, vertexHalfedge[v], (h) => faces.add(face[h]));
+    return faces.items;
   }
 
   #tell(faces: readonly number[] | null): void {
