@@ -288,7 +288,7 @@ export class HalfedgeMesh extends Shapes {
     return answer(links, links.core._check_dual(links.address));
   }
 
-  /** A copy of this mesh with the same indices, in memory of its own. */
+  /** A copy of this mesh with the same indices and attributes, in memory of its own, with history off. */
   clone(): HalfedgeMesh {
     const links = linksOf(this);
     const address = links.core.cloneMesh(links.address);
