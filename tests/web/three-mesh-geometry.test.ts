@@ -435,6 +435,32 @@ describe('MeshGeometry of a million faces', () => {
   });
 });
 
+test.each(['Float64Array', 'Uint32Array'] as const)(
+  'An update that JavaScript has no room for is an error, and is made up for: %s',
+  (name) => {
+    using mesh = HalfedgeMesh.torus(12, 8, { triangles: true });
+    const geometry = new MeshGeometry(mesh);
+    mesh.positions.forEach((x, i, positions) => {
+      positions[i] = 2 * x;
+    });
+    const Kind = globalThis[name];
+    const full = new Proxy(Kind, {
+      construct(target, given, newTarget) {
+        if (given[0] > 0) throw new RangeError('Array buffer allocation failed');
+        return Reflect.construct(target, given, newTarget);
+      },
+    });
+    Object.assign(globalThis, { [name]: full });
+    try {
+      expect(() => geometry.update()).toThrow(/needs room for \d+ numbers, more than JavaScript/);
+    } finally {
+      Object.assign(globalThis, { [name]: Kind });
+    }
+    geometry.update();
+    expectSame(geometry, mesh, {}, 'after an update that failed');
+  },
+);
+
 test('To move all vertices takes about as long as a new geometry', () => {
   using mesh = HalfedgeMesh.torus(300, 100, { triangles: true });
   const geometry = new MeshGeometry(mesh);

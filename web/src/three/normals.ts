@@ -1,3 +1,4 @@
+import { newArray } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
 
 /** Views of a mesh that normals are computed from. */
@@ -81,7 +82,7 @@ export function vertexNormals(mesh: HalfedgeMesh): Float32Array {
   const shape = shapeOf(mesh);
   const { next, toVertex, faceHalfedge } = shape;
   const vertices = shape.vertexHalfedge.length;
-  const sums = new Float64Array(4 * vertices);
+  const sums = newArray('the normals', Float64Array, 4 * vertices);
   for (let f = 0; f < faceHalfedge.length; f++) {
     const first = faceHalfedge[f];
     if (first < 0) continue;
@@ -94,7 +95,7 @@ export function vertexNormals(mesh: HalfedgeMesh): Float32Array {
       h = next[h];
     } while (h !== first);
   }
-  const normals = new Float32Array(3 * vertices);
+  const normals = newArray('the normals', Float32Array, 3 * vertices);
   for (let v = 0; v < vertices; v++) {
     sum.set(sums.subarray(4 * v, 4 * v + 4));
     writeUnit(normals, 3 * v);
