@@ -461,24 +461,6 @@ test.each(['Float64Array', 'Uint32Array'] as const)(
   },
 );
 
-test('To move all vertices takes about as long as a new geometry', () => {
-  using mesh = HalfedgeMesh.torus(300, 100, { triangles: true });
-  const geometry = new MeshGeometry(mesh);
-  const [updates, others]: number[][] = [[], []];
-  for (let i = 0; i < 12; i++) {
-    mesh.positions.forEach((x, k, positions) => {
-      positions[k] = x + 1e-4 * Math.sin(k + i);
-    });
-    const began = performance.now();
-    geometry.update();
-    const between = performance.now();
-    new MeshGeometry(mesh);
-    updates.push(between - began);
-    others.push(performance.now() - between);
-  }
-  expect(Math.min(...updates)).toBeLessThan(2.5 * Math.min(...others)); // some 5 times, item by item
-});
-
 describe('The JSON of a scene', () => {
   test.each(LAYOUTS)('holds an ordinary geometry: %s', (_, options) => {
     using mesh = HalfedgeMesh.cube();
