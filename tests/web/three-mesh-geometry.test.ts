@@ -294,6 +294,20 @@ describe('MeshGeometry', () => {
     expectSame(geometry, mesh, {}, 'after holes');
   });
 
+  test('Listeners are told every face that an edit has changed, each once', () => {
+    using mesh = HalfedgeMesh.icosahedron();
+    const geometry = new MeshGeometry(mesh);
+    const told: unknown[] = [];
+    const ascending = (faces: Iterable<number>) => [...faces].sort((a, b) => a - b);
+    geometry.onChange((faces) => told.push(ascending(faces ?? [])));
+    const flipped = ascending(mesh.edgeFaces(12));
+    mesh.flipEdge(12);
+    geometry.update();
+    const v = mesh.splitFace(7);
+    geometry.update();
+    expect(told).toEqual([flipped, ascending(mesh.vertexFaces(v))]);
+  });
+
   test('is made anew where most of it shows nothing', () => {
     const mesh = HalfedgeMesh.icoSphere(4);
     const geometry = new MeshGeometry(mesh, { normals: 'flat' });
