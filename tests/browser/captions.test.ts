@@ -148,7 +148,10 @@ test('The attributes of an item are listed below its links', async () => {
   );
   expect(listed[0]).toEqual(['position', '(1, 0, 0.5)']);
   expect(listed[1][0]).toBe('color');
+  expect(listed[2]).toEqual(['angle defect', '138.2°']);
   await explorer.goTo('e0');
+  expect(await explorer.page.textContent('.attributes')).toBe('length1.118');
+  await explorer.goTo('h1'); // on the boundary, and has nothing
   expect(await explorer.page.isVisible('.attributes')).toBe(false);
   expect(explorer.complaints).toEqual([]);
   await explorer.close();

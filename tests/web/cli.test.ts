@@ -102,13 +102,22 @@ genus                 0
 isolated vertices     0
 bounding box          0 0 0 to 2 1 0
 extent                2 1 0
+area                  2
+volume                none
 valid                 yes
 `,
     });
   });
 
   test('reads standard input, named or not, in any format', async () => {
-    const facts = { file: 'standard input', format: 'stl', vertices: 4, faces: 4, closed: true };
+    const facts = {
+      file: 'standard input',
+      format: 'stl',
+      vertices: 4,
+      faces: 4,
+      closed: true,
+      volume: expect.closeTo(8 / 9 / Math.sqrt(3), 6),
+    };
     const stl = HalfedgeMesh.tetrahedron().write('stl') as Uint8Array;
     for (const args of [
       ['info', '--json'],
@@ -166,6 +175,7 @@ valid                 yes
       valid: true,
       isolatedVertices: 1,
       boundingBox: { min: [-1, -1, 0], max: [9, 9, 9] },
+      volume: null,
     });
     expect(rest).toBe('');
     const text = await run(['info', 'quad.obj', 'clashing.off']);

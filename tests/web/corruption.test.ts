@@ -29,7 +29,7 @@ function askEverything(mesh: HalfedgeMesh): void {
       const member = Reflect.get(mesh, name);
       if (typeof member !== 'function') return member;
       const takesItem =
-        /^(is|next|prev|opp|edge|face|to[VE]|from|rot|vertex|halfedgeL|val|deg|find)/;
+        /^(is|next|prev|opp|edge|face|to[VE]|from|rot|vertex|halfedgeL|val|deg|find|corner|dihedral|cotan|angle)/;
       const isWhole = /^(vertices|faces|edges|halfedges|validate)$/.test(name);
       const items =
         isWhole || !takesItem.test(name) ? [] : name.startsWith('find') ? [i, i + 1] : [i];

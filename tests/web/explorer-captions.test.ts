@@ -7,6 +7,7 @@ import {
   withKind,
 } from '../../web/explorer/app/captions.js';
 import { attributesOf } from '../../web/explorer/app/item-attributes.js';
+import { measuresOf } from '../../web/explorer/app/item-measures.js';
 
 beforeAll(() => init());
 
@@ -91,4 +92,21 @@ describe('The attributes of an item', () => {
     mesh.attributes.set('face', 'material', 1, 1_234_567);
     expect(texts(mesh, 'face', names)).toEqual(['material: int32: 1234567']);
   });
+});
+
+test('The measures of an item are those of the package, angles in degrees', () => {
+  const mesh = HalfedgeMesh.cube({ size: 2 });
+  const measures = (kind: 'vertex' | 'halfedge' | 'edge' | 'face', index = 1) =>
+    measuresOf(mesh, { kind, index }).map(({ name, text }) => `${name} ${text}`);
+  expect(measures('vertex')).toEqual(['angle defect 90°']);
+  expect(measures('halfedge')).toEqual(['corner angle 90°']);
+  expect(measures('edge')).toEqual(['length 2', 'dihedral angle 90°']);
+  expect(measures('face')).toEqual(['area 4']);
+  expect(measuresOf(mesh, { kind: 'edge', index: 1 })[1].type).toBe(
+    `dihedralAngle(e) is ${Math.PI / 2}, in radians`,
+  );
+  mesh.deleteFace(0);
+  const [boundary] = mesh.boundaryLoops();
+  expect(measures('halfedge', boundary)).toEqual([]);
+  expect(measures('edge', boundary >> 1)).toEqual(['length 2']);
 });

@@ -38,6 +38,7 @@ export {
 } from './items.js';
 export type { ConnectivityViews } from './links.js';
 export type { LiveItems } from './live.js';
+export type { Box, Floats, XYZ } from './measures.js';
 export type {
   DegenerateOptions,
   DropOptions,

@@ -1,5 +1,4 @@
 import { checkCount, checkFlag, indexOfChoice } from './checks.js';
-import { Circulation } from './circulation.js';
 import {
   answer,
   CHECK_ONLY,
@@ -13,6 +12,7 @@ import {
   type Refusal,
   withList,
 } from './edit.js';
+import { Geometry } from './geometry.js';
 import { checkNoGroup } from './history.js';
 import type {
   EdgeLike,
@@ -63,7 +63,7 @@ export interface CompactMaps {
  * attributes: the documentation of each operation says which. Each edit invalidates circulators, orbits and
  * lists of items: ask for new ones.
  */
-export abstract class Construction extends Circulation {
+export abstract class Construction extends Geometry {
   /** Adds an isolated vertex, by default at the origin, with default attributes. Amortised O(1). */
   addVertex(position?: Position): Vertex {
     const links = linksOf(this);

@@ -9,6 +9,7 @@ import {
 } from 'halfedge/teaching';
 import type { Explorer } from '../app/explorer.js';
 import { attributesOf, type ShownAttribute } from '../app/item-attributes.js';
+import { measuresOf } from '../app/item-measures.js';
 import { fill, h } from './dom.js';
 
 const TITLES = { vertex: 'Vertex', halfedge: 'Halfedge', edge: 'Edge', face: 'Face' } as const;
@@ -18,12 +19,14 @@ export function itemTitle({ kind, index }: Item): string {
   return `${TITLES[kind]} ${index}`;
 }
 
-/** The selected item: what it is, its links as buttons that walk, and its attributes. */
+/**
+ * The selected item: what it is, its links as buttons that walk, its attributes, and what can be measured at it.
+ */
 export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLElement {
   const title = h('h2', { id: 'inspector-title' });
   const facts = h('p', { class: 'facts' });
   const links = h('ul', { class: 'links', 'aria-label': 'Links' });
-  const attributes = h('dl', { class: 'attributes', 'aria-label': 'Attributes' });
+  const attributes = h('dl', { class: 'attributes', 'aria-label': 'Attributes and measures' });
   const remark = h('p', { class: 'remark', role: 'status' });
   explorer.remark.subscribe((text) => {
     remark.textContent = text;
@@ -49,7 +52,8 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link)));
     if (focused >= 0) (links.querySelectorAll('button')[focused] ?? title).focus();
     const names = explorer.document.value?.names ?? {};
-    fill(attributes, ...attributesOf(mesh, selected, names).map(attributeLine));
+    const listed = [...attributesOf(mesh, selected, names), ...measuresOf(mesh, selected)];
+    fill(attributes, ...listed.map(attributeLine));
   };
   explorer.dialect.subscribe(show);
   explorer.document.subscribe(show);

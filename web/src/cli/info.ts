@@ -1,5 +1,5 @@
 import { counted } from '../counted.js';
-import type { HalfedgeMesh, RepairReport } from '../index.js';
+import type { HalfedgeMesh, RepairReport, XYZ } from '../index.js';
 import type { Arguments } from './arguments.js';
 import { COMMON, type Command, progressMode } from './command.js';
 import { orComplain } from './complaint.js';
@@ -10,7 +10,7 @@ import { Progress } from './progress.js';
 
 export const info: Command = {
   name: 'info',
-  summary: 'Tells what is in a file: counts, topology, validity, bounding box.',
+  summary: 'Tells what is in a file: counts, topology, validity, size.',
   operands: '<file>...',
   details: `Reads OBJ, OFF, PLY, STL, glTF and GLB files, or standard input (-). What can't be part of a mesh as it
 stands is repaired first, and the line "valid" says so.
@@ -39,9 +39,6 @@ async function run(args: Arguments): Promise<number> {
   });
 }
 
-type Box = { readonly min: Point; readonly max: Point };
-type Point = [x: number, y: number, z: number];
-
 function factsOf(path: string, { mesh, report, size }: Loaded) {
   const { vertexCount, halfedgeCount, edgeCount, faceCount } = mesh;
   const boundaryLoops = mesh.boundaryLoops().length;
@@ -61,7 +58,9 @@ function factsOf(path: string, { mesh, report, size }: Loaded) {
     closed: boundaryLoops === 0 && faceCount > 0,
     genus: mesh.genus(),
     isolatedVertices: isolatedVertices(mesh),
-    boundingBox: boundingBox(mesh),
+    boundingBox: mesh.boundingBox(),
+    area: mesh.area(),
+    volume: boundaryLoops === 0 && faceCount > 0 ? mesh.volume() : null,
     ...validity(mesh, report),
     notes: report.problems.filter(({ code }) => code === 'note').map(({ message }) => message),
   };
@@ -82,21 +81,6 @@ function facesByDegree(mesh: HalfedgeMesh): Record<number, number> {
 function isolatedVertices(mesh: HalfedgeMesh): number {
   const { vertexHalfedge } = mesh.connectivity;
   return vertexHalfedge.reduce((count, h) => count + (h < 0 ? 1 : 0), 0);
-}
-
-/** Of the vertices that have a finite position; null if none has. */
-function boundingBox({ positions }: HalfedgeMesh): Box | null {
-  const min: Point = [Infinity, Infinity, Infinity];
-  const max: Point = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i += 3) {
-    if (!Number.isFinite(positions[i] + positions[i + 1] + positions[i + 2])) continue;
-    for (let axis = 0; axis < 3; axis++) {
-      const value = positions[i + axis];
-      if (value < min[axis]) min[axis] = value;
-      if (value > max[axis]) max[axis] = value;
-    }
-  }
-  return min[0] <= max[0] ? { min, max } : null;
 }
 
 const NAMES: Record<number, string> = { 3: 'triangle', 4: 'quad', 5: 'pentagon', 6: 'hexagon' };
@@ -122,8 +106,10 @@ function asText(facts: ReturnType<typeof factsOf>, repairs: number): string {
     ['bounding box', box === null ? 'none' : `${point(box.min)} to ${point(box.max)}`],
     [
       'extent',
-      box === null ? 'none' : point(box.max.map((value, axis) => value - box.min[axis]) as Point),
+      box === null ? 'none' : point(box.max.map((value, axis) => value - box.min[axis]) as XYZ),
     ],
+    ['area', short(facts.area)],
+    ['volume', facts.volume === null ? 'none' : short(facts.volume)],
     ['valid', facts.valid ? 'yes' : `no (${counted(repairs, 'repair')}; see halfedge check)`],
     ...facts.notes.map((note) => ['note', note] as [string, string]),
   ]);
@@ -131,4 +117,5 @@ function asText(facts: ReturnType<typeof factsOf>, repairs: number): string {
 
 const many = (degree: number) =>
   degree in NAMES ? `${NAMES[degree]}s` : `faces of ${degree} corners`;
-const point = (p: Point) => p.map((value) => String(Number(value.toPrecision(7)))).join(' ');
+const point = (p: XYZ) => p.map(short).join(' ');
+const short = (value: number) => String(Number(value.toPrecision(7)));

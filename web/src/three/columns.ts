@@ -8,7 +8,7 @@ import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import type { OptionNames } from '../options.js';
 import { geometryError } from './attributes.js';
-import { cornerNormals, vertexNormals } from './normals.js';
+import { cornerNormals } from './normals.js';
 
 /** How normals are made: see {@link GeometryOptions}. */
 export type NormalOption = 'smooth' | 'flat' | 'none';
@@ -112,6 +112,6 @@ export function columnsToShow(mesh: HalfedgeMesh, options: GeometryOptions): Col
   const [kind, values] =
     normals === 'flat'
       ? (['halfedge', cornerNormals(mesh)] as const)
-      : (['vertex', vertexNormals(mesh)] as const);
+      : (['vertex', mesh.allVertexNormals()] as const);
   return [{ kind, name: 'normal', components: 3, values }, ...columns];
 }

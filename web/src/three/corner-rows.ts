@@ -1,4 +1,5 @@
 import { newArray } from '../arguments.js';
+import { type Surface, writeFaceNormal, writeVertexNormal } from '../measures.js';
 import {
   eachOutgoing,
   GeometryRows,
@@ -7,13 +8,7 @@ import {
   type ShownRows,
 } from './geometry-rows.js';
 import { ItemSet } from './item-set.js';
-import {
-  type Shape,
-  shapeOf,
-  vertexNormals,
-  writeFaceNormal,
-  writeVertexNormal,
-} from './normals.js';
+import { surfaceOf } from './normals.js';
 import { roomFor } from './rows.js';
 import type { Placement, TriangleIndex } from './triangle-index.js';
 import type { FaceTriangles } from './triangulate.js';
@@ -38,10 +33,10 @@ export class CornerRows extends GeometryRows {
     this.#reserveVertices();
     this.#points.set(this.mesh.positions);
     this.reserve(3 * this.triangles.capacity);
-    const shape = shapeOf(this.mesh);
-    const { toVertex, positions } = shape;
+    const surface = surfaceOf(this.mesh);
+    const { toVertex, positions } = surface;
     const position = this.position.array;
-    const smooth = this.normal && !this.#isFlat ? vertexNormals(this.mesh) : undefined;
+    const smooth = this.normal && !this.#isFlat ? this.mesh.allVertexNormals() : undefined;
     const normals = this.normal?.array;
     position.fill(0, 3 * halfedges.length); // as in the index: no triangle that has an area
     for (let row = 0; row < halfedges.length; row++) {
@@ -51,7 +46,7 @@ export class CornerRows extends GeometryRows {
       position[to + 1] = positions[from + 1];
       position[to + 2] = positions[from + 2];
       if (normals === undefined) continue;
-      if (smooth === undefined && row % 3 === 0) this.#faceNormal(shape, faces, row / 3);
+      if (smooth === undefined && row % 3 === 0) this.#faceNormal(surface, faces, row / 3);
       const source = smooth ?? normal;
       const at = smooth ? from : 0;
       normals[to] = source[at];
@@ -96,15 +91,15 @@ export class CornerRows extends GeometryRows {
       for (let row = 3 * first; row < 3 * (first + count); row++)
         this.position.write(row, NOWHERE, 0);
     }
-    const shape = shapeOf(this.mesh);
-    const { toVertex, positions } = shape;
+    const surface = surfaceOf(this.mesh);
+    const { toVertex, positions } = surface;
     const columns = this.columns();
     const { slots } = this.triangles;
     let at = 0;
     for (const face of faces) {
       const first = 3 * slots.first(face);
       const rows = 3 * slots.count(face);
-      if (rows > 0 && this.#isFlat) this.#faceNormal(shape, faceOf, at / 3);
+      if (rows > 0 && this.#isFlat) this.#faceNormal(surface, faceOf, at / 3);
       for (let row = first; row < first + rows; row++, at++) {
         const h = halfedges[at];
         this.position.write(row, positions, 3 * toVertex[h]);
@@ -119,7 +114,7 @@ export class CornerRows extends GeometryRows {
   #writeSmoothNormals(vertices: readonly number[], moved: readonly number[]): void {
     if (this.normal === undefined) return;
     if (isMost(moved, this.mesh)) {
-      const normals = vertexNormals(this.mesh);
+      const normals = this.mesh.allVertexNormals();
       const { slots, buffer } = this.triangles;
       for (let row = 0; row < 3 * slots.end; row++) {
         if (slots.faceOf[Math.floor(row / 3)] >= 0)
@@ -127,10 +122,10 @@ export class CornerRows extends GeometryRows {
       }
       return;
     }
-    const shape = this.findStale(vertices, moved, this.#stale);
-    const { next, face, vertexHalfedge } = shape;
+    const surface = this.findStale(vertices, moved, this.#stale);
+    const { next, face, vertexHalfedge } = surface;
     for (const v of this.#stale.items) {
-      writeVertexNormal(shape, v, normal, 0);
+      writeVertexNormal(surface, v, normal, 0);
       eachOutgoing(next, vertexHalfedge[v], (h) => this.#writeNormalAt(v, face[h]));
     }
   }
@@ -147,8 +142,8 @@ export class CornerRows extends GeometryRows {
   }
 
   /** Puts the normal of the face of a triangle into `normal`. */
-  #faceNormal(shape: Shape, faceOf: Uint32Array, triangle: number): void {
-    writeFaceNormal(shape, faceOf[triangle], normal, 0);
+  #faceNormal(surface: Surface, faceOf: Uint32Array, triangle: number): void {
+    writeFaceNormal(surface, faceOf[triangle], normal, 0);
   }
 
   #reserveVertices(): void {

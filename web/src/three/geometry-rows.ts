@@ -1,8 +1,9 @@
 import type { AttributeInfo, AttributeView } from '../attributes.js';
+import type { Surface } from '../measures.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { arrayFor, isNormalized } from './columns.js';
 import type { ItemSet } from './item-set.js';
-import { type Shape, shapeOf } from './normals.js';
+import { surfaceOf } from './normals.js';
 import { RowBuffer } from './rows.js';
 import type { Placement, TriangleIndex } from './triangle-index.js';
 import type { FaceTriangles } from './triangulate.js';
@@ -89,9 +90,9 @@ export abstract class GeometryRows {
     vertices: readonly number[],
     moved: readonly number[],
     stale: ItemSet,
-  ): Shape {
-    const shape = shapeOf(this.mesh);
-    const { next, toVertex, face, vertexHalfedge } = shape;
+  ): Surface {
+    const surface = surfaceOf(this.mesh);
+    const { next, toVertex, face, vertexHalfedge } = surface;
     stale.begin(vertexHalfedge.length);
     for (const v of vertices) if (vertexHalfedge[v] >= -1) stale.add(v);
     for (const v of moved) {
@@ -102,7 +103,7 @@ export abstract class GeometryRows {
         for (let g = next[h]; g !== h; g = next[g]) stale.add(toVertex[g]);
       });
     }
-    return shape;
+    return surface;
   }
 }
 

@@ -1,6 +1,6 @@
+import { writeVertexNormal } from '../measures.js';
 import { eachOutgoing, GeometryRows, isMost } from './geometry-rows.js';
 import { ItemSet } from './item-set.js';
-import { vertexNormals, writeVertexNormal } from './normals.js';
 import { roomFor } from './rows.js';
 import type { Placement } from './triangle-index.js';
 import type { FaceTriangles } from './triangulate.js';
@@ -17,7 +17,7 @@ export class VertexRows extends GeometryRows {
     const { mesh } = this;
     this.#reserveVertices();
     this.points.set(mesh.positions);
-    this.normal?.array.set(vertexNormals(mesh));
+    this.normal?.array.set(mesh.allVertexNormals());
     for (const { buffer, values } of this.columns()) buffer.array.set(values);
   }
 
@@ -47,13 +47,13 @@ export class VertexRows extends GeometryRows {
   ): void {
     if (this.normal === undefined) return;
     if (isMost(moved, this.mesh)) {
-      const normals = vertexNormals(this.mesh);
+      const normals = this.mesh.allVertexNormals();
       for (const v of this.mesh.vertices()) this.normal.write(v, normals, 3 * v);
       return;
     }
-    const shape = this.findStale(vertices, moved, this.#stale);
+    const surface = this.findStale(vertices, moved, this.#stale);
     for (const v of this.#stale.items) {
-      writeVertexNormal(shape, v, normal, 0);
+      writeVertexNormal(surface, v, normal, 0);
       this.normal.write(v, normal, 0);
     }
   }

@@ -1,0 +1,308 @@
+import { newArray, typedArrayName } from './arguments.js';
+import { refuse } from './checks.js';
+import { Circulation } from './circulation.js';
+import { counted } from './counted.js';
+import { HalfedgeError } from './errors.js';
+import type { EdgeLike, FaceLike, HalfedgeLike, ItemKind, VertexLike } from './items.js';
+import { type Links, slotCount } from './links.js';
+import type { Box, Floats, Surface, XYZ } from './measures.js';
+import * as measures from './measures.js';
+import { linksOf } from './navigation.js';
+import { boundaryLoopsOf } from './topology.js';
+
+/**
+ * Normals, areas, lengths and angles, computed from the positions when they are asked for, in double precision.
+ * Lengths have the unit of the positions, and angles are in radians.
+ *
+ * A method for one item takes time in proportion to what is around it. Methods that begin with `all` return one
+ * typed array for the whole mesh, by slot, with zeros for deleted items; they take O(slots).
+ *
+ * `into`: the array to write to, for example one of an earlier call or a live view of an attribute. If it is as long
+ * as the result, it is returned; if it is longer, its first part; if it is shorter, a new array.
+ */
+export abstract class Geometry extends Circulation {
+  // ---- faces ------------------------------------------------------------------------------------
+
+  /** The unit normal of `f`: whoever it points at sees the corners counter-clockwise. Zeros if `f` has no area. */
+  faceNormal(f: FaceLike): XYZ {
+    const links = linksOf(this);
+    links.checkFace(f);
+    return pointOf((out) => measures.writeFaceNormal(links, f, out, 0));
+  }
+
+  /**
+   * The area of `f`, which may be convex or not. If it is warped, this is the area of its shadow on the plane on
+   * which that is largest.
+   */
+  faceArea(f: FaceLike): number {
+    const links = linksOf(this);
+    links.checkFace(f);
+    return measures.faceArea(links, f);
+  }
+
+  /** The mean of the corners of `f`: where `splitFace` and `dual` put their vertices. */
+  faceCentroid(f: FaceLike): XYZ {
+    const links = linksOf(this);
+    links.checkFace(f);
+    return pointOf((out) => measures.writeFaceCentroid(links, f, out, 0));
+  }
+
+  /** By face slot, x, y and z of each {@link faceNormal}. */
+  allFaceNormals<Into extends Floats = Float32Array>(into?: Into): Into {
+    return forAll(this, 'face', 3, Float32Array, into, (links, f, out) =>
+      measures.writeFaceNormal(links, f, out, 3 * f),
+    );
+  }
+
+  /** By face slot, each {@link faceArea}. */
+  allFaceAreas<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'face', 1, Float64Array, into, (links, f, out) => {
+      out[f] = measures.faceArea(links, f);
+    });
+  }
+
+  /** By face slot, x, y and z of each {@link faceCentroid}. */
+  allFaceCentroids<Into extends Floats = Float32Array>(into?: Into): Into {
+    return forAll(this, 'face', 3, Float32Array, into, (links, f, out) =>
+      measures.writeFaceCentroid(links, f, out, 3 * f),
+    );
+  }
+
+  // ---- edges and corners ------------------------------------------------------------------------
+
+  /** How far apart the two ends of `e` are. */
+  edgeLength(e: EdgeLike): number {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return measures.edgeLength(links, e);
+  }
+
+  /** The middle of `e`: where `splitEdge` puts its vertex. */
+  edgeMidpoint(e: EdgeLike): XYZ {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return pointOf((out) => measures.writeEdgeMidpoint(links, e, out, 0));
+  }
+
+  /**
+   * By how much the surface bends at `e`, from -π to π: the angle between the normals of its two faces. It is 0
+   * where the surface is flat, positive where it is convex, as at the edges of a cube, and negative in a valley.
+   * It is also 0 on the boundary and beside a face without area.
+   */
+  dihedralAngle(e: EdgeLike): number {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    return measures.dihedralAngle(links, e);
+  }
+
+  /**
+   * The cotangent weight of `e`: half the sum of the cotangents of the one or two angles opposite to it. The Laplace
+   * matrix of a triangle mesh consists of these (Pinkall and Polthier 1993). A triangle without area adds 0.
+   *
+   * @throws RangeError if a face beside `e` is no triangle
+   */
+  cotanWeight(e: EdgeLike): number {
+    const links = linksOf(this);
+    links.checkEdge(e);
+    const f = measures.nonTriangleBeside(links, e);
+    if (f < 0) return measures.cotanWeight(links, e);
+    throw new RangeError(`e is edge ${e}, ${besideWhich(links, f)}`);
+  }
+
+  /**
+   * The angle of the face of `h` at the corner where `h` ends, between `h` and `next(h)`. It is more than π at a
+   * reflex corner. It is 0 if `h` has no face, and if one of the two sides has no length.
+   */
+  cornerAngle(h: HalfedgeLike): number {
+    const links = linksOf(this);
+    links.checkHalfedge(h);
+    return measures.cornerAngle(links, h);
+  }
+
+  /** By edge slot, each {@link edgeLength}. */
+  allEdgeLengths<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
+      out[e] = measures.edgeLength(links, e);
+    });
+  }
+
+  /** By edge slot, x, y and z of each {@link edgeMidpoint}. */
+  allEdgeMidpoints<Into extends Floats = Float32Array>(into?: Into): Into {
+    return forAll(this, 'edge', 3, Float32Array, into, (links, e, out) =>
+      measures.writeEdgeMidpoint(links, e, out, 3 * e),
+    );
+  }
+
+  /** By edge slot, each {@link dihedralAngle}. */
+  allDihedralAngles<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
+      out[e] = measures.dihedralAngle(links, e);
+    });
+  }
+
+  /**
+   * By edge slot, each {@link cotanWeight}.
+   *
+   * @throws RangeError if a face is no triangle
+   */
+  allCotanWeights<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
+      const f = measures.nonTriangleBeside(links, e);
+      if (f >= 0) throw new RangeError(`This mesh has edge ${e}, ${besideWhich(links, f)}`);
+      out[e] = measures.cotanWeight(links, e);
+    });
+  }
+
+  /** By halfedge slot, each {@link cornerAngle}. */
+  allCornerAngles<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'halfedge', 1, Float64Array, into, (links, h, out) => {
+      out[h] = measures.cornerAngle(links, h);
+    });
+  }
+
+  // ---- vertices ---------------------------------------------------------------------------------
+
+  /**
+   * The unit normal at `v`: the mean of the normals of its faces, weighted by their areas. Zeros if it has no face, or
+   * if the normals cancel each other.
+   */
+  vertexNormal(v: VertexLike): XYZ {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return pointOf((out) => measures.writeVertexNormal(links, v, out, 0));
+  }
+
+  /**
+   * The part of the surface that belongs to `v`: from each of its faces, the area divided by the number of corners.
+   * The areas of all vertices add up to that of the mesh.
+   */
+  vertexArea(v: VertexLike): number {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return measures.vertexArea(links, v);
+  }
+
+  /**
+   * What the angles of the faces at `v` lack to a full turn; half a turn counts as filled for each boundary halfedge that leaves
+   * `v`. It is the Gaussian curvature that lies at `v`. In a triangle mesh, the angle defects of all vertices add up to 2π times
+   * `eulerCharacteristic()`.
+   */
+  angleDefect(v: VertexLike): number {
+    const links = linksOf(this);
+    links.checkVertex(v);
+    return measures.angleDefect(links, v);
+  }
+
+  /** By vertex slot, x, y and z of each {@link vertexNormal}. */
+  allVertexNormals<Into extends Floats = Float32Array>(into?: Into): Into {
+    const links = readable(this);
+    const out = arrayFor(3 * links.vertexSlots, Float32Array, into) as Into;
+    measures.writeVertexNormals(links, links.vertexSlots, out);
+    return out;
+  }
+
+  /** By vertex slot, each {@link vertexArea}. */
+  allVertexAreas<Into extends Floats = Float64Array>(into?: Into): Into {
+    const links = readable(this);
+    const out = arrayFor(links.vertexSlots, Float64Array, into) as Into;
+    measures.writeVertexAreas(links, out);
+    return out;
+  }
+
+  /** By vertex slot, each {@link angleDefect}. */
+  allAngleDefects<Into extends Floats = Float64Array>(into?: Into): Into {
+    return forAll(this, 'vertex', 1, Float64Array, into, (links, v, out) => {
+      out[v] = measures.angleDefect(links, v);
+    });
+  }
+
+  // ---- the whole mesh ---------------------------------------------------------------------------
+
+  /** The sum of all {@link faceArea}s. O(halfedges). */
+  area(): number {
+    return measures.totalArea(readable(this));
+  }
+
+  /**
+   * The volume inside of this mesh, negative if its faces look inwards. Components that lie inside of others count
+   * with their own sign: those of a cavity, whose faces look into it, are taken away. Warped faces count as if they were cut into triangles
+   * around their centroids. O(halfedges).
+   *
+   * @throws HalfedgeError `open-surface` if there is a boundary, where the inside leaks out
+   */
+  volume(): number {
+    const links = readable(this);
+    const { length } = boundaryLoopsOf(links);
+    if (length === 0) return measures.enclosedVolume(links);
+    throw new HalfedgeError(
+      'open-surface',
+      `This mesh has ${counted(length, 'boundary loop')}; expected a closed surface, which has none: fillHoles() closes them.`,
+    );
+  }
+
+  /**
+   * The smallest box along the axes that holds all vertices, isolated ones too, but not those that have a coordinate
+   * that is infinite or NaN. Null if there is no vertex. O(vertices).
+   */
+  boundingBox(): Box | null {
+    const links = readable(this);
+    return measures.boxOf(links, links.vertexSlots);
+  }
+}
+
+/** The links of a mesh, with views that are good. */
+function readable(mesh: Geometry): Links {
+  const links = linksOf(mesh);
+  links.revive();
+  return links;
+}
+
+/** What `write` leaves in an array. */
+function pointOf(write: (out: Float64Array) => void): XYZ {
+  write(point);
+  return [point[0], point[1], point[2]];
+}
+const point = new Float64Array(3);
+
+/** Calls `write` for each live item of a kind; the rest is zeros. */
+function forAll<Into extends Floats>(
+  mesh: Geometry,
+  kind: ItemKind,
+  components: 1 | 3,
+  Default: FloatsConstructor,
+  into: Into | undefined,
+  write: (surface: Links, item: number, out: Floats) => void,
+): Into {
+  const links = readable(mesh);
+  const slots = slotCount(links, kind);
+  const out = arrayFor(components * slots, Default, into);
+  const { vertexHalfedge, next, faceHalfedge } = links;
+  const link = { vertex: vertexHalfedge, halfedge: next, edge: next, face: faceHalfedge }[kind];
+  const stride = kind === 'edge' ? 2 : 1;
+  for (let i = 0; i < slots; i++) {
+    if (link[stride * i] >= -1) write(links, i, out);
+    else out.fill(0, components * i, components * (i + 1));
+  }
+  return out as Into;
+}
+
+type FloatsConstructor = new (length: number) => Floats;
+
+/** An array of this length: `into`, or the first part of it, if that is long enough; else a new one. */
+function arrayFor(length: number, Default: FloatsConstructor, into?: Floats): Floats {
+  if (into === undefined) return newArray<Floats>('the result', Default, length);
+  const name = typedArrayName(into);
+  if (name !== 'Float32Array' && name !== 'Float64Array') {
+    refuse('into', into, 'a Float32Array or a Float64Array');
+  }
+  if (into.length === length) return into;
+  if (into.length > length) return into.subarray(0, length);
+  return newArray<Floats>(
+    'the result',
+    name === 'Float32Array' ? Float32Array : Float64Array,
+    length,
+  );
+}
+
+const besideWhich = (links: Surface, f: number) =>
+  `beside which face ${f} has ${counted(measures.degreeOf(links, links.faceHalfedge[f]), 'corner')}; expected triangles.`;
