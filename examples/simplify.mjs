@@ -87,17 +87,14 @@ function simplify(mesh, target) {
   const quadrics = new Quadrics(mesh.vertexSlots);
   const at = (v) => mesh.position(v);
   for (const f of mesh.faces()) {
-    const corners = [...mesh.faceVertices(f)];
-    const [a, b, c] = corners.map(at);
-    const normal = cross(minus(b, a), minus(c, a)); // as long as twice the area
-    const length = Math.sqrt(dot(normal, normal)) || 1;
-    for (const v of corners) quadrics.addPlane(v, a, normal, 1 / length);
+    const normal = mesh.faceNormal(f);
+    for (const v of mesh.faceVertices(f)) quadrics.addPlane(v, at(v), normal, mesh.faceArea(f));
     // What is on the boundary should stay there: a plane through the edge, upright on the face.
     for (const h of mesh.faceHalfedges(f)) {
       if (!mesh.isBoundaryHalfedge(mesh.opposite(h))) continue;
       const [from, to] = [mesh.fromVertex(h), mesh.toVertex(h)];
       const upright = cross(minus(at(to), at(from)), normal);
-      for (const v of [from, to]) quadrics.addPlane(v, at(v), upright, 10 / length ** 2);
+      for (const v of [from, to]) quadrics.addPlane(v, at(v), upright, 5);
     }
   }
 
