@@ -153,8 +153,59 @@ export function rowsFor({ HalfedgeMesh, three, threeMeshHalfedge, manifold, csg 
         tmh: () => tmhFaceFaces(made.tmh),
       },
     },
+    {
+      title: 'face normals: all, into the same array',
+      run: {
+        halfedge: () => {
+          kept.faceNormals = made.halfedge.allFaceNormals(kept.faceNormals);
+          return kept.faceNormals;
+        },
+        hand: () => {
+          kept.byHand ??= new Float32Array(triangles.length);
+          faceNormalsByHand(views(), made.halfedge.positions, kept.byHand);
+          return kept.byHand;
+        },
+      },
+      sum: (_, normals) => roughSum(normals),
+    },
+    {
+      title: 'vertex normals: all, into the same array',
+      run: {
+        halfedge: () => {
+          kept.vertexNormals = made.halfedge.allVertexNormals(kept.vertexNormals);
+          return kept.vertexNormals;
+        },
+        hand: () => {
+          kept.smooth ??= new Float32Array(positions.length);
+          vertexNormalsByHand(views(), made.halfedge.positions, kept.smooth);
+          return kept.smooth;
+        },
+        three: () => {
+          kept.geometry ??= new three.BufferGeometry()
+            .setAttribute('position', new three.BufferAttribute(positions, 3))
+            .setIndex(new three.BufferAttribute(triangles, 1));
+          kept.geometry.computeVertexNormals();
+          return kept.geometry.getAttribute('normal').array;
+        },
+      },
+      sum: (_, normals) => roughSum(normals),
+    },
   ];
   return { builds, passes, made };
+}
+
+/** Whether the normals are unit vectors and where they lead, without the digits in which floats differ. */
+function roughSum(normals) {
+  let [length, ahead] = [0, 0];
+  for (let i = 0; i < normals.length; i += 3) {
+    length += Math.hypot(normals[i], normals[i + 1], normals[i + 2]);
+    ahead += (normals[i] + 2 * normals[i + 1] + 3 * normals[i + 2]) ** 2 * (1 + (i % 5));
+  }
+  const count = normals.length / 3;
+  return `${(length / count).toFixed(4)} ${(ahead / count).toFixed(3)}`.replaceAll(
+    '-0.000',
+    '0.000',
+  );
 }
 
 // ---- halfedge ----------------------------------------------------------------------------------
@@ -298,6 +349,64 @@ function oneRingsByHand({ prev, toVertex, vertexHalfedge }) {
     } while (h !== first);
   }
   return sum;
+}
+
+/** Triangles only, as an expert writes it for one program. */
+function faceNormalsByHand({ next, toVertex, faceHalfedge }, positions, out) {
+  for (let f = 0; f < faceHalfedge.length; f++) {
+    const h = faceHalfedge[f];
+    const a = 3 * toVertex[h];
+    const b = 3 * toVertex[next[h]];
+    const c = 3 * toVertex[h ^ 1];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    const scale = 1 / Math.sqrt(x * x + y * y + z * z);
+    out[3 * f] = x * scale;
+    out[3 * f + 1] = y * scale;
+    out[3 * f + 2] = z * scale;
+  }
+}
+
+/** The same, scattered to the corners; weighted by area. */
+function vertexNormalsByHand({ next, toVertex, faceHalfedge }, positions, out) {
+  out.fill(0);
+  for (let f = 0; f < faceHalfedge.length; f++) {
+    const h = faceHalfedge[f];
+    const a = 3 * toVertex[h];
+    const b = 3 * toVertex[next[h]];
+    const c = 3 * toVertex[h ^ 1];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    out[a] += x;
+    out[a + 1] += y;
+    out[a + 2] += z;
+    out[b] += x;
+    out[b + 1] += y;
+    out[b + 2] += z;
+    out[c] += x;
+    out[c + 1] += y;
+    out[c + 2] += z;
+  }
+  for (let i = 0; i < out.length; i += 3) {
+    const scale = 1 / Math.sqrt(out[i] ** 2 + out[i + 1] ** 2 + out[i + 2] ** 2);
+    out[i] *= scale;
+    out[i + 1] *= scale;
+    out[i + 2] *= scale;
+  }
 }
 
 function oneRingsByHandCw({ next, toVertex, vertexHalfedge }) {

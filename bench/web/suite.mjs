@@ -6,7 +6,7 @@ import { grid, icosphere, shuffled } from './meshes.mjs';
 /** Milliseconds from which a contender is hopeless: its first run is its only one. */
 const HOPELESS = 1000;
 /** The peers take long: they have fewer rounds. */
-const PEERS = { names: ['tmh', 'csg', 'manifold'], rounds: 3 };
+const PEERS = { names: ['tmh', 'csg', 'manifold', 'three'], rounds: 3 };
 
 /** The meshes by name: [side of the grid, splits of the icosahedron] decide how large they are. */
 function inputs([side, splits]) {

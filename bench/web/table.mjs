@@ -6,6 +6,7 @@ const contenders = {
   tmh: 'three-mesh-halfedge',
   csg: 'three-bvh-csg',
   manifold: 'manifold-3d',
+  three: 'three.js',
 };
 
 /**

@@ -4,7 +4,7 @@ import { Circulation } from './circulation.js';
 import { counted } from './counted.js';
 import { HalfedgeError } from './errors.js';
 import type { EdgeLike, FaceLike, HalfedgeLike, ItemKind, VertexLike } from './items.js';
-import { type Links, slotCount } from './links.js';
+import { slotCount } from './links.js';
 import type { Box, Floats, Surface, XYZ } from './measures.js';
 import * as measures from './measures.js';
 import { linksOf } from './navigation.js';
@@ -49,22 +49,23 @@ export abstract class Geometry extends Circulation {
 
   /** By face slot, x, y and z of each {@link faceNormal}. */
   allFaceNormals<Into extends Floats = Float32Array>(into?: Into): Into {
-    return forAll(this, 'face', 3, Float32Array, into, (links, f, out) =>
-      measures.writeFaceNormal(links, f, out, 3 * f),
-    );
+    const slots = this.faceSlots;
+    const out = arrayFor(3 * slots, Float32Array, into) as Into;
+    measures.writeFaceNormals(surfaceOf(this), slots, out);
+    return out;
   }
 
   /** By face slot, each {@link faceArea}. */
   allFaceAreas<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'face', 1, Float64Array, into, (links, f, out) => {
-      out[f] = measures.faceArea(links, f);
+    return forAll(this, 'face', 1, Float64Array, into, (surface, f, out) => {
+      out[f] = measures.faceArea(surface, f);
     });
   }
 
   /** By face slot, x, y and z of each {@link faceCentroid}. */
   allFaceCentroids<Into extends Floats = Float32Array>(into?: Into): Into {
-    return forAll(this, 'face', 3, Float32Array, into, (links, f, out) =>
-      measures.writeFaceCentroid(links, f, out, 3 * f),
+    return forAll(this, 'face', 3, Float32Array, into, (surface, f, out) =>
+      measures.writeFaceCentroid(surface, f, out, 3 * f),
     );
   }
 
@@ -121,22 +122,22 @@ export abstract class Geometry extends Circulation {
 
   /** By edge slot, each {@link edgeLength}. */
   allEdgeLengths<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
-      out[e] = measures.edgeLength(links, e);
+    return forAll(this, 'edge', 1, Float64Array, into, (surface, e, out) => {
+      out[e] = measures.edgeLength(surface, e);
     });
   }
 
   /** By edge slot, x, y and z of each {@link edgeMidpoint}. */
   allEdgeMidpoints<Into extends Floats = Float32Array>(into?: Into): Into {
-    return forAll(this, 'edge', 3, Float32Array, into, (links, e, out) =>
-      measures.writeEdgeMidpoint(links, e, out, 3 * e),
+    return forAll(this, 'edge', 3, Float32Array, into, (surface, e, out) =>
+      measures.writeEdgeMidpoint(surface, e, out, 3 * e),
     );
   }
 
   /** By edge slot, each {@link dihedralAngle}. */
   allDihedralAngles<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
-      out[e] = measures.dihedralAngle(links, e);
+    return forAll(this, 'edge', 1, Float64Array, into, (surface, e, out) => {
+      out[e] = measures.dihedralAngle(surface, e);
     });
   }
 
@@ -146,17 +147,17 @@ export abstract class Geometry extends Circulation {
    * @throws RangeError if a face is no triangle
    */
   allCotanWeights<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'edge', 1, Float64Array, into, (links, e, out) => {
-      const f = measures.nonTriangleBeside(links, e);
-      if (f >= 0) throw new RangeError(`This mesh has edge ${e}, ${besideWhich(links, f)}`);
-      out[e] = measures.cotanWeight(links, e);
+    return forAll(this, 'edge', 1, Float64Array, into, (surface, e, out) => {
+      const f = measures.nonTriangleBeside(surface, e);
+      if (f >= 0) throw new RangeError(`This mesh has edge ${e}, ${besideWhich(surface, f)}`);
+      out[e] = measures.cotanWeight(surface, e);
     });
   }
 
   /** By halfedge slot, each {@link cornerAngle}. */
   allCornerAngles<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'halfedge', 1, Float64Array, into, (links, h, out) => {
-      out[h] = measures.cornerAngle(links, h);
+    return forAll(this, 'halfedge', 1, Float64Array, into, (surface, h, out) => {
+      out[h] = measures.cornerAngle(surface, h);
     });
   }
 
@@ -195,24 +196,23 @@ export abstract class Geometry extends Circulation {
 
   /** By vertex slot, x, y and z of each {@link vertexNormal}. */
   allVertexNormals<Into extends Floats = Float32Array>(into?: Into): Into {
-    const links = readable(this);
-    const out = arrayFor(3 * links.vertexSlots, Float32Array, into) as Into;
-    measures.writeVertexNormals(links, links.vertexSlots, out);
+    const slots = this.vertexSlots;
+    const out = arrayFor(3 * slots, Float32Array, into) as Into;
+    measures.writeVertexNormals(surfaceOf(this), slots, out);
     return out;
   }
 
   /** By vertex slot, each {@link vertexArea}. */
   allVertexAreas<Into extends Floats = Float64Array>(into?: Into): Into {
-    const links = readable(this);
-    const out = arrayFor(links.vertexSlots, Float64Array, into) as Into;
-    measures.writeVertexAreas(links, out);
+    const out = arrayFor(this.vertexSlots, Float64Array, into) as Into;
+    measures.writeVertexAreas(surfaceOf(this), out);
     return out;
   }
 
   /** By vertex slot, each {@link angleDefect}. */
   allAngleDefects<Into extends Floats = Float64Array>(into?: Into): Into {
-    return forAll(this, 'vertex', 1, Float64Array, into, (links, v, out) => {
-      out[v] = measures.angleDefect(links, v);
+    return forAll(this, 'vertex', 1, Float64Array, into, (surface, v, out) => {
+      out[v] = measures.angleDefect(surface, v);
     });
   }
 
@@ -220,7 +220,7 @@ export abstract class Geometry extends Circulation {
 
   /** The sum of all {@link faceArea}s. O(halfedges). */
   area(): number {
-    return measures.totalArea(readable(this));
+    return measures.totalArea(surfaceOf(this));
   }
 
   /**
@@ -231,9 +231,8 @@ export abstract class Geometry extends Circulation {
    * @throws HalfedgeError `open-surface` if there is a boundary, where the inside leaks out
    */
   volume(): number {
-    const links = readable(this);
-    const { length } = boundaryLoopsOf(links);
-    if (length === 0) return measures.enclosedVolume(links);
+    const { length } = boundaryLoopsOf(linksOf(this));
+    if (length === 0) return measures.enclosedVolume(surfaceOf(this));
     throw new HalfedgeError(
       'open-surface',
       `This mesh has ${counted(length, 'boundary loop')}; expected a closed surface, which has none: fillHoles() closes them.`,
@@ -245,16 +244,16 @@ export abstract class Geometry extends Circulation {
    * that is infinite or NaN. Null if there is no vertex. O(vertices).
    */
   boundingBox(): Box | null {
-    const links = readable(this);
-    return measures.boxOf(links, links.vertexSlots);
+    return measures.boxOf(surfaceOf(this), this.vertexSlots);
   }
 }
 
-/** The links of a mesh, with views that are good. */
-function readable(mesh: Geometry): Links {
+/** The views of a mesh as they are now: they are good until something allocates. */
+function surfaceOf(mesh: Geometry): Surface {
   const links = linksOf(mesh);
   links.revive();
-  return links;
+  const { next, toVertex, face, vertexHalfedge, faceHalfedge, positions } = links;
+  return { next, toVertex, face, vertexHalfedge, faceHalfedge, positions };
 }
 
 /** What `write` leaves in an array. */
@@ -271,16 +270,16 @@ function forAll<Into extends Floats>(
   components: 1 | 3,
   Default: FloatsConstructor,
   into: Into | undefined,
-  write: (surface: Links, item: number, out: Floats) => void,
+  write: (surface: Surface, item: number, out: Floats) => void,
 ): Into {
-  const links = readable(mesh);
-  const slots = slotCount(links, kind);
+  const surface = surfaceOf(mesh);
+  const slots = slotCount(linksOf(mesh), kind);
   const out = arrayFor(components * slots, Default, into);
-  const { vertexHalfedge, next, faceHalfedge } = links;
+  const { vertexHalfedge, next, faceHalfedge } = surface;
   const link = { vertex: vertexHalfedge, halfedge: next, edge: next, face: faceHalfedge }[kind];
   const stride = kind === 'edge' ? 2 : 1;
   for (let i = 0; i < slots; i++) {
-    if (link[stride * i] >= -1) write(links, i, out);
+    if (link[stride * i] >= -1) write(surface, i, out);
     else out.fill(0, components * i, components * (i + 1));
   }
   return out as Into;

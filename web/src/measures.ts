@@ -28,12 +28,8 @@ const LEAST = 1e-10;
 // No Math.hypot, which takes ten times as long: squares of differences of floats don't overflow.
 const lengthOf = (x: number, y: number, z: number) => Math.sqrt(x * x + y * y + z * z);
 
-/** Throws where a walk around `item` has left the links, or has taken more steps than there are halfedges. */
-const checkStep = (h: number, steps: number, surface: Surface): void => {
-  if (!(h >= 0) || steps > surface.next.length) {
-    throw corrupt('The halfedges around an item form no closed orbit');
-  }
-};
+/** The error for a walk that has left the links, or has taken more steps than there are halfedges. */
+const noOrbit = () => corrupt('The halfedges around an item form no closed orbit');
 
 // ---- faces --------------------------------------------------------------------------------------
 
@@ -42,38 +38,56 @@ const checkStep = (h: number, steps: number, surface: Surface): void => {
  * length twice the area (Newell's method).
  */
 export function writeAreaVector(surface: Surface, first: number, out: Float64Array): void {
+  const { next } = surface;
+  if (next[next[next[first]]] === first) writeTriangleVector(surface, first, out);
+  else writePolygonVector(surface, first, out);
+}
+
+/** Of any face. On its own, because V8 inlines nothing that is so long: triangles go past it. */
+function writePolygonVector(surface: Surface, first: number, out: Float64Array): void {
   const { next, toVertex, positions } = surface;
   const o = 3 * toVertex[first];
-  const ox = positions[o];
-  const oy = positions[o + 1];
-  const oz = positions[o + 2];
-  let h = next[first];
-  let a = 3 * toVertex[h];
-  let ax = positions[a] - ox;
-  let ay = positions[a + 1] - oy;
-  let az = positions[a + 2] - oz;
-  let x = 0;
-  let y = 0;
-  let z = 0;
-  for (let steps = 0; h !== first; steps++) {
-    checkStep(h, steps, surface);
-    h = next[h];
-    a = 3 * toVertex[h];
-    const bx = positions[a] - ox;
-    const by = positions[a + 1] - oy;
-    const bz = positions[a + 2] - oz;
+  const [ox, oy, oz] = [positions[o], positions[o + 1], positions[o + 2]];
+  let [ax, ay, az] = [0, 0, 0];
+  let [x, y, z] = [0, 0, 0];
+  let left = next.length;
+  for (let h = next[first]; h !== first; h = next[h]) {
+    if (!(h >= 0 && left-- > 0)) throw noOrbit();
+    const b = 3 * toVertex[h];
+    const [bx, by, bz] = [positions[b] - ox, positions[b + 1] - oy, positions[b + 2] - oz];
     x += ay * bz - az * by;
     y += az * bx - ax * bz;
     z += ax * by - ay * bx;
-    ax = bx;
-    ay = by;
-    az = bz;
+    [ax, ay, az] = [bx, by, bz];
   }
-  out[0] = x;
-  out[1] = y;
-  out[2] = z;
-  out[3] = lengthOf(x, y, z);
+  write(out, x, y, z);
 }
+
+/** Of the triangle of `h`: the same to the last bit. */
+function writeTriangleVector(surface: Surface, h: number, out: Float64Array): void {
+  const { next, toVertex, positions } = surface;
+  const o = 3 * toVertex[h];
+  const a = 3 * toVertex[next[h]];
+  const b = 3 * toVertex[h ^ 1];
+  const ox = positions[o];
+  const oy = positions[o + 1];
+  const oz = positions[o + 2];
+  const ax = positions[a] - ox;
+  const ay = positions[a + 1] - oy;
+  const az = positions[a + 2] - oz;
+  const bx = positions[b] - ox;
+  const by = positions[b + 1] - oy;
+  const bz = positions[b + 2] - oz;
+  write(out, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
+}
+
+const write = (out: Float64Array, x: number, y: number, z: number) => {
+  // Adding 0 makes 0 of -0.
+  out[0] = x + 0;
+  out[1] = y + 0;
+  out[2] = z + 0;
+  out[3] = lengthOf(x, y, z);
+};
 
 /** Writes the direction of a sum of vectors; zeros where they cancel each other. */
 function writeDirection(total: Float64Array, at: number, out: Floats, to: number): void {
@@ -105,7 +119,7 @@ export function writeFaceCentroid(surface: Surface, f: number, out: Floats, to: 
   let [x, y, z] = [0, 0, 0];
   let degree = 1;
   for (let h = next[first]; h !== first; h = next[h]) {
-    checkStep(h, degree++, surface);
+    if (!(h >= 0 && degree++ < next.length)) throw noOrbit();
     const v = 3 * toVertex[h];
     x += positions[v] - ox;
     y += positions[v + 1] - oy;
@@ -117,10 +131,10 @@ export function writeFaceCentroid(surface: Surface, f: number, out: Floats, to: 
 }
 
 /** How many corners the face of `first` has. */
-export function degreeOf(surface: Surface, first: number): number {
+export function degreeOf({ next }: Surface, first: number): number {
   let degree = 1;
-  for (let h = surface.next[first]; h !== first; h = surface.next[h]) {
-    checkStep(h, degree++, surface);
+  for (let h = next[first]; h !== first; h = next[h]) {
+    if (!(h >= 0 && degree++ < next.length)) throw noOrbit();
   }
   return degree;
 }
@@ -167,7 +181,6 @@ export function cornerAngle(surface: Surface, h: number): number {
   const { next, toVertex, face, positions } = surface;
   if (!(face[h] >= 0)) return 0;
   const after = next[h];
-  checkStep(after, 0, surface);
   measureCorner(positions, toVertex[h], toVertex[after], toVertex[h ^ 1]);
   const { 0: x, 1: y, 2: z, 3: cosine } = corner;
   const angle = Math.atan2(lengthOf(x, y, z), cosine);
@@ -192,7 +205,7 @@ export function dihedralAngle(surface: Surface, e: number): number {
     y * (sum[2] * other[0] - sum[0] * other[2]) +
     z * (sum[0] * other[1] - sum[1] * other[0]);
   const cosine = sum[0] * other[0] + sum[1] * other[1] + sum[2] * other[2];
-  // Adding 0 makes 0 of -0: faces that are folded onto each other are at pi, not at -pi.
+  // Of -0, too: faces that are folded onto each other are at pi, not at -pi.
   return Math.atan2(sine + 0, cosine * lengthOf(x, y, z));
 }
 
@@ -224,7 +237,7 @@ function cotangentBeside({ next, toVertex, face, positions }: Surface, h: number
 /** The next halfedge that leaves a vertex, -1 after the last. */
 const nextAround = (surface: Surface, h: number, first: number, steps: number): number => {
   const after = surface.next[h ^ 1];
-  checkStep(after, steps, surface);
+  if (!(after >= 0 && steps <= surface.next.length)) throw noOrbit();
   return after === first ? -1 : after;
 };
 
@@ -266,10 +279,22 @@ export function angleDefect(surface: Surface, v: number): number {
 
 // ---- all items ----------------------------------------------------------------------------------
 
+/** By face slot, the normals of all faces. */
+export function writeFaceNormals(surface: Surface, slots: number, out: Floats): void {
+  const { faceHalfedge } = surface;
+  for (let f = 0; f < slots; f++) {
+    const h = faceHalfedge[f];
+    if (h >= 0) writeAreaVector(surface, h, sum);
+    else sum.fill(0);
+    writeDirection(sum, 0, out, 3 * f);
+  }
+}
+
 /** By vertex slot, the normals of all vertices: those of faces are spread over their corners, in one pass. */
 export function writeVertexNormals(surface: Surface, slots: number, out: Floats): void {
   const { next, toVertex, faceHalfedge } = surface;
-  const sums = newArray('the sums of normals', Float64Array, 4 * slots);
+  const sums = newArray('the sums of normals', Float64Array, 3 * slots);
+  let all = 0;
   for (let f = 0; f < faceHalfedge.length; f++) {
     const first = faceHalfedge[f];
     if (!(first >= 0)) continue;
@@ -277,18 +302,30 @@ export function writeVertexNormals(surface: Surface, slots: number, out: Floats)
     const x = sum[0];
     const y = sum[1];
     const z = sum[2];
-    const length = sum[3];
+    all += Math.abs(x) + Math.abs(y) + Math.abs(z);
     let h = first;
     do {
-      const v = 4 * toVertex[h];
+      const v = 3 * toVertex[h];
       sums[v] += x;
       sums[v + 1] += y;
       sums[v + 2] += z;
-      sums[v + 3] += length;
       h = next[h];
     } while (h !== first);
   }
-  for (let v = 0; v < slots; v++) writeDirection(sums, 4 * v, out, 3 * v);
+  // A sum beside which even all faces together are not too long is good; where that is open, only its own count.
+  for (let v = 0; v < slots; v++) {
+    const x = sums[3 * v];
+    const y = sums[3 * v + 1];
+    const z = sums[3 * v + 2];
+    const length = lengthOf(x, y, z);
+    if (length > LEAST * all) {
+      out[3 * v] = x / length;
+      out[3 * v + 1] = y / length;
+      out[3 * v + 2] = z / length;
+    } else {
+      writeVertexNormal(surface, v, out, 3 * v);
+    }
+  }
 }
 
 /** By vertex slot, the areas of all vertices. */
