@@ -12,6 +12,7 @@
 #include <halfedge/directed_edges/build.h>
 #include <halfedge/directed_edges/convert.h>
 #include <halfedge/directed_edges/validate.h>
+#include <halfedge/geometry/geometry.h>
 #include <halfedge/io/bytes.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/io/write.h>

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
+#include <type_traits>
 
 namespace halfedge {
 
@@ -156,5 +157,13 @@ class BasicMesh : public BasicConnectivity<kStored> {
 };
 
 using Mesh = BasicMesh<kEverything>;
+
+/// A mesh type with positions that the operations look after: ours. One that is built on a
+/// connectivity, and has another geometry, looks after that itself.
+template <class Mesh>
+concept HasPositions = requires(const Mesh& mesh, std::remove_const_t<Mesh>& changed, Vertex v) {
+  mesh.position(v);
+  changed.mutable_positions();
+};
 
 }  // namespace halfedge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/decorator/edit.h>
+#include <halfedge/geometry/loop.h>
 #include <halfedge/sentence.h>
 
 namespace halfedge::decorator {
@@ -10,16 +11,7 @@ namespace internal {
 /// The mean of the corners of the loop of `h`.
 template <HasPositions Mesh>
 [[nodiscard]] Point centroid(const Mesh& mesh, Halfedge h) {
-  double sum[3] = {};
-  double corners = 0;
-  for (const Halfedge on_loop : mesh.loop_ccw(h)) {
-    const Point p = mesh.position(mesh.to_vertex(on_loop));
-    sum[0] += double{p.x};
-    sum[1] += double{p.y};
-    sum[2] += double{p.z};
-    ++corners;
-  }
-  return {float(sum[0] / corners), float(sum[1] / corners), float(sum[2] / corners)};
+  return geometry::internal::rounded(geometry::internal::centroid(mesh, h));
 }
 
 /// A vertex behind the last one, at the mean of three. pre: there is room for it

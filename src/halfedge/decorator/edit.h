@@ -28,14 +28,6 @@ concept DeletesFaces = !StoresFaces<Mesh> || StoresFaceHalfedges<Mesh>;
 template <class Mesh>
 concept DeletesVertices = StoresAnchors<Mesh>;
 
-/// A mesh type with positions that the operations look after: ours. One that is built on a
-/// connectivity, and has another geometry, looks after that itself.
-template <class Mesh>
-concept HasPositions = requires(const Mesh& mesh, std::remove_const_t<Mesh>& changed, Vertex v) {
-  mesh.position(v);
-  changed.mutable_positions();
-};
-
 /// The steps of which the operations consist. A link that the mesh type doesn't store is empty when
 /// read and not written. New items get the attributes of those that they are made of, as far as the
 /// steps say; else the default, as all that is new. What a step costs is O(1), but for the search

@@ -1,3 +1,4 @@
+#include <halfedge/geometry/loop.h>
 #include <halfedge/inlining.h>
 #include <halfedge/mend/face_shape.h>
 
@@ -63,16 +64,7 @@ double width_of(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 HALFEDGE_NOINLINE Vector area_vector(const SurfaceView& surface, Halfedge h, const Vector& there) {
-  Vector sum = {};
-  Vector last = point_of(surface, surface.to_vertex(h)) - there;
-  for (Halfedge on_loop = surface.next(h); surface.next(on_loop) != h;
-       on_loop = surface.next(on_loop)) {
-    const Vector p = point_of(surface, surface.to_vertex(on_loop)) - there;
-    const Vector n = cross(last, p);
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
-    last = p;
-  }
-  return sum;
+  return geometry::internal::area_vector(surface, h, there);
 }
 
 }  // namespace halfedge::mend

@@ -31,7 +31,7 @@ namespace halfedge::operations::internal {
 template <class Mesh>
 [[nodiscard]] double parameter_on(const Mesh& mesh, Halfedge h,
                                   const std::optional<Point>& position, double otherwise) {
-  if constexpr (decorator::HasPositions<Mesh>) {
+  if constexpr (HasPositions<Mesh>) {
     if (position.has_value()) {
       return closest_parameter(mesh.position(mesh.from_vertex(h)), mesh.position(mesh.to_vertex(h)),
                                *position);
@@ -44,7 +44,7 @@ template <class Mesh>
 template <class Mesh>
 void move_to([[maybe_unused]] Mesh& mesh, [[maybe_unused]] Vertex v,
              [[maybe_unused]] const std::optional<Point>& position) {
-  if constexpr (decorator::HasPositions<Mesh>) {
+  if constexpr (HasPositions<Mesh>) {
     if (position.has_value()) mesh.set_position(v, *position);
   }
 }

@@ -12,7 +12,6 @@ namespace halfedge::operations {
 template <class Mesh>
 concept EditableSurface = StoresSurface<Mesh> && decorator::Editable<Mesh>;
 
-using decorator::HasPositions;
 using decorator::internal::check_live;
 
 }  // namespace halfedge::operations

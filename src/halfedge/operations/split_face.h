@@ -54,7 +54,7 @@ requires HasPositions<Mesh>
   if (Result<void> live = check_live(mesh, f); !live) return live;
   if (!std::isfinite(offset)) return not_finite("offset", offset);
   if (offset == 0) return {};
-  const Vector normal = area_vector(mesh, f);
+  const Vector normal = geometry::area_vector(mesh, f);
   if (!(std::hypot(normal[0], normal[1], normal[2]) > 0)) return degenerate_face(f);
   return {};
 }

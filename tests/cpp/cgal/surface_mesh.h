@@ -21,9 +21,10 @@ namespace Euler = CGAL::Euler;
 
 inline TheirHalfedge theirs_of(Halfedge h) { return TheirHalfedge(h.index()); }
 
-/// The same mesh, item by item. pre: no slot of `mesh` is deleted
-inline Theirs mirror(const Mesh& mesh) {
-  Theirs theirs;
+/// The same mesh, item by item, all of its vertices at one place. pre: no slot of `mesh` is deleted
+template <class Surface = Theirs>
+Surface mirror(const Mesh& mesh) {
+  Surface theirs;
   for (Index v = 0; v < mesh.vertex_slots(); ++v) theirs.add_vertex();
   for (Index e = 0; e < mesh.edge_slots(); ++e) theirs.add_edge();
   for (Index f = 0; f < mesh.face_slots(); ++f) theirs.add_face();

@@ -1,5 +1,6 @@
 #include <halfedge/halfedge.h>
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -37,9 +38,9 @@ int repair() {
 
 }  // namespace
 
-// Reads a tetrahedron, builds it and walks around one of its vertices: reader, builder and
-// circulators of the installed library. Exit code 0 if the one-ring has its three vertices, and
-// the programs of the documentation do what they say.
+// Reads a tetrahedron, builds it, walks around one of its vertices and measures it: reader,
+// builder, circulators and geometry of the installed library. Exit code 0 if the one-ring has its
+// three vertices, the volume is right, and the programs of the documentation do what they say.
 int main() {
   constexpr std::string_view kTetrahedron =
       "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
@@ -58,5 +59,6 @@ int main() {
     std::printf("vertex %u\n", v.index());
     ++count;
   }
+  if (std::abs(halfedge::geometry::volume(mesh).value() - 1.0 / 6) > 1e-15) return 1;
   return count == 3 ? repair() : 1;
 }
