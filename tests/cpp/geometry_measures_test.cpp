@@ -309,8 +309,13 @@ TEST(BoundingBox, IsThatOfAllLiveVertices) {
   EXPECT_EQ(mesh.vertex_count(), 0U);
   EXPECT_FALSE(bounding_box(mesh).has_value());
 
-  Mesh with_nan = face_at({{kNan, 8, 2}, {3, kNan, 5}, {6, 7, kNan}});
-  EXPECT_EQ(bounding_box(with_nan), (Box{{3, 7, 2}, {6, 8, 5}}));
+  // What lies nowhere is in no box.
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Mesh mended = face_at({{kNan, 8, 2}, {3, -kInfinity, 5}, {6, 7, kNan}});
+  EXPECT_FALSE(bounding_box(mended).has_value());
+  mended.set_position(Vertex(1), {3e38F, 3e38F, 3e38F});
+  mended.set_position(Vertex(2), {6, 7, 8});
+  EXPECT_EQ(bounding_box(mended), (Box{{6, 7, 8}, {3e38F, 3e38F, 3e38F}}));
 }
 
 }  // namespace

@@ -3,13 +3,16 @@
 #include <gtest/gtest.h>
 #include <halfedge/decorator/complexes.h>
 #include <halfedge/geometry/normals.h>
+#include <halfedge/operations/append.h>
 #include <halfedge/operations/deletion.h>
 #include <halfedge/operations/orientation.h>
 #include <halfedge/shapes/shapes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -216,6 +219,16 @@ TEST(VertexNormal, IsNothingWithoutFacesAndWhereTheyCancelOut) {
   EXPECT_NE(vertex_normal(with_nan, Vertex(7)), none);
 }
 
+TEST(AllNormals, OfSmallFacesBesideLargeOnes) {
+  // A tiny tetrahedron, beside whose faces those of a huge one leave nothing of a double.
+  Mesh mesh = mesh_of(shapes::tetrahedron(1e-10)).value();
+  ASSERT_TRUE(append(mesh, mesh_of(shapes::tetrahedron(1e10)).value()));
+  const Array<Point> normals = vertex_normals(mesh).value();
+  for (const Vertex v : mesh.vertices()) {
+    expect_near(vector_of(normals[v.index()]), unit(vector_of(mesh, v)), 1e-6);
+  }
+}
+
 TEST(AllNormals, AreThoseOfEachItemBySlot) {
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -238,6 +251,13 @@ TEST(AllNormals, AreThoseOfEachItemBySlot) {
       const Vector expected = is_there ? vertex_normal(mesh, Vertex(v)) : Vector{};
       expect_near(vector_of(of_vertices[v]), expected, 1e-6);
     }
+    // Into arrays that are there, whatever they hold.
+    std::vector<Point> again(mesh.face_slots(), {7, 8, 9});
+    face_normals(mesh, std::span(again));
+    EXPECT_TRUE(std::ranges::equal(again, of_faces));
+    again.assign(mesh.vertex_slots(), {7, 8, 9});
+    ASSERT_TRUE(vertex_normals(mesh, std::span(again)));
+    EXPECT_TRUE(std::ranges::equal(again, of_vertices));
   }
   EXPECT_TRUE(face_normals(Mesh()).value().empty());
   EXPECT_TRUE(vertex_normals(Mesh()).value().empty());

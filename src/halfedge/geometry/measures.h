@@ -9,6 +9,7 @@
 #include <halfedge/vector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -124,18 +125,19 @@ struct Box {
   friend bool operator==(const Box&, const Box&) = default;
 };
 
-/// Of all live vertices, isolated ones too; none without vertices. Coordinates that are no numbers
-/// are passed over. O(slots)
+/// Of all live vertices, isolated ones too, but those with a coordinate that is infinite or no
+/// number; none if there is no vertex. O(slots)
 template <HasPositions Mesh>
 [[nodiscard]] std::optional<Box> bounding_box(const Mesh& mesh) {
-  if (mesh.vertex_count() == 0) return std::nullopt;
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   Box box = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
   for (const Vertex v : mesh.vertices()) {
     const Point p = mesh.position(v);
+    if (!std::isfinite(double{p.x} + double{p.y} + double{p.z})) continue;
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
   }
+  if (!(box.min.x <= box.max.x)) return std::nullopt;
   return box;
 }
 

@@ -4,28 +4,18 @@
 #include <halfedge/decorator/refusal.h>
 #include <halfedge/geometry/loop.h>
 #include <halfedge/mesh.h>
+#include <halfedge/prefetch.h>
 #include <halfedge/result.h>
 #include <halfedge/vector.h>
 
+#include <cassert>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <span>
+
 /// Which way faces and vertices face.
 namespace halfedge::geometry {
-
-namespace internal {
-
-/// The area vectors of faces that share a vertex, and how long they are together.
-struct NormalSum {
-  Vector area = {};
-  double lengths = 0;
-
-  void add(const Vector& of_face, double its_length) {
-    area += of_face;
-    lengths += its_length;
-  }
-  /// Zeros if nothing but rounding errors is left.
-  [[nodiscard]] Vector normal() const { return unit(area, 1e-10 * lengths); }
-};
-
-}  // namespace internal
 
 /// Normal to the face and twice as long as its area, by Newell's method: the sum of the cross
 /// products of the corners. Of a polygon that isn't flat it tells the largest projection. O(degree)
@@ -48,16 +38,57 @@ requires StoresFaceHalfedges<Mesh>
 template <HasPositions Mesh>
 requires StoresFaces<Mesh> && StoresAnchors<Mesh>
 [[nodiscard]] Vector vertex_normal(const Mesh& mesh, Vertex v) {
-  internal::NormalSum sum;
+  Vector sum = {};
+  double lengths = 0;
   for (const Halfedge h : mesh.outgoing_cw(v)) {
     if (mesh.is_boundary(h)) continue;
     const Vector area = internal::area_vector(mesh, h);
-    sum.add(area, internal::length(area));
+    sum += area;
+    lengths += internal::length(area);
   }
-  return sum.normal();
+  return internal::unit(sum, internal::kRounding * lengths);
 }
 
+namespace internal {
+
+inline constexpr Index kFar = 32;
+inline constexpr Index kNear = 16;
+
+/// Asks for what `area_vector` will read of the faces that many rounds later. Halfedges are
+/// numbered by vertex, so that a loop over the faces of a mesh that is larger than a cache waits
+/// for memory: it takes 0.4 to 0.8 of the time with this. Directed Edges lie by face.
+template <class Mesh>
+[[gnu::always_inline]] inline void fetch_ahead(const Mesh& mesh, Index f) {
+  if constexpr (kCanPrefetch && std::same_as<decltype(mesh.links()), const Links&>) {
+    const Links& links = mesh.links();
+    const auto fetch = [&](Index h) {
+      if (h >= links.next.size()) return;  // of a deleted face
+      prefetch(links.next.data() + h);
+      prefetch(links.to_vertex.data() + h);
+    };
+    const std::size_t faces = links.face_halfedge.size();
+    if (f + kFar < faces) fetch(links.face_halfedge[f + kFar]);
+    if (f + kNear >= faces) return;
+    const Index h = links.face_halfedge[f + kNear];
+    if (h < links.next.size()) fetch(links.next[h]);
+  }
+}
+
+}  // namespace internal
+
 /// face_normal of all faces by slot, as floats; zeros at deleted slots. cost: O(halfedges + slots)
+/// pre: as many normals as face slots
+template <HasPositions Mesh>
+requires StoresFaceHalfedges<Mesh>
+void face_normals(const Mesh& mesh, std::span<Point> normals) {
+  assert(normals.size() == mesh.face_slots());
+  for (Index f = 0; f < normals.size(); ++f) {
+    internal::fetch_ahead(mesh, f);
+    const bool is_there = !mesh.is_deleted(Face(f));
+    normals[f] = is_there ? internal::rounded(face_normal(mesh, Face(f))) : Point{};
+  }
+}
+/// The same in a new array.
 /// errors: out-of-memory
 template <HasPositions Mesh>
 requires StoresFaceHalfedges<Mesh>
@@ -66,32 +97,60 @@ requires StoresFaceHalfedges<Mesh>
   if (!normals.resize(mesh.face_slots())) {
     return decorator::internal::no_memory("the normals of the faces");
   }
-  for (Index f = 0; f < normals.size(); ++f) {
-    const bool is_there = !mesh.is_deleted(Face(f));
-    normals[f] = is_there ? internal::rounded(face_normal(mesh, Face(f))) : Point{};
-  }
+  face_normals(mesh, normals.span());
   return normals;
 }
 
 /// vertex_normal of all vertices by slot, as floats; zeros at deleted slots. Each face is looked at
 /// once, and added to its corners.
-/// cost: O(halfedges + slots), 32 bytes for each vertex slot meanwhile
-/// errors: out-of-memory
+/// pre: as many normals as vertex slots
+/// cost: O(halfedges + slots), 24 bytes for each vertex slot meanwhile
+/// errors: out-of-memory, then nothing is written
 template <HasPositions Mesh>
-requires StoresFaceHalfedges<Mesh>
-[[nodiscard]] Result<Array<Point>> vertex_normals(const Mesh& mesh) {
-  Array<internal::NormalSum> sums;
-  Array<Point> normals;
-  if (!sums.resize(mesh.vertex_slots(), internal::NormalSum{}) ||
-      !normals.resize(mesh.vertex_slots())) {
+requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
+[[nodiscard]] Result<void> vertex_normals(const Mesh& mesh, std::span<Point> normals) {
+  assert(normals.size() == mesh.vertex_slots());
+  Array<Vector> sums;
+  if (!sums.resize(normals.size(), Vector{})) {
     return decorator::internal::no_memory("the normals of the vertices");
   }
+  double all = 0;  // at least the lengths of all area vectors together
+  const auto add = [&](const Vector& area, Halfedge corner) {
+    sums[mesh.to_vertex(corner).index()] += area;
+  };
   for (const Face f : mesh.faces()) {
-    const Vector area = area_vector(mesh, f);
-    const double length = internal::length(area);
-    for (const Vertex v : mesh.face_vertices_ccw(f)) sums[v.index()].add(area, length);
+    internal::fetch_ahead(mesh, f.index());
+    const Halfedge h = mesh.face_halfedge(f);
+    const Halfedge second = mesh.next(h);
+    const Halfedge third = mesh.next(second);
+    const bool is_triangle = mesh.next(third) == h;
+    const Vector area = is_triangle ? internal::triangle_vector(mesh, h, second, third)
+                                    : internal::area_vector(mesh, h);
+    all += std::abs(area[0]) + std::abs(area[1]) + std::abs(area[2]);
+    if (is_triangle) {
+      for (const Halfedge corner : {h, second, third}) add(area, corner);
+    } else {
+      for (const Halfedge corner : mesh.loop_ccw(h)) add(area, corner);
+    }
   }
-  for (Index v = 0; v < normals.size(); ++v) normals[v] = internal::rounded(sums[v].normal());
+  // What is long beside all faces is long beside its own: only where that is open, these are asked.
+  for (Index v = 0; v < normals.size(); ++v) {
+    Vector normal = internal::unit(sums[v], internal::kRounding * all);
+    if (normal == Vector{} && !mesh.is_deleted(Vertex(v))) normal = vertex_normal(mesh, Vertex(v));
+    normals[v] = internal::rounded(normal);
+  }
+  return {};
+}
+/// The same in a new array.
+/// errors: out-of-memory
+template <HasPositions Mesh>
+requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
+[[nodiscard]] Result<Array<Point>> vertex_normals(const Mesh& mesh) {
+  Array<Point> normals;
+  if (!normals.resize(mesh.vertex_slots())) {
+    return decorator::internal::no_memory("the normals of the vertices");
+  }
+  if (Result<void> done = vertex_normals(mesh, normals.span()); !done) return done.error();
   return normals;
 }
 
