@@ -407,6 +407,16 @@ describe('Where there is little to measure,', () => {
     },
   );
 
+  test('small faces beside huge ones still have normals', () => {
+    using mesh = HalfedgeMesh.tetrahedron({ radius: 1e-10 });
+    using huge = HalfedgeMesh.tetrahedron({ radius: 1e10 });
+    mesh.append(huge);
+    const normals = mesh.allVertexNormals();
+    for (const v of mesh.vertices()) {
+      expectNear(normals.subarray(3 * v, 3 * v + 3), at(mesh, v).normalize().toArray(), 1e-6);
+    }
+  });
+
   test('an isolated vertex has a full turn, a place and nothing else', () => {
     using mesh = build(triangleAndIsolatedVertex());
     expect(mesh.vertexNormal(3)).toEqual([0, 0, 0]);
