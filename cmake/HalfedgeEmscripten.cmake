@@ -31,6 +31,8 @@ set(halfedge_fast_files
   connectivity/array attributes/attribute attributes/attributes
   # every edit
   operation_bindings construction_bindings history/journal
+  # where edits are refused; all that refuses gets smaller by it, besides
+  sentence result decorator/refusal
   # whole meshes: rows of all rings, topology, validation, copies, orders
   algorithms/adjacency algorithms/topology algorithms/touch_rings
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references

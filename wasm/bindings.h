@@ -144,7 +144,7 @@ inline val to_array(const std::vector<Index>& indices) {
 
 inline val to_problem(const Error& error) {
   val problem = val::object();
-  problem.set("code", error.code);
+  problem.set("code", std::string(error.code));
   problem.set("message", error.message);
   problem.set("vertices", to_array(error.witness.vertices));
   problem.set("halfedges", to_array(error.witness.halfedges));

@@ -79,12 +79,27 @@ HALFEDGE_EXPORT int split_face(Address mesh, Index mode, Index f, double x, doub
       });
 }
 
-EMSCRIPTEN_BINDINGS(halfedge_operations) {
-  // Takes the refusal away, with its memory.
-  emscripten::function(
-      "lastRefusal", +[] {
-        const RoomForReport room;
-        const Error error = std::move(*std::exchange(last_refusal, std::nullopt));
-        return to_problem(error);
-      });
+/// Where the words of the refusal lie, which are good until it is forgotten: address and length of
+/// its code, its sentence and the lists of its witness.
+HALFEDGE_EXPORT Address last_refusal() {
+  static std::array<std::uint32_t, 12> words;
+  std::uint32_t* word = words.data();
+  const auto put = [&](const auto& list) {
+    *word++ = static_cast<std::uint32_t>(reinterpret_cast<Address>(list.data()));
+    *word++ = static_cast<std::uint32_t>(list.size());
+  };
+  const auto& [code, message, witness] = refusal.error();
+  put(code);
+  put(message);
+  put(witness.vertices);
+  put(witness.halfedges);
+  put(witness.edges);
+  put(witness.faces);
+  return reinterpret_cast<Address>(words.data());
+}
+
+/// Frees its memory.
+HALFEDGE_EXPORT void forget_refusal() {
+  refusal = {};
+  (void)Reserve::take_back();
 }

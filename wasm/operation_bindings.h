@@ -6,7 +6,7 @@
 //
 // Each function takes the address of a mesh, a mode (a sum of bits), and the arguments. It returns
 // the index of what was made, which may be none, -1, or 0 where nothing is; kRefused, and
-// `lastRefusal` tells why; or kNoRoom, if memory is exhausted to the last bytes. When it has
+// `last_refusal` tells why; or kNoRoom, if memory is exhausted to the last bytes. When it has
 // changed something, or tried to, `layout_words` are those of the mesh.
 
 #include <emscripten/em_macros.h>
@@ -30,18 +30,20 @@ inline constexpr Index kOption = 8;        ///< what the operation itself gives 
 inline constexpr int kRefused = -2;
 inline constexpr int kNoRoom = -3;
 
-/// Why the last call that returned kRefused did so, until it is asked for.
-inline std::optional<Error> last_refusal;
+/// Why the last call that returned kRefused did so, until it is forgotten.
+inline Failure refusal;
 
-inline int refuse(Error error) {
-  last_refusal = std::move(error);
+HALFEDGE_COLD inline int refuse(Failure&& failure) {
+  refusal = std::move(failure);
   return kRefused;
 }
 
-inline int answer(const Result<void>& result) { return result ? 0 : refuse(result.error()); }
+inline int answer(Result<void>&& result) {
+  return result ? 0 : refuse(std::move(result).failure());
+}
 template <class Item>
-int answer(const Result<Item>& result) {
-  if (!result) return refuse(result.error());
+int answer(Result<Item>&& result) {
+  if (!result) return refuse(std::move(result).failure());
   if constexpr (std::is_integral_v<Item>) {
     return static_cast<int>(result.value());  // a number of items
   } else {

@@ -29,6 +29,18 @@ const ROWS = [
     },
   },
   {
+    title: '`checkFlipEdge`, refused',
+    run: (mesh, { boundary }) => {
+      let count = 0;
+      for (let lap = 0; lap < 20; lap++) {
+        for (const e of boundary) count += mesh.checkFlipEdge(e) === null ? 0 : 1;
+      }
+      if (count !== 20 * boundary.length)
+        throw new Error('An edge of the boundary can be flipped.');
+      return count;
+    },
+  },
+  {
     title: '`splitEdge`, then `collapse`',
     run: (mesh, { diagonals }) => {
       for (const e of diagonals) mesh.collapse(mesh.vertexHalfedge(mesh.splitEdge(e)));
@@ -108,7 +120,7 @@ export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 
   return { vertices: positions.length / 3, rows };
 }
 
-/** The diagonals of every fourth square, which don't touch each other's triangles. */
+/** Among them the diagonals of every fourth square, which don't touch each other's triangles. */
 function itemsOf(HalfedgeMesh, positions, triangles) {
   const mesh = HalfedgeMesh.fromTriangles(positions, triangles);
   const side = Math.sqrt(positions.length / 3);
@@ -126,7 +138,9 @@ function itemsOf(HalfedgeMesh, positions, triangles) {
   const corners = Array.from({ length: triangles.length / 3 }, (_, f) =>
     Array.from(triangles.subarray(3 * f, 3 * f + 3)),
   );
-  return { mesh, diagonals, points, corners, faces: corners.length };
+  const [outside] = mesh.boundaryLoops();
+  const boundary = Array.from(mesh.halfedgeLoop(outside), (h) => mesh.edge(h));
+  return { mesh, diagonals, boundary, points, corners, faces: corners.length };
 }
 
 /** The results as Markdown. */

@@ -15,13 +15,16 @@ IndexList& IndexList::operator=(IndexList&& other) noexcept = default;
 IndexList::~IndexList() = default;
 
 Error::Error() = default;
-Error::Error(std::string of_program, std::string for_people, Witness items)
-    : code(std::move(of_program)), message(std::move(for_people)), witness(std::move(items)) {}
+Error::Error(std::string_view of_program, std::string for_people, Witness items)
+    : code(of_program), message(std::move(for_people)), witness(std::move(items)) {}
 Error::Error(const Error& other) = default;
 Error::Error(Error&& other) noexcept = default;
 Error& Error::operator=(const Error& other) = default;
 Error& Error::operator=(Error&& other) noexcept = default;
 Error::~Error() = default;
+
+Failure::Failure(std::string_view code, std::string&& message, Witness&& witness)
+    : error_(new Error(code, std::move(message), std::move(witness))) {}
 
 Failure::Failure(Error&& error) : error_(new Error(std::move(error))) {}
 

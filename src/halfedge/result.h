@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,17 +40,18 @@ struct Witness {
 };
 
 /// Why something was refused: a stable code in kebab-case for programs ("edge-with-many-faces"),
-/// one sentence for people that names the item, its value and what was expected, and the witness.
+/// which is never freed; one sentence for people that names the item, its value and what was
+/// expected; and the witness.
 struct Error {
   HALFEDGE_COLD Error();
-  HALFEDGE_COLD Error(std::string code, std::string message, Witness witness = {});
+  HALFEDGE_COLD Error(std::string_view code, std::string message, Witness witness = {});
   HALFEDGE_COLD Error(const Error& other);
   HALFEDGE_COLD Error(Error&& other) noexcept;
   HALFEDGE_COLD Error& operator=(const Error& other);
   HALFEDGE_COLD Error& operator=(Error&& other) noexcept;
   HALFEDGE_COLD ~Error();
 
-  std::string code;
+  std::string_view code;
   std::string message;
   Witness witness;
 };
@@ -59,6 +61,7 @@ struct Error {
 class Failure {
  public:
   Failure() = default;
+  Failure(std::string_view code, std::string&& message, Witness&& witness);
   Failure(Error&& error);
   Failure(const Error& error);
   Failure(Failure&& other) noexcept : error_(std::exchange(other.error_, nullptr)) {}
@@ -117,6 +120,8 @@ class [[nodiscard]] Result {
 
   /// pre: !ok()
   [[nodiscard]] const Error& error() const { return failure_.error(); }
+  /// The error, if there is one, without a copy.
+  [[nodiscard]] Failure failure() && { return std::move(failure_); }
 
  private:
   T value_ = {};
@@ -137,6 +142,8 @@ class [[nodiscard]] Result<void> {
 
   /// pre: !ok()
   [[nodiscard]] const Error& error() const { return failure_.error(); }
+  /// The error, if there is one, without a copy.
+  [[nodiscard]] Failure failure() && { return std::move(failure_); }
 
  private:
   Failure failure_;

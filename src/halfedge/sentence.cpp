@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 
 namespace halfedge::sentence {
 
@@ -19,16 +20,15 @@ void Part::append_to(std::string& sentence) const {
 
 std::string fill_in(const char* pattern, std::initializer_list<Part> parts) {
   std::string sentence;
-  const Part* part = parts.begin();
-  for (const char* at = pattern; *at != 0; ++at) {
-    if (at[0] == '{' && at[1] == '}') {
-      (part++)->append_to(sentence);
-      ++at;
-    } else {
-      sentence += *at;
-    }
+  sentence.reserve(std::strlen(pattern) + 20 * parts.size());
+  for (const Part& part : parts) {
+    const char* gap = pattern;
+    while (gap[0] != '{' || gap[1] != '}') ++gap;
+    sentence.append(pattern, static_cast<std::size_t>(gap - pattern));
+    part.append_to(sentence);
+    pattern = gap + 2;
   }
-  return sentence;
+  return sentence += pattern;
 }
 
 std::string complete(std::string text) {

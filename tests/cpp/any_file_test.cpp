@@ -33,7 +33,7 @@ std::string outcome_of(std::string_view bytes) {
     EXPECT_GE(message.size(), 20U) << message;
     EXPECT_LE(message.size(), 1000U) << message;
     for (const char c : message) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
-    return file.error().code;
+    return std::string(file.error().code);
   }
   const Polygons polygons = file.value().soup.view();
   Mesh strict;

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/random_polygons.h"
@@ -329,11 +330,11 @@ TEST(BuildRefusal, ListsProblemsOfAllKindsInOrder) {
   Shape shape{"", 8, {{0, 1, 2}, {3, 4}, {1, 0, 5}, {0, 1, 6}, {2, 9, 2}, {7, 2, 1}, {7, 1, 2}}};
   shape.positions[0] = std::numeric_limits<float>::infinity();
   const BuildReport report = refusal(shape.polygons());
-  std::vector<std::string> codes;
+  std::vector<std::string_view> codes;
   for (const Error& problem : report.problems) codes.push_back(problem.code);
-  EXPECT_EQ(codes, (std::vector<std::string>{"non-finite-position", "degree-below-three",
-                                             "repeated-vertex", "index-out-of-range",
-                                             "duplicate-face", "edge-with-many-faces"}));
+  EXPECT_EQ(codes, (std::vector<std::string_view>{"non-finite-position", "degree-below-three",
+                                                  "repeated-vertex", "index-out-of-range",
+                                                  "duplicate-face", "edge-with-many-faces"}));
 }
 
 TEST(BuildRefusal, CountsAllProblemsButListsAThousand) {

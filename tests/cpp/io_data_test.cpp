@@ -12,6 +12,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/data_files.h"
@@ -229,8 +230,9 @@ TEST_P(DataFiles, OfOtherFormatsAreRefused) {
     const std::string text = test::read_file(path);
     const auto result = parse(test::bytes_of(text));
     ASSERT_FALSE(result);
-    EXPECT_TRUE((std::set<std::string>{"unsupported-format", "unknown-format", "not-text"}.contains(
-        result.error().code)))
+    EXPECT_TRUE(
+        (std::set<std::string_view>{"unsupported-format", "unknown-format", "not-text"}.contains(
+            result.error().code)))
         << result.error().code << ": " << result.error().message;
   }
 }

@@ -286,7 +286,7 @@ TEST(Stl, ExplainsWrongBytes) {
 TEST(Stl, TellsABinaryFileOfTheWrongSize) {
   const auto error_of = [](const std::string& bytes) {
     const Result<ParsedFile> file = parse(bytes_of(bytes));
-    return file ? "none" : file.error().code + ": " + file.error().message;
+    return file ? "none" : std::string(file.error().code) + ": " + file.error().message;
   };
   const std::string whole = binary({kFirst, kSecond}, "made by\0us"s);
   EXPECT_EQ(error_of(whole), "none");

@@ -42,7 +42,7 @@ Mesh built(const std::vector<float>& positions, const Faces& faces) {
 
 std::string written(const Mesh& mesh, Format format, std::optional<Encoding> encoding = {}) {
   const auto bytes = write(mesh, format, {encoding});
-  if (!bytes) return bytes.error().code + ": " + bytes.error().message;
+  if (!bytes) return std::string(bytes.error().code) + ": " + bytes.error().message;
   return {bytes.value().begin(), bytes.value().end()};
 }
 

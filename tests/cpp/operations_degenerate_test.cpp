@@ -22,7 +22,9 @@ namespace {
 
 using Change = std::function<std::string(Mesh&)>;
 
-std::string code_of(const auto& result) { return result ? "done" : result.error().code; }
+std::string code_of(const auto& result) {
+  return std::string(result ? "done" : result.error().code);
+}
 
 Mesh make_degenerate(const std::string& name) {
   Mesh mesh;

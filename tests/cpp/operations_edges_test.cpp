@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -281,7 +282,7 @@ TEST(InsertVertexOnEdge, TakesValuesFromThePointOfTheEdgeThatIsClosest) {
 
 TEST(RemoveVertexOnEdge, DecidesAndDoesWhatListsOfFacesSay) {
   std::size_t done = 0;
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (const auto& [name, mesh] : meshes()) {
     SCOPED_TRACE(name);
     for (const Vertex v : mesh.vertices()) {
@@ -310,7 +311,8 @@ TEST(RemoveVertexOnEdge, DecidesAndDoesWhatListsOfFacesSay) {
     }
   }
   EXPECT_GT(done, 10U);
-  EXPECT_EQ(codes, (std::set<std::string>{"not-valence-two", "degree-below-three", "edge-exists"}));
+  EXPECT_EQ(codes,
+            (std::set<std::string_view>{"not-valence-two", "degree-below-three", "edge-exists"}));
 }
 
 TEST(RemoveVertexOnEdge, RefusesWithAWitness) {

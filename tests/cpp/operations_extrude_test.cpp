@@ -359,7 +359,8 @@ TEST(BevelEdge, SweepOverAllEdges) {
       const Vertex b = mesh.to_vertex(h);
       const Index splits = (mesh.valence(a) > 2 ? 1U : 0U) + (mesh.valence(b) > 2 ? 1U : 0U);
       ASSERT_EQ(done, !mesh.is_boundary(e) && splits > 0);
-      ++outcomes[done ? std::to_string(splits) : check_bevel_edge(mesh, e, 0.25).error().code];
+      ++outcomes[done ? std::to_string(splits)
+                      : std::string(check_bevel_edge(mesh, e, 0.25).error().code)];
       if (!done) continue;
       EXPECT_EQ(after.vertex_count(), mesh.vertex_count() + splits);
       EXPECT_EQ(after.edge_count(), mesh.edge_count() + 1 + splits);

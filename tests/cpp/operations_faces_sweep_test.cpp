@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,7 @@ namespace {
 using namespace operations;
 using Corners = std::vector<Index>;
 
-std::vector<std::string> codes_of(const std::set<std::string>& codes) {
+std::vector<std::string> codes_of(const std::set<std::string_view>& codes) {
   return {codes.begin(), codes.end()};
 }
 
@@ -37,7 +38,7 @@ Polys without(Polys faces, const std::vector<Corners>& gone) {
 Corners loop_from(const Mesh& mesh, Halfedge h) { return corners_of(mesh, h); }
 
 TEST(SweepMakeHole, IsAllowedJustWhereEachEdgeKeepsAFace) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (auto& [name, mesh] : meshes_to_sweep()) {
     SCOPED_TRACE(name);
     for (const Face f : mesh.faces()) {
@@ -62,7 +63,7 @@ TEST(SweepMakeHole, IsAllowedJustWhereEachEdgeKeepsAFace) {
 }
 
 TEST(SweepFillHole, IsAllowedJustWhereTheBuilderTakesTheFace) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (auto& [name, mesh] : meshes_to_sweep()) {
     SCOPED_TRACE(name);
     for (const Halfedge h : mesh.halfedges()) {
@@ -94,7 +95,7 @@ TEST(SweepFillHole, IsAllowedJustWhereTheBuilderTakesTheFace) {
 }
 
 TEST(SweepInsertEdge, IsAllowedJustWhereTheBuilderTakesTheFaces) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (auto& [name, mesh] : meshes_to_sweep(5)) {
     SCOPED_TRACE(name);
     if (mesh.halfedge_slots() > 150) continue;
@@ -158,7 +159,7 @@ Corners joined_at(const Mesh& mesh, Halfedge h) {
 }
 
 TEST(SweepRemoveEdge, IsAllowedJustWhereTheBuilderTakesTheJoinedFace) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (auto& [name, mesh] : meshes_to_sweep()) {
     SCOPED_TRACE(name);
     for (const Edge e : mesh.edges()) {
@@ -217,7 +218,7 @@ TEST(SweepSplitFace, MakesTrianglesThatDissolvingTheirVertexTakesBack) {
 }
 
 TEST(SweepDissolveVertex, IsAllowedJustWhereTheBuilderTakesTheJoinedFace) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (auto& [name, mesh] : meshes_to_sweep()) {
     SCOPED_TRACE(name);
     for (const Vertex v : mesh.vertices()) {
@@ -327,7 +328,7 @@ std::vector<std::pair<std::string, Mesh>> meshes_with_chains() {
 }
 
 TEST(SweepDissolveEdge, TakesTheWholeSeamAndItsEnds) {
-  std::set<std::string> codes;
+  std::set<std::string_view> codes;
   for (const bool with_chains : {false, true}) {
     for (auto& [name, mesh] : with_chains ? meshes_with_chains() : meshes_to_sweep()) {
       SCOPED_TRACE(name);

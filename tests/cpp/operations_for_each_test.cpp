@@ -38,7 +38,7 @@ void expect_same_as_a_loop(const Mesh& mesh, const std::vector<Item>& items, con
 
 template <class Result>
 std::string code_of(const Result& result) {
-  return result ? "" : result.error().code;
+  return std::string(result ? "" : result.error().code);
 }
 
 TEST(ForEach, IsTheSameAsALoopThatAddsAndDeletesWhatIsYetToCome) {

@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/polygon_lists.h"
@@ -44,7 +45,7 @@ bool can_be_glued(const Mesh& mesh, Halfedge h, Halfedge g, Polys& glued) {
 }
 
 TEST(Glue, SweepOverAllPairs) {
-  std::map<std::string, int> codes;
+  std::map<std::string_view, int> codes;
   for (const auto& [name, mesh] : meshes_to_sweep(12)) {
     SCOPED_TRACE(name);
     std::vector<Halfedge> boundary = boundary_of(mesh);
@@ -71,7 +72,7 @@ TEST(Glue, SweepOverAllPairs) {
 }
 
 TEST(Cut, SweepOverAllHalfedges) {
-  std::map<std::string, int> codes;
+  std::map<std::string_view, int> codes;
   for (const auto& [name, mesh] : meshes_to_sweep(12)) {
     SCOPED_TRACE(name);
     for (const Halfedge h : mesh.halfedges()) {

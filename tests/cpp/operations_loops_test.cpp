@@ -12,6 +12,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/polygon_lists.h"
@@ -67,7 +68,7 @@ Polys joined_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
 }
 
 TEST(JoinLoop, SweepOverPairsOfLoops) {
-  std::map<std::string, int> codes;
+  std::map<std::string_view, int> codes;
   for (auto& [name, mesh] : meshes_to_sweep(12)) {
     SCOPED_TRACE(name);
     const std::vector<Halfedge> loops = loops_of(mesh, 14);
@@ -78,7 +79,7 @@ TEST(JoinLoop, SweepOverPairsOfLoops) {
         const Mesh joined = try_operation(
             mesh, [&](const Mesh& m) { return check_join_loop(m, h, g); },
             [&](Mesh& m) { return join_loop(m, h, g); }, done);
-        const std::string code = done ? "done" : check_join_loop(mesh, h, g).error().code;
+        const std::string_view code = done ? "done" : check_join_loop(mesh, h, g).error().code;
         ++codes[code];
         if (done) {
           EXPECT_EQ(in_order(polygons_of(joined)), in_order(joined_polygons(mesh, h, g)));
@@ -209,7 +210,7 @@ Polys bridged_polygons(const Mesh& mesh, Halfedge h, Halfedge g) {
 }
 
 TEST(Bridge, SweepOverPairsOfLoops) {
-  std::map<std::string, int> codes;
+  std::map<std::string_view, int> codes;
   for (const auto& [name, mesh] : meshes_to_sweep(12)) {
     SCOPED_TRACE(name);
     const std::vector<Halfedge> loops = loops_of(mesh, 12);
@@ -312,7 +313,7 @@ TEST(Bridge, Refusals) {
 }
 
 TEST(RemoveBridge, SweepOverAllHalfedges) {
-  std::map<std::string, int> codes;
+  std::map<std::string_view, int> codes;
   std::vector<std::pair<std::string, Mesh>> meshes = meshes_to_sweep(12);
   meshes.emplace_back("torus 5 x 7", reference_build(torus(5, 7)));
   for (const auto& [name, mesh] : meshes) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "support/polygon_lists.h"
@@ -44,7 +44,7 @@ void expect_cut(const Mesh& before, const Mesh& after, Index added) {
 }
 
 TEST(Triangulate, SweepOverAllFacesAndMeshes) {
-  std::map<std::string, int> outcomes;
+  std::map<std::string_view, int> outcomes;
   for (const auto& [name, mesh] : meshes_to_sweep(25)) {
     SCOPED_TRACE(name);
     bool done = false;

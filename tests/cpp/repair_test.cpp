@@ -30,7 +30,7 @@ Strings refusals(const Polygons& polygons) {
   BuildReport report;
   EXPECT_FALSE(build_from_polygons(mesh, polygons, report));
   Strings codes;
-  for (const Error& problem : report.problems) codes.push_back(problem.code);
+  for (const Error& problem : report.problems) codes.emplace_back(problem.code);
   return codes;
 }
 

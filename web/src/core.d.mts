@@ -333,8 +333,10 @@ export interface RawCore {
     c: number,
   ): RawMending | RawFailure;
 
-  /** Why the last call that returned -2 did so. To be asked for once, as it is forgotten then. */
-  lastRefusal(): RawProblem;
+  /** Why the last call that returned -2 did so: where the words lie that `takeRefusal` reads. */
+  _last_refusal(): number;
+  /** Frees what they tell of. */
+  _forget_refusal(): void;
 
   // History (history_bindings.cpp).
 

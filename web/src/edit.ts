@@ -3,9 +3,8 @@ import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
 import type { ItemKind } from './items.js';
 import type { Links } from './links.js';
-import type { Core } from './loader.js';
 import { outOfMemory, withInputs } from './memory.js';
-import { problemOf } from './reports.js';
+import { takeRefusal } from './refusal.js';
 
 // How an operation crosses into the core, and back. The functions of the core are plain exports:
 // numbers in, a number out.
@@ -56,19 +55,14 @@ export function done(links: Links, result: number): number {
   if (result === NO_ROOM) throw noRoom();
   links.update();
   if (result !== REFUSED) return result;
-  const { code, message, witness } = lastRefusal(links.core);
+  const { code, message, witness } = takeRefusal(links.core);
   throw new HalfedgeError(code, message, { witness });
 }
 
 /** What a check returned: null if the operation can be done, else why not. */
 export function answer(links: Links, result: number): Refusal | null {
   if (result === NO_ROOM) throw noRoom();
-  return result === REFUSED ? lastRefusal(links.core) : null;
-}
-
-function lastRefusal(core: Core): Refusal {
-  const { code, message, witness } = problemOf(core.lastRefusal(), 'error');
-  return Object.freeze({ code, message, witness: witness as Witness });
+  return result === REFUSED ? takeRefusal(links.core) : null;
 }
 
 const noRoom = () => outOfMemory('the change');

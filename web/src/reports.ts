@@ -26,8 +26,13 @@ export function problemOf(
     edges: Array.from(items.edges),
     faces: Array.from(items.faces),
   };
+  return { code, severity, ...subjectOf(witness), message: sentenceOf(code, message), witness };
+}
+
+/** The message of a problem as a whole sentence, and advice where the package has some. */
+export function sentenceOf(code: string, message: string): string {
   const advice = code === 'out-of-memory' ? ' Dispose of meshes that are no longer needed.' : '';
-  return { code, severity, ...subjectOf(witness), message: sentence(message) + advice, witness };
+  return sentence(message) + advice;
 }
 
 /**
@@ -77,9 +82,15 @@ interface FoundInFile {
 
 /** As a whole sentence: some parts of the core leave out the capital and the full stop. */
 export function sentence(text: string): string {
+  if (isSentence(text)) return text;
   const readable = text.replace(/(?:\\x[89a-f][0-9a-f])+/g, lettersOf);
   const capital = readable.charAt(0).toUpperCase() + readable.slice(1);
   return /[.!?]( \([^()]*\))?$/.test(capital) ? capital : `${capital}.`;
+}
+
+/** Whether it clearly is one: begins with A to Z, and spells no bytes. Quick, as most refusals are never read. */
+function isSentence(text: string): boolean {
+  return text >= 'A' && text < '[' && text.endsWith('.') && !text.includes('\\');
 }
 
 /** Bytes as the core spells them where they aren't ASCII (`\xc3\x9c`) as letters, if they are some in UTF-8. */

@@ -5,8 +5,8 @@
 
 namespace halfedge::decorator::internal {
 
-Failure refusal(const char* code, std::string text, Witness witness) {
-  return Error{code, sentence::complete(std::move(text)), std::move(witness)};
+Failure refusal(const char* code, std::string text, Witness&& witness) {
+  return {code, sentence::complete(std::move(text)), std::move(witness)};
 }
 
 Witness halfedges_of(std::initializer_list<Halfedge> halfedges) {
@@ -30,10 +30,11 @@ Failure not_live(ItemKind kind, Index index, Index slots) {
    : kind == ItemKind::kFace ? witness.faces
                              : witness.halfedges) = {index};
   const std::string item = sentence::of("{} {}", name, index);
-  if (index < slots) return refusal(code, sentence::of("{} is deleted{}", item, expected), witness);
   return refusal(code,
-                 sentence::of("{} is not in this mesh, expected an index below {}", item, slots),
-                 witness);
+                 index < slots ? sentence::of("{} is deleted{}", item, expected)
+                               : sentence::of("{} is not in this mesh, expected an index below {}",
+                                              item, slots),
+                 std::move(witness));
 }
 
 Failure on_boundary(Halfedge h) {

@@ -11,7 +11,8 @@
 namespace halfedge::decorator::internal {
 
 /// `sentence` begins in lower case, or with a number, and gets its full stop here.
-[[nodiscard]] Failure refusal(const char* code, std::string sentence, Witness witness = {});
+[[nodiscard]] HALFEDGE_COLD Failure refusal(const char* code, std::string sentence,
+                                            Witness&& witness = {});
 
 [[nodiscard]] Witness halfedges_of(std::initializer_list<Halfedge> halfedges);
 

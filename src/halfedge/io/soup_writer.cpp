@@ -41,8 +41,8 @@ void SoupWriter::report(const void* position) {
   out_of_memory_ = true;  // which ends all loops of readers
 }
 
-Error error_at(const TextScanner& text, std::string code, const std::string& message) {
-  return {std::move(code), sentence::of("line {}: {}", text.line(), message)};
+Error error_at(const TextScanner& text, std::string_view code, const std::string& message) {
+  return {code, sentence::of("line {}: {}", text.line(), message)};
 }
 
 Error unexpected(const TextScanner& text, const std::string& expected) {
@@ -57,8 +57,8 @@ Error index_error(const TextScanner& text, std::size_t corner, std::size_t face)
   return error;
 }
 
-Error error_at_byte(std::size_t offset, std::string code, const std::string& message) {
-  return {std::move(code), sentence::of("byte {}: {}", offset, message)};
+Error error_at_byte(std::size_t offset, std::string_view code, const std::string& message) {
+  return {code, sentence::of("byte {}: {}", offset, message)};
 }
 
 std::optional<Error> check_size(SoupWriter& out) {

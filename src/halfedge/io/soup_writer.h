@@ -212,13 +212,15 @@ class SoupWriter {
 };
 
 /// "line N: " before a message about what the cursor stands at.
-[[nodiscard]] Error error_at(const TextScanner& text, std::string code, const std::string& message);
+[[nodiscard]] HALFEDGE_COLD Error error_at(const TextScanner& text, std::string_view code,
+                                           const std::string& message);
 /// "line N: expected …, found …"; truncated at the end of the file, else parse-error.
 [[nodiscard]] Error unexpected(const TextScanner& text, const std::string& expected);
 /// index-out-of-range: "line N: corner … of face … is …", for the caller to say what was expected.
 [[nodiscard]] Error index_error(const TextScanner& text, std::size_t corner, std::size_t face);
 /// "byte N: " before a message about a binary file.
-[[nodiscard]] Error error_at_byte(std::size_t offset, std::string code, const std::string& message);
+[[nodiscard]] HALFEDGE_COLD Error error_at_byte(std::size_t offset, std::string_view code,
+                                                const std::string& message);
 [[nodiscard]] inline Error no_memory_for_attributes() {
   return {"out-of-memory", "memory was exhausted after the file had been read"};
 }

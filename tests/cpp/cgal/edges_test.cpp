@@ -11,7 +11,7 @@
 #include <halfedge/operations/split_vertex.h>
 
 #include <map>
-#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -83,7 +83,7 @@ TEST(CgalCollapse, LeavesTheSame) {
 
 TEST(CgalFlip, LeavesTheSameButFlipsOntoEdgesToo) {
   int done = 0;
-  std::map<std::string, int> refused;
+  std::map<std::string_view, int> refused;
   for_each_triangle_mesh([&](const Mesh& mesh) {
     for (const Edge e : mesh.edges()) {
       if (mesh.is_boundary(e)) continue;  // asserted by CGAL
@@ -109,7 +109,7 @@ TEST(CgalSplitVertex, LeavesTheSameWithoutTriangles) {
   using operations::SplitSide;
   const operations::SplitSides corners{SplitSide::kCorner, SplitSide::kCorner};
   int done = 0;
-  std::map<std::string, int> refused;
+  std::map<std::string_view, int> refused;
   for (auto& [name, mesh] : meshes_to_sweep(2)) {
     SCOPED_TRACE(name);
     for (const Halfedge hl : mesh.halfedges()) {

@@ -17,6 +17,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -64,7 +65,7 @@ TEST(CgalEuler, SplitsFacesAlikeButJoinsVerticesTwice) {
 
 TEST(CgalEuler, JoinsFacesAlikeButSomeThatLeaveNoMesh) {
   int done = 0;
-  std::map<std::string, int> refused;
+  std::map<std::string_view, int> refused;
   for_each_mesh([&](const Mesh& mesh) {
     for (const Edge e : mesh.edges()) {
       Mesh ours = copy_of(mesh);

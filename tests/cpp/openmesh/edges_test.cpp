@@ -11,6 +11,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -82,7 +83,7 @@ void expect_same(const Mesh& ours, Theirs& theirs) {
   EXPECT_EQ(ours.face_count(), theirs.n_faces());
 }
 
-using Tally = std::map<std::string, int>;
+using Tally = std::map<std::string_view, int>;
 
 /// Collapses each halfedge in both. Counts what was done, and the codes of what we refuse alone.
 template <class Theirs>

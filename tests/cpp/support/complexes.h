@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -87,7 +88,7 @@ inline void expect_valid_complex(const Mesh& mesh) {
 
 /// That `result` is an error with this code, a sentence, and nothing has changed.
 template <class T>
-void expect_refused(const Result<T>& result, const std::string& code, const Mesh& mesh,
+void expect_refused(const Result<T>& result, std::string_view code, const Mesh& mesh,
                     const Snapshot& before) {
   ASSERT_FALSE(result.ok());
   EXPECT_EQ(result.error().code, code) << result.error().message;

@@ -34,7 +34,7 @@ struct Repaired {
   [[nodiscard]] std::vector<std::string> messages() const {
     std::vector<std::string> list;
     for (const Error& problem : report.problems) {
-      list.push_back(problem.code + ": " + problem.message);
+      list.push_back(std::string(problem.code) + ": " + problem.message);
     }
     return list;
   }

@@ -27,7 +27,7 @@ struct Parsed {
 inline Parsed flatten(const Result<ParsedFile>& file) {
   Parsed parsed;
   if (!file) {
-    parsed.error = file.error().code + ": " + file.error().message;
+    parsed.error = std::string(file.error().code) + ": " + file.error().message;
     return parsed;
   }
   const Polygons soup = file.value().soup.view();
