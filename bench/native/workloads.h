@@ -1,6 +1,5 @@
 #pragma once
 
-#include <halfedge/geometry/normals.h>
 #include <halfedge/mesh.h>
 #include <halfedge/operations/operations.h>
 
@@ -68,14 +67,21 @@ inline void centre(halfedge::Mesh& mesh) {
   }
 }
 
-/// Unit normals of the faces, as the library has them; of each vertex the sum of those around it,
-/// of unit length.
+/// Unit normals of the faces, from three vertices; of each vertex the sum of those around it, of
+/// unit length.
 inline void normals(const halfedge::Mesh& mesh, std::vector<halfedge::Point>& of_faces,
                     std::vector<halfedge::Point>& of_vertices) {
   using namespace halfedge;
   of_faces.resize(mesh.face_slots());
   of_vertices.resize(mesh.vertex_slots());
-  geometry::face_normals(mesh, std::span(of_faces));
+  for (const Face f : mesh.faces()) {
+    const Halfedge h = mesh.face_halfedge(f);
+    const Point p = mesh.position(mesh.from_vertex(h));
+    const Point a = mesh.position(mesh.to_vertex(h)) - p;
+    const Point b = mesh.position(mesh.to_vertex(mesh.next(h))) - p;
+    of_faces[f.index()] =
+        unit({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x});
+  }
   for (const Vertex v : mesh.vertices()) {
     Point sum;
     for (const Face f : mesh.vertex_faces_cw(v)) sum = sum + of_faces[f.index()];
