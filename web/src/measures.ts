@@ -312,7 +312,7 @@ export function writeVertexNormals(surface: Surface, slots: number, out: Floats)
       h = next[h];
     } while (h !== first);
   }
-  // A sum beside which even all faces together are not too long is good; where that is open, only its own count.
+  // A sum that is long beside all faces together is long beside its own; of the others, these are asked.
   for (let v = 0; v < slots; v++) {
     const x = sums[3 * v];
     const y = sums[3 * v + 1];
