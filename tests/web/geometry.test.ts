@@ -77,6 +77,21 @@ describe('Of a cube', () => {
     }
   });
 
+  test('no normal has a -0', () => {
+    using inside = cube.clone();
+    inside.reverse();
+    for (const mesh of [cube, inside]) {
+      const all = [
+        ...mesh.allFaceNormals(),
+        ...mesh
+          .faces()
+          .toArray()
+          .flatMap((f) => mesh.faceNormal(f)),
+      ];
+      expect(all.filter((x) => Object.is(x, -0))).toEqual([]);
+    }
+  });
+
   test('edges', () => {
     for (const e of cube.edges()) {
       expect(cube.edgeLength(e)).toBe(1);

@@ -184,9 +184,9 @@ export abstract class Geometry extends Circulation {
   }
 
   /**
-   * What the angles of the faces at `v` lack to a full turn; half a turn counts as filled for each boundary halfedge that leaves
-   * `v`. It is the Gaussian curvature that lies at `v`. In a triangle mesh, the angle defects of all vertices add up to 2π times
-   * `eulerCharacteristic()`.
+   * What the angles of the faces at `v` lack to a full turn; half a turn counts as filled for each boundary halfedge
+   * that leaves `v`. It is the Gaussian curvature that lies at `v`. In a triangle mesh, the angle defects of all
+   * vertices add up to 2π times `eulerCharacteristic()`.
    */
   angleDefect(v: VertexLike): number {
     const links = linksOf(this);
@@ -225,8 +225,8 @@ export abstract class Geometry extends Circulation {
 
   /**
    * The volume inside of this mesh, negative if its faces look inwards. Components that lie inside of others count
-   * with their own sign: those of a cavity, whose faces look into it, are taken away. Warped faces count as if they were cut into triangles
-   * around their centroids. O(halfedges).
+   * with their own sign: those of a cavity, whose faces look into it, are taken away. Warped faces count as if they
+   * were cut into triangles around their centroids. O(halfedges).
    *
    * @throws HalfedgeError `open-surface` if there is a boundary, where the inside leaks out
    */

@@ -93,7 +93,7 @@ const write = (out: Float64Array, x: number, y: number, z: number) => {
 function writeDirection(total: Float64Array, at: number, out: Floats, to: number): void {
   const [x, y, z] = [total[at], total[at + 1], total[at + 2]];
   const length = lengthOf(x, y, z);
-  const isGood = length > LEAST * total[at + 3] && length < Number.POSITIVE_INFINITY;
+  const isGood = length > LEAST * total[at + 3]; // nor so if both are infinite, or NaN
   out[to] = isGood ? x / length : 0;
   out[to + 1] = isGood ? y / length : 0;
   out[to + 2] = isGood ? z / length : 0;
