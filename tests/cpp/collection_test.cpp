@@ -74,12 +74,6 @@ Facts facts_of(const Mesh& mesh) {
           genus(mesh).value()};
 }
 
-// The file as polygons, if our readers know its format.
-Result<ParsedFile> parse_file(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  return parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
 Mesh built(const Polygons& polygons) {
   Mesh mesh;
   BuildReport report;

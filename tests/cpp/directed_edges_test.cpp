@@ -100,9 +100,7 @@ TEST(DirectedEdges, GiveTheSameAsTheFullMeshOnTheCollection) {
   std::size_t checked = 0;
   for (const auto& path : data_files("good", {".obj", ".off"})) {
     SCOPED_TRACE(path.filename());
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     if (!file || file.value().soup.view().face_count() > kMaxFaces) continue;
     const Polygons polygons = file.value().soup.view();
     if (std::any_of(polygons.sizes.begin(), polygons.sizes.end(),

@@ -85,9 +85,7 @@ TEST(AllRepairs, LeaveAValidMeshOfEveryNastyFile) {
   std::size_t touched = 0;
   for (const auto& path : data_files("nasty", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename());
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     if (!file) continue;
     Mesh mesh;
     RepairReport soup;
@@ -119,9 +117,7 @@ TEST(AllRepairs, StitchASoupAsTheBuilderWeldsIt) {
   for (const auto& path : data_files("good", {".off", ".stl"})) {
     SCOPED_TRACE(path.filename());
     if (std::filesystem::file_size(path) > 800'000) continue;
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     if (!file) continue;
     Mesh welded;
     RepairReport soup;

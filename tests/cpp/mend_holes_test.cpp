@@ -342,9 +342,7 @@ TEST(FillHoles, ClosesHolesPunchedIntoTheCollection) {
   std::size_t closed = 0;
   for (const auto& path : data_files("good", {".off", ".obj", ".ply"})) {
     if (std::filesystem::file_size(path) > 400'000) continue;
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     if (!file) continue;
     Mesh mesh;
     RepairReport soup;

@@ -450,9 +450,7 @@ TEST(AddFace, MakesRealMeshesInRandomOrder) {
   std::uint32_t seed = 0;
   for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename().string() + ", seed " + std::to_string(++seed));
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     ASSERT_TRUE(file) << file.error().message;
     const Polygons polygons = file.value().soup.view();
     if (polygons.face_count() > kMaxFaces) continue;

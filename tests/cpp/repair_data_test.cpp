@@ -16,11 +16,6 @@
 namespace halfedge::test {
 namespace {
 
-Result<ParsedFile> parse_file(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  return parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-}
-
 const std::vector<std::string> kFormats{".obj", ".off", ".ply", ".stl"};
 
 TEST(RepairOfTheCollection, ChangesNothingInGoodFiles) {

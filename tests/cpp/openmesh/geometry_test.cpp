@@ -175,9 +175,7 @@ TEST(OpenMeshGeometry, IsTheSameOfTheMeshCollection) {
   std::size_t meshes = 0;
   for (const auto& path : data_files("good", {".obj", ".off", ".ply", ".stl"})) {
     SCOPED_TRACE(path.filename().string());
-    const std::string bytes = read_file(path);
-    const Result<ParsedFile> file =
-        parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    const Result<ParsedFile> file = parse_file(path);
     Mesh mesh;
     BuildReport report;
     if (!file.ok() || !build_from_polygons(mesh, file.value().soup.view(), report)) continue;

@@ -114,9 +114,7 @@ Outcome compare(const Polygons& polygons, std::uint32_t seed) {
 
 // What a file holds, by our reader where it knows the format, else by OpenMesh's (which welds STL).
 std::optional<PolygonSoup> read(const std::filesystem::path& path) {
-  const std::string bytes = read_file(path);
-  Result<ParsedFile> parsed =
-      parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  Result<ParsedFile> parsed = parse_file(path);
   if (parsed.ok()) return std::move(parsed.value().soup);
 
   const QuietLog quiet;

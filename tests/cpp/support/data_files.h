@@ -1,5 +1,8 @@
 #pragma once
 
+#include <halfedge/io/parse.h>
+#include <halfedge/result.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
@@ -40,6 +43,12 @@ inline std::string read_file(const std::filesystem::path& path) {
   std::string bytes(std::filesystem::file_size(path), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return bytes;
+}
+
+/// What a file holds, if our readers know its format.
+inline Result<ParsedFile> parse_file(const std::filesystem::path& path) {
+  const std::string bytes = read_file(path);
+  return parse({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace halfedge::test
