@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
@@ -34,12 +35,22 @@ inline bool limit_address_space(std::size_t bytes) {
 
 inline constexpr bool kCanLimitMemory = true;
 
-/// Leaves the process no block of memory larger than 16 KiB, which is enough for an error.
+/// Leaves the process 16 pieces of 2 KiB and nothing else of more than a few bytes: enough for an
+/// error, even where an array has grown until it did not fit. What would be left by itself depends
+/// on where the heap happens to end, and can be nothing. Each piece is the second half of a block,
+/// so that neither an array before it nor another piece can grow by it.
 inline void use_up_memory() {
+  constexpr std::size_t kPiece = std::size_t{2} << 10U;
+  std::array<void*, 16> blocks{};
+  for (void*& block : blocks) block = std::malloc(2 * kPiece);
   if (!limit_address_space(address_space_in_use())) std::_Exit(2);
-  for (std::size_t size = std::size_t{1} << 26U; size >= 16 * 1024; size /= 2) {
+  for (std::size_t size = std::size_t{1} << 26U; size >= 32; size /= 2) {
     // Written to, so that no compiler leaves it out; freed when the process ends.
     while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
+  }
+  for (void*& block : blocks) {
+    block = std::realloc(block, kPiece);
+    if (block == nullptr) std::_Exit(2);
   }
 }
 
