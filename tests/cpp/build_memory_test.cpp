@@ -16,7 +16,7 @@ namespace {
 // in an error with a sentence, and there were many of them.
 [[noreturn]] void build_with_more_and_more_memory(const Shape& shape) {
   constexpr std::size_t kStep = std::size_t{1} << 18U;
-  const std::size_t in_use = address_space_in_use();
+  const std::size_t in_use = use_up_memory();
   for (int failures = 0;; ++failures) {
     if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
     Mesh mesh;

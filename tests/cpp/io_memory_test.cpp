@@ -22,7 +22,7 @@ namespace {
 // the code of an error.
 [[noreturn]] void parse_with_more_and_more_memory(const std::string& text, const char* expected) {
   constexpr std::size_t kStep = std::size_t{1} << 18U;
-  const std::size_t in_use = address_space_in_use();
+  const std::size_t in_use = use_up_memory();
   for (int failures = 0;; ++failures) {
     if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
     const Result<ParsedFile> file = parse(bytes_of(text));
@@ -37,7 +37,7 @@ namespace {
 
 [[noreturn]] void write_with_more_and_more_memory(const Mesh& mesh, Format format) {
   constexpr std::size_t kStep = std::size_t{1} << 18U;
-  const std::size_t in_use = address_space_in_use();
+  const std::size_t in_use = use_up_memory();
   for (int failures = 0;; ++failures) {
     if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
     const auto bytes = write(mesh, format);

@@ -102,7 +102,9 @@ Mesh copy_to_repair(const Mesh& start, bool with_history) {
   constexpr std::size_t kStep = std::size_t{64} << 10U;
   for (std::size_t failures = 0, more = 0;; ++failures, more += kStep * (1 + failures / 8)) {
     Mesh mesh = copy_to_repair(start, with_history);
+    PiecesForErrors pieces;
     if (!limit_address_space(address_space_in_use() + more)) std::_Exit(2);
+    pieces.give_back();
     const Result<mend::Report> report = repair(mesh, which);
     if (is_undone(mesh, start, report) == with_history && report) {
       std::_Exit(report.value().summary != "Nothing to repair." ? 0 : 7);

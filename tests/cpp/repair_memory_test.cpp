@@ -29,7 +29,7 @@ Shape damaged_grid() {
 [[noreturn]] void repair_with_more_and_more_memory() {
   const Shape shape = damaged_grid();
   constexpr std::size_t kStep = std::size_t{256} << 10U;
-  const std::size_t in_use = address_space_in_use();
+  const std::size_t in_use = use_up_memory();
   for (int failures = 0;; ++failures) {
     if (!limit_address_space(in_use + kStep * std::size_t(failures))) std::_Exit(2);
     Mesh mesh;
@@ -65,7 +65,7 @@ SoupAttribute column_of_corners(const Shape& shape) {
   constexpr std::size_t kStep = std::size_t{16} << 10U;
   for (int failures = 0;; ++failures) {
     SoupAttribute column = column_of_corners(shape);
-    if (!limit_address_space(address_space_in_use() + kStep * std::size_t(failures))) std::_Exit(2);
+    leave_memory(kStep * std::size_t(failures));
     const bool done = add_attributes(mesh, soup, nullptr, {&column, 1}).ok();
     if (!limit_address_space(RLIM_INFINITY)) std::_Exit(2);
     const Attribute* const added = mesh.find_attribute(ItemKind::kHalfedge, "two");

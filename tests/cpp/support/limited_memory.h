@@ -35,23 +35,47 @@ inline bool limit_address_space(std::size_t bytes) {
 
 inline constexpr bool kCanLimitMemory = true;
 
-/// Leaves the process 16 pieces of 2 KiB and nothing else of more than a few bytes: enough for an
-/// error, even where an array has grown until it did not fit. What would be left by itself depends
-/// on where the heap happens to end, and can be nothing. Each piece is the second half of a block,
-/// so that neither an array before it nor another piece can grow by it.
-inline void use_up_memory() {
-  constexpr std::size_t kPiece = std::size_t{2} << 10U;
-  std::array<void*, 16> blocks{};
-  for (void*& block : blocks) block = std::malloc(2 * kPiece);
-  if (!limit_address_space(address_space_in_use())) std::_Exit(2);
+/// Sixteen pieces of 2 KiB that are kept back until memory is limited: enough for an error, even
+/// where an array has grown until it did not fit. What would be left by itself depends on where the
+/// heap happens to end, and can be nothing. Each piece is the second half of a block, so that
+/// neither an array before it nor another piece can grow by it.
+class PiecesForErrors {
+ public:
+  PiecesForErrors() {
+    for (void*& block : blocks_) block = std::malloc(2 * kPiece);
+  }
+
+  void give_back() {
+    for (void*& block : blocks_) {
+      block = std::realloc(block, kPiece);
+      if (block == nullptr) std::_Exit(2);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kPiece = std::size_t{2} << 10U;
+  std::array<void*, 16> blocks_{};
+};
+
+/// Leaves the process some pieces for errors and nothing else of more than a few bytes. Returns how
+/// many bytes of address space are in use then, which could not be asked for without memory.
+inline std::size_t use_up_memory() {
+  PiecesForErrors pieces;
+  const std::size_t in_use = address_space_in_use();
+  if (!limit_address_space(in_use)) std::_Exit(2);
   for (std::size_t size = std::size_t{1} << 26U; size >= 32; size /= 2) {
     // Written to, so that no compiler leaves it out; freed when the process ends.
     while (void* block = std::malloc(size)) *static_cast<volatile char*>(block) = 1;
   }
-  for (void*& block : blocks) {
-    block = std::realloc(block, kPiece);
-    if (block == nullptr) std::_Exit(2);
-  }
+  pieces.give_back();
+  return in_use;
+}
+
+/// Leaves the process so many bytes more, and pieces for errors: whatever was freed before is used
+/// up.
+inline void leave_memory(std::size_t bytes) {
+  const std::size_t in_use = use_up_memory();
+  if (!limit_address_space(in_use + bytes)) std::_Exit(2);
 }
 
 /// There is as much as the machine has again.
@@ -64,7 +88,7 @@ inline void stop_limiting_memory() { (void)limit_address_space(RLIM_INFINITY); }
 namespace halfedge::test {
 
 inline constexpr bool kCanLimitMemory = false;
-inline void use_up_memory() {}
+inline std::size_t use_up_memory() { return 0; }
 inline void stop_limiting_memory() {}
 
 }  // namespace halfedge::test
