@@ -5,7 +5,11 @@ import { random } from './support/random.js';
 
 beforeAll(() => init());
 
-const SECONDS = 1000;
+/** What the processor has done for this process so far, in seconds: other processes don't make it longer. */
+function secondsOfProcessor(): number {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1e6;
+}
 
 /** The classes of operations: they need a mesh that is sound, and rely on it. */
 const EDITS = ['Construction', 'EulerOperations', 'Surgery', 'Modelling', 'Mending'];
@@ -78,7 +82,7 @@ describe('Whatever is written into the live views,', () => {
     test.each([1, 2, 3])('nothing hangs or crashes (seed %i)', (seed) => {
       const next = random(seed);
       const before = bytesInUse();
-      const start = performance.now();
+      const start = secondsOfProcessor();
       for (let round = 0; round < 8; round++) {
         const input = randomPolygons(1000 * seed + round);
         const mesh = HalfedgeMesh.fromPolygons(input.positions, input.faces);
@@ -97,7 +101,7 @@ describe('Whatever is written into the live views,', () => {
         }
         mesh.dispose();
       }
-      expect(performance.now() - start).toBeLessThan(50 * SECONDS);
+      expect(secondsOfProcessor() - start).toBeLessThan(50);
       expect(bytesInUse()).toBe(before);
     });
   });

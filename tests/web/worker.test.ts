@@ -188,12 +188,27 @@ describe('parseInWorker', () => {
       reason,
     );
     const controller = new AbortController();
+    const { signal } = controller;
     const large = HalfedgeMesh.icoSphere(7).write('obj');
-    const start = performance.now();
-    const promise = rejection(parseInWorker(large, { signal: controller.signal }));
-    setTimeout(() => controller.abort(reason), 20);
-    expect(await promise).toBe(reason);
-    expect(performance.now() - start).toBeLessThan(5000);
+    const told: number[] = [];
+    const onProgress = (fraction: number) => {
+      told.push(fraction);
+      controller.abort(reason);
+    };
+    expect(await rejection(parseInWorker(large, { signal, onProgress }))).toBe(reason);
+    expect(told).toHaveLength(1);
+    expect(told[0]).toBeLessThan(1);
+  });
+
+  test('is cancelled without a word of the worker', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    const worker = () => new Worker('setInterval(() => {}, 1000);', { eval: true });
+    const reason = new Error('The user went away.');
+    const controller = new AbortController();
+    const { signal } = controller;
+    const job = rejection(parseInWorker(SQUARE, { signal, worker }));
+    controller.abort(reason);
+    expect(await job).toBe(reason);
   });
 });
 
