@@ -53,7 +53,7 @@ describe('Installed, `halfedge/exercise`', () => {
     try {
       await withPage(server.address, async ({ page, complaints }) => {
         const exercise = page.locator('halfedge-exercise');
-        await exercise.locator('.cm-content').waitFor({ timeout: 60_000 });
+        await exercise.locator('.cm-content').waitFor();
         await exercise.locator('[part~=run]').click();
         await page.waitForSelector('halfedge-exercise[state=failed]');
         await exercise.evaluate((element) => {

@@ -20,7 +20,7 @@ export class Example {
   /** Waits until an element has a text that matches, and returns it. */
   async text(selector: string, pattern: RegExp): Promise<string> {
     const element = this.page.locator(selector).filter({ hasText: pattern });
-    return (await element.textContent({ timeout: 60_000 })) ?? '';
+    return (await element.textContent()) ?? '';
   }
 
   /** Clicks so far from the middle of the picture, in pixels, once the picture fills its place. */
