@@ -89,7 +89,7 @@ describe('A figure', () => {
   });
 
   test('pauses by the button by which it plays', async () => {
-    const page = await figures(ONE_RING);
+    const page = await figures(ONE_RING.replace('select', 'speed="0.1" select'));
     await page.ready();
     await page.page.click('halfedge-figure .play');
     expect(await page.figure(({ playing }) => playing)).toBe(true);

@@ -119,6 +119,7 @@ test('A key that is held edits once and plays once; steps, walks and undo go on'
   await hold('.');
   expect(Number(await explorer.state('position'))).toBeGreaterThan(2);
   await explorer.press('Home');
+  await explorer.page.selectOption('.speed', { label: '0.5 a second' }); // not at its end when we look
   await hold(' ');
   expect(await explorer.state('player')).toBe('playing');
   await explorer.goTo('v0');
