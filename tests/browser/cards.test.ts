@@ -60,6 +60,12 @@ test.each([
   const link = 'sample=cube&edits=splitFace%20f0';
   const explorer = await ExplorerPage.open({ width, height, link, mesh: 'Cube' });
   const { page } = explorer;
+  // They would hide by themselves, after some seconds: a busy machine may look later than that.
+  await page.evaluate(() => {
+    const { setTimeout: own } = window;
+    const short = (act: () => void, ms = 0) => (ms < 5000 ? own(act, ms) : 0);
+    Object.assign(window, { setTimeout: short });
+  });
   await explorer.sample('grid', 'Open grid');
   await page.click('[data-share]');
   await page.waitForSelector('[data-toast]:has-text("Link copied")');
