@@ -95,7 +95,11 @@ describe('An exercise', () => {
       const box = await page.page.locator(`halfedge-exercise ${part}`).boundingBox();
       return box ?? { y: Number.NaN, height: Number.NaN };
     };
-    await page.page.waitForTimeout(300);
+    await page.page.waitForFunction(() => {
+      const { shadowRoot } = document.querySelector('halfedge-exercise') as Element;
+      const { top, bottom } = shadowRoot?.querySelector('.verdict')?.getBoundingClientRect() ?? {};
+      return top !== undefined && bottom !== undefined && top >= 0 && bottom <= innerHeight + 1;
+    });
     const verdict = await boxOf('[part~=verdict]');
     expect(verdict.y).toBeGreaterThanOrEqual(0);
     expect(verdict.y + verdict.height).toBeLessThanOrEqual(701);
@@ -321,7 +325,7 @@ describe('The page of exercises', () => {
     expect(
       await page.page.evaluate(() => document.documentElement.scrollWidth - innerWidth),
     ).toBeLessThanOrEqual(0);
-    await page.page.waitForTimeout(800);
+    await page.still();
     expect(await seriousFindings(page.page)).toEqual([]);
     expect(page.complaints).toEqual([]);
     await page.screenshot(`exercises-${look}`);

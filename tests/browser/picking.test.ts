@@ -129,7 +129,7 @@ describe('The pointer', () => {
     await explorer.page.mouse.move(...middle(...corners));
     await explorer.until('hovered', `f${front}`);
     expect(await explorer.page.textContent('.readout')).toContain(`f${front} face`);
-    expect(await explorer.page.textContent('.tag.hover')).toBe(`f${front}`);
+    await explorer.page.waitForSelector(`.tag.hover:text-is("f${front}")`); // with the next frame
     await explorer.screenshot('hovered-1280-light');
     await explorer.page.mouse.move(...at(corners[0]));
     await explorer.until('hovered', `v${corners[0]}`);

@@ -85,7 +85,7 @@ export class ExplorerPage {
   async until(name: string, value: string | null): Promise<void> {
     const selector =
       value === null ? `main.stage:not([data-${name}])` : `main.stage[data-${name}="${value}"]`;
-    await this.page.waitForSelector(selector, { timeout: 15_000 });
+    await this.page.waitForSelector(selector);
   }
 
   /** Selects an item by its name, in the field of the inspector. */
@@ -115,9 +115,9 @@ export class ExplorerPage {
     await ready();
   }
 
-  /** Waits, ten seconds at most, until something holds of the page at rest; returns whether it does. */
+  /** Waits, a minute at most, until something holds of the page at rest; returns whether it does. */
   async comesTrue(holds: () => Promise<boolean>): Promise<boolean> {
-    const end = performance.now() + 10_000;
+    const end = performance.now() + 60_000;
     for (;;) {
       await this.rest();
       if (await holds()) return true;

@@ -83,6 +83,22 @@ export class FigurePage {
     });
   }
 
+  /** Waits until no figure loads, those in exercises included, and nothing changes its look by and by. */
+  async still(): Promise<void> {
+    await this.page.waitForFunction(() => {
+      const exercises = [...document.querySelectorAll('halfedge-exercise')];
+      const roots = [document, ...exercises.map(({ shadowRoot }) => shadowRoot)];
+      const figures = roots.flatMap((root) => [
+        ...(root?.querySelectorAll('halfedge-figure') ?? []),
+      ]);
+      const isRunning = ({ playState }: Animation) => playState === 'running';
+      return (
+        figures.every(({ state }) => state !== 'loading') &&
+        !document.getAnimations().some(isRunning)
+      );
+    });
+  }
+
   /** Does something with the first figure of the page, in the page. */
   figure<Result>(act: (figure: HalfedgeFigure) => Result | Promise<Result>): Promise<Result> {
     return this.page.$eval('halfedge-figure', act as (it: Element) => Result | Promise<Result>);
