@@ -1,6 +1,12 @@
 import { HalfedgeMesh, init } from 'halfedge';
 import { MeshGeometry } from 'halfedge/three';
-import { type FaceHit, MeshPicker, type PickOptions } from 'halfedge/three/picking';
+import {
+  type FaceHit,
+  FaceTree,
+  type FaceTreeOptions,
+  MeshPicker,
+  type PickOptions,
+} from 'halfedge/three/picking';
 import * as THREE from 'three';
 import { grownOver, type TreeSeed } from '../../dist/three/triangle-tree.js';
 import { random } from './support/random.js';
@@ -38,6 +44,31 @@ function hitByThree({ geometry, matrixWorld }: THREE.Mesh<MeshGeometry>, ray: TH
   plain.matrixWorld.copy(matrixWorld);
   const [hit] = new THREE.Raycaster(ray.origin, ray.direction).intersectObject(plain);
   return hit && { face: geometry.face(hit.faceIndex as number), distance: hit.distance };
+}
+
+/**
+ * A tree over a mesh as `shown`, which counts how often all triangles are asked for. `move` puts it below the
+ * plane z = 0, and `hit` tells how far from z = 5 a ray hits it.
+ */
+function moving(mesh: HalfedgeMesh, options: FaceTreeOptions = {}) {
+  const { indices, faces } = mesh.toTriangles();
+  const shown = {
+    asked: 0,
+    points: mesh.positions.slice(),
+    allTriangles() {
+      shown.asked += 1;
+      return { points: shown.points.slice(), vertices: indices.slice(), faces: faces.slice() };
+    },
+    triangleVertices: (face: number) => indices.slice(3 * face, 3 * face + 3),
+  };
+  const tree = new FaceTree(shown, options);
+  const all = mesh.faces().toArray();
+  const move = (depth: number, changed: Iterable<number> = all) => {
+    for (let i = 2; i < shown.points.length; i += 3) shown.points[i] = -depth;
+    tree.update(changed, shown);
+  };
+  const down = new THREE.Ray(new THREE.Vector3(0.01, 0.02, 5), new THREE.Vector3(0, 0, -1));
+  return { tree, shown, move, hit: () => Math.round(tree.cast(down)?.distance as number) };
 }
 
 /** Does in its own time what the thread does. */
@@ -361,6 +392,59 @@ describe('After edits, MeshPicker', () => {
     mesh.dispose();
   });
 
+  test.each([1, 2, 3])('hits what three.js hits where most faces move: seed %i', (seed) => {
+    const next = random(seed);
+    const mesh = HalfedgeMesh.icoSphere(4); // of more faces than are kept beside the tree
+    mesh.history.enabled = true;
+    const object = new THREE.Mesh(new MeshGeometry(mesh, seed % 2 ? {} : { normals: 'flat' }));
+    const picker = new MeshPicker(object);
+    let hits = 0;
+    for (let i = 0; i < 30; i++) {
+      const way = next();
+      if (way < 0.7) {
+        const { positions } = mesh;
+        for (let k = 0; k < positions.length; k++) positions[k] += 0.02 * (next() - 0.5);
+      } else if (way < 0.8) {
+        const flips = mesh.edges().toArray();
+        for (const e of flips) if (next() < 0.5 && !mesh.checkFlipEdge(e)) mesh.flipEdge(e);
+      } else if (way < 0.9) refusalOf(randomEdit(mesh, next));
+      else mesh.history.undo();
+      object.geometry.update();
+      if (next() < 0.5) continue;
+      for (let r = 0; r < 10; r++) {
+        const origin = new THREE.Vector3().randomDirection().multiplyScalar(5);
+        const to = new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+        const ray = new THREE.Ray(origin, to.sub(origin).normalize());
+        const [hit, expected] = [picker.cast(ray), hitByThree(object, ray)];
+        expect([seed, i, hit?.distance]).toEqual([
+          seed,
+          i,
+          expected && expect.closeTo(expected.distance, 4),
+        ]);
+        if (hit) hits += 1;
+      }
+    }
+    expect(hits).toBeGreaterThan(20);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('waits for a ray where most faces move, and then takes them up once', () => {
+    const { tree, shown, move, hit } = moving(HalfedgeMesh.grid(60, 60, { triangles: true }));
+    expect(shown.asked).toBe(1);
+    for (let i = 1; i <= 10; i++) move(i);
+    expect(shown.asked).toBe(1);
+    expect([hit(), hit()]).toEqual([5 + 10, 5 + 10]);
+    expect(shown.asked).toBe(2);
+    move(20);
+    move(30, [0]); // while the others are not taken up yet
+    expect(hit()).toBe(5 + 30);
+    move(40);
+    tree.update(null, shown);
+    expect(hit()).toBe(5 + 40);
+    expect(shown.asked).toBe(4);
+  });
+
   test('passes over boundary halfedges that are gone, or have a face now', () => {
     const { mesh, object, pick } = scene();
     mesh.history.enabled = true;
@@ -456,6 +540,40 @@ describe('Of many faces, MeshPicker', () => {
     expect(thread.isTerminated).toBe(true);
     expect((faceAt(100, 90) as number) >> 1).toBe(90 * ROWS + 100);
     picker.dispose();
+    mesh.dispose();
+  });
+
+  test('follows faces that move while a worker grows the tree, and grows another in time', async () => {
+    const threads: FakeWorker[] = [];
+    const worker = () => {
+      threads.push(new FakeWorker());
+      return threads.at(-1) as never;
+    };
+    const mesh = HalfedgeMesh.grid(ROWS, ROWS, { triangles: true });
+    const { tree, move, hit } = moving(mesh, { worker });
+    move(1);
+    expect(hit()).toBe(6);
+    expect(tree.isGrown).toBe(false);
+    move(2);
+    threads[0].answer();
+    await tree.ready;
+    expect(tree.isGrown).toBe(true);
+    expect(hit()).toBe(7);
+    expect(threads.length).toBe(1);
+    for (let i = 0; i < 100; i++) {
+      move(i);
+      expect(hit()).toBe(5 + i);
+    }
+    expect(threads.length).toBe(2);
+    move(3);
+    expect(hit()).toBe(8);
+    threads[1].answer();
+    expect(hit()).toBe(8);
+    move(4);
+    expect(hit()).toBe(9);
+    move(5);
+    tree.dispose();
+    expect(hit()).toBe(9);
     mesh.dispose();
   });
 

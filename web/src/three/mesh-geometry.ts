@@ -37,6 +37,9 @@ export interface GeometryUpdate {
  */
 export type ChangeListener = (faces: readonly number[] | null) => void;
 
+/** Where the triangles of a geometry are, for the modules of this package. */
+export let trianglesOf: (geometry: MeshGeometry) => TriangleIndex;
+
 /**
  * A three.js geometry that stays in step with a mesh. After edits, undo and redo, `compact()`, or writing
  * into `mesh.positions` or into an attribute that it shows, call `update()`: only what has changed is written
@@ -72,6 +75,10 @@ export class MeshGeometry extends BufferGeometry {
   readonly #listeners = new Set<ChangeListener>();
   /** Whether an update has failed halfway, such as for want of memory: the next one makes everything anew. */
   #isTorn = false;
+
+  static {
+    trianglesOf = (geometry) => geometry.#triangles;
+  }
 
   /**
    * @throws TypeError or RangeError for wrong options; HalfedgeError `out-of-memory`

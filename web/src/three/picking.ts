@@ -7,10 +7,9 @@ import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions } from '../options.js';
 import { FACE_TREE_OPTIONS, FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
 import { ItemPicker, type PickTarget } from './item-picker.js';
-import { MeshGeometry } from './mesh-geometry.js';
+import { MeshGeometry, trianglesOf } from './mesh-geometry.js';
 import { newPickingWorker } from './picking-worker.js';
 import type { Triangles } from './triangle-tree.js';
-import { liveFaces } from './triangulate.js';
 
 export { FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
 export {
@@ -121,19 +120,6 @@ class GeometryFaces implements ShownFaces {
   }
 
   allTriangles(): Triangles {
-    const { mesh } = this.#geometry;
-    const live = liveFaces(mesh);
-    let count = 0;
-    for (let i = 0; i < live.length; i++) count += this.#geometry.triangles(live[i]).count;
-    const vertices = new Uint32Array(3 * count);
-    const faces = new Uint32Array(count);
-    let at = 0;
-    for (let i = 0; i < live.length; i++) {
-      const corners = this.#geometry.triangleVertices(live[i]);
-      vertices.set(corners, 3 * at);
-      faces.fill(live[i], at, at + corners.length / 3);
-      at += corners.length / 3;
-    }
-    return { points: this.points.slice(), vertices, faces };
+    return { points: this.points.slice(), ...trianglesOf(this.#geometry).inOrder() };
   }
 }

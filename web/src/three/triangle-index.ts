@@ -44,6 +44,25 @@ export class TriangleIndex {
     );
   }
 
+  /** All triangles in the order of their faces, as copies: their vertices, and the face of each. */
+  inOrder(): { vertices: Uint32Array; faces: Uint32Array } {
+    const slots = this.#slots;
+    let triangles = 0;
+    for (let face = 0; face < slots.faces; face++) triangles += slots.count(face);
+    const vertices = new Uint32Array(3 * triangles);
+    const faces = new Uint32Array(triangles);
+    const array = this.buffer.array as Uint32Array;
+    let to = 0;
+    for (let face = 0; face < slots.faces; face++) {
+      const count = slots.count(face);
+      const from = 3 * slots.first(face);
+      for (let i = 0; i < 3 * count; i++) vertices[3 * to + i] = array[from + i];
+      faces.fill(face, to, to + count);
+      to += count;
+    }
+    return { vertices, faces };
+  }
+
   /** These triangles and no others, side by side. */
   fill(mesh: HalfedgeMesh, { halfedges, faces }: FaceTriangles): void {
     this.#slots = new FaceSlots(roomFor(faces.length));

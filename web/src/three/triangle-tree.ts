@@ -68,6 +68,16 @@ export class TriangleTree {
     vertices.fill(0, 3 * from, 3 * to);
   }
 
+  /** Moves its triangles to where these are. False if these are others; then nothing was done. */
+  follow({ points, vertices, faces }: Triangles): boolean {
+    const own = this.#triangles;
+    if (points.length !== own.points.length) return false;
+    if (!isSame(faces, own.faces) || !isSame(vertices, own.vertices)) return false;
+    own.points.set(points);
+    this.#bvh?.refit();
+    return true;
+  }
+
   /** The triangle that a ray hits first, from either side. */
   cast(ray: Ray): TriangleHit | null {
     if (this.#bvh === null) return this.#tryAll(ray);
@@ -114,6 +124,12 @@ export function grownOver({ points, vertices }: TreeSeed): {
   const { roots, indirectBuffer } = serialized;
   const buffers = [...roots, ...(indirectBuffer ? [indirectBuffer.buffer as ArrayBuffer] : [])];
   return { grown: { ...serialized, index: null }, buffers };
+}
+
+function isSame(some: Uint32Array, others: Uint32Array): boolean {
+  if (some.length !== others.length) return false;
+  for (let i = 0; i < some.length; i++) if (some[i] !== others[i]) return false;
+  return true;
 }
 
 /** Where a face begins in an ascending list, or would. */
