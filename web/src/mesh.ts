@@ -349,7 +349,8 @@ export class HalfedgeMesh extends Shapes {
 
   /**
    * A copy of the live faces as an index buffer, for drawing, and for each triangle the face that it belongs
-   * to. Larger faces become fans around their first corner, which is correct for convex faces.
+   * to. Larger faces become fans around their first corner, which is correct for convex faces. Of a mesh with concave
+   * ones, call `triangulate()` on a {@link clone} first: the fan of a concave face covers too much.
    */
   toTriangles(): { indices: Uint32Array; faces: Uint32Array } {
     return trianglesOf(linksOf(this));
