@@ -50,13 +50,12 @@ std::string count_of(std::uint64_t count, std::string noun) {
 }
 
 std::string list_of(std::span<const Index> items) {
-  constexpr std::size_t kShown = 8;
   std::string list;
-  for (std::size_t i = 0; i < items.size() && i < kShown; ++i) {
+  for (std::size_t i = 0; i < items.size() && i < kListed; ++i) {
     if (i > 0) list += ", ";
     list += std::to_string(items[i]);
   }
-  if (items.size() > kShown) list += ", ...";
+  if (items.size() > kListed) list += ", ...";
   return list;
 }
 

@@ -74,6 +74,9 @@ template <class... Parts>
 /// "1 corner", "2 corners"; knows the plurals that occur.
 [[nodiscard]] std::string count_of(std::uint64_t count, std::string noun);
 
+/// So many items of a list are told.
+inline constexpr std::size_t kListed = 8;
+
 /// "3, 5, 9"; of a long list the first few and "...".
 [[nodiscard]] std::string list_of(std::span<const Index> items);
 

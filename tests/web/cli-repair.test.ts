@@ -92,6 +92,23 @@ describe('halfedge repair, asked for more,', () => {
     expect(written('small.off').mesh.vertexCount).toBe(0);
   });
 
+  test('tells once that there was nothing to do, and only if there was nothing at all', async () => {
+    const options = ['--stitch', '0', '--remove-degenerate', '--orient'];
+    const { out } = await run(
+      ['repair', '-', 'same.obj', ...options],
+      HalfedgeMesh.cube().write('obj'),
+    );
+    expect(out.split('\n')[0]).toBe(
+      'standard input: OBJ: 8 vertices, 12 edges, 6 faces. Nothing to repair.',
+    );
+    const mended = await run(['repair', 'clashing.off', 'mended.off', '--stitch', '0']);
+    expect(mended.out).toMatch(/ faces\. 1 face turned over\.$/m);
+    const { out: closed } = await run(['repair', '-', 'c.obj', ...options], crackedCube());
+    expect(closed).toMatch(/ faces\. 8 edges stitched\. 1 open component left\.$/m);
+    const left = await run(['repair', 'bowtie.off', 'left.off', '--drop-small', '1']);
+    expect(left.out).not.toContain('0 ');
+  });
+
   test('tells what it could not do, and refuses wrong numbers', async () => {
     const { out } = await run(['repair', '-', 'left.obj', '--orient'], crackedCube());
     expect(out).toMatch(/^The component of face 0, .*what is open has no inside\.$/m);

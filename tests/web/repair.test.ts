@@ -387,6 +387,19 @@ describe('parse with repair', () => {
     mesh.dispose();
   });
 
+  test('names few of many lines', () => {
+    const { mesh, report } = HalfedgeMesh.parse(`${'v 5 5 5\n'.repeat(30)}${vertices}f 31 32 33\n`);
+    expect(
+      report.problems.map(({ message, witness }) => [message, witness?.vertices.length]),
+    ).toEqual([
+      [
+        '31 vertices have no faces: 0, 1, 2, 3, 4, 5, 6, 7, .... (Lines 1, 2, 3, 4, 5, 6, 7, 8, ...)',
+        31,
+      ],
+    ]);
+    mesh.dispose();
+  });
+
   test('refuses with repair: false', () => {
     expect(() => HalfedgeMesh.parse(broken, { repair: false })).toThrow(
       expect.objectContaining({ code: 'repeated-vertex' }),

@@ -113,9 +113,9 @@ struct ParseOptions {
 
 /// Adds to the sentence of each problem, which building a mesh of the file has found, on which
 /// lines its faces start, or its vertices if no face is named: "(Line 6)"; in a binary file at
-/// which bytes, from 0: "(Byte 84)". Vertices of STL and strips of PLY have no place of their own.
-/// A vertex that an OBJ file does not have is named as it is written there. pre, cost: as
-/// `lines_of_faces`.
+/// which bytes, from 0: "(Byte 84)"; at most eight of them. Vertices of STL and strips of PLY have
+/// no place of their own. A vertex that an OBJ file does not have is named as it is written there.
+/// pre, cost: as `lines_of_faces`.
 void add_places(std::vector<Error>& problems, std::span<const std::uint8_t> bytes, Format format);
 
 }  // namespace halfedge

@@ -145,13 +145,15 @@ void add_places(std::vector<Error>& problems, Bytes bytes, Format format) {
       problem.message += is_repaired ? kDone : ".";
     }
     std::string list;
+    std::size_t found = 0;
     for (std::size_t i = 0; i < located(problem).size(); ++i) {
       const std::size_t number = numbers[kind][at[kind]++];
-      if (number == 0) continue;
+      if (number == 0 || ++found > sentence::kListed) continue;
       list += list.empty() ? " " : ", ";
       list += std::to_string(number);
     }
     if (list.empty()) continue;
+    if (found > sentence::kListed) list += ", ...";
     const char* const plural = list.find(',') == std::string::npos ? "" : "s";
     problem.message += sentence::of(" ({}{}{})", binary ? "Byte" : "Line", plural, list);
   }

@@ -39,7 +39,7 @@ async function run(args: Arguments): Promise<number> {
   const format = outputFormat(args, output, report.format);
   adaptTextures(mesh, report.format, format);
   const done = steps.map((step) => orComplain(nameOf(input), () => step(mesh)));
-  const summary = [report.summary, ...done.map((step) => step.summary)].join(' ');
+  const summary = summaryOf(report, done);
   const problems = [report, ...done].flatMap((step) => step.problems);
   const { vertexCount: vertices, edgeCount: edges, faceCount: faces } = mesh;
   const notes = await save(loaded, output, format, args);
@@ -62,6 +62,15 @@ async function run(args: Arguments): Promise<number> {
   for (const note of notes) printError(`${nameOfOutput(output)}: ${note}`);
   return 0;
 }
+
+/** What was done, by reading and by the steps that did or left anything; that it is nothing, once. */
+function summaryOf(report: Pick<Done, 'counts' | 'summary'>, done: readonly Done[]): string {
+  const told = done.filter(isAnything).map(({ summary }) => summary);
+  if (told.length === 0 && !isAnything(report)) told.push('Nothing to repair.');
+  return [report.summary, ...told].join(' ');
+}
+
+const isAnything = ({ counts }: Pick<Done, 'counts'>) => Object.keys(counts).length > 0;
 
 /** What of a step is told in JSON; its problems are with all others. */
 const factsOf = ({ name, counts, summary }: Done) => ({ step: name, counts, summary });
