@@ -38,6 +38,10 @@ function scene(mesh: HalfedgeMesh = HalfedgeMesh.grid(2, 2, { width: 1, height: 
   return { mesh, object, picker, pick, view };
 }
 
+/** Somewhere in a cube around the origin. */
+const somewhere = (next: () => number) =>
+  new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+
 /** What a ray hits, tried against all triangles. */
 function hitByThree({ geometry, matrixWorld }: THREE.Mesh<MeshGeometry>, ray: THREE.Ray) {
   const plain = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
@@ -375,8 +379,8 @@ describe('After edits, MeshPicker', () => {
       }
       object.geometry.update();
       for (let r = 0; r < 4; r++) {
-        const origin = new THREE.Vector3().randomDirection().multiplyScalar(5);
-        const to = new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+        const origin = somewhere(next).setLength(5);
+        const to = somewhere(next);
         const ray = new THREE.Ray(origin, to.sub(origin).normalize());
         const [hit, expected] = [picker.cast(ray), hitByThree(object, ray)];
         const what = `seed ${seed}, step ${i}: ${done.slice(-3).join('; ')}`;
@@ -412,8 +416,8 @@ describe('After edits, MeshPicker', () => {
       object.geometry.update();
       if (next() < 0.5) continue;
       for (let r = 0; r < 10; r++) {
-        const origin = new THREE.Vector3().randomDirection().multiplyScalar(5);
-        const to = new THREE.Vector3(next() - 0.5, next() - 0.5, next() - 0.5);
+        const origin = somewhere(next).setLength(5);
+        const to = somewhere(next);
         const ray = new THREE.Ray(origin, to.sub(origin).normalize());
         const [hit, expected] = [picker.cast(ray), hitByThree(object, ray)];
         expect([seed, i, hit?.distance]).toEqual([
@@ -530,6 +534,104 @@ describe('Of many faces, MeshPicker', () => {
     expect(faceAt(100, 90)).toBe(face);
     picker.dispose();
     mesh.dispose();
+  });
+
+  describe('when all of them change at once,', () => {
+    function changing() {
+      const threads: FakeWorker[] = [];
+      const { mesh, object, picker } = many(() => {
+        threads.push(new FakeWorker());
+        return threads.at(-1) as never;
+      });
+      const next = random(7);
+      const hitsWhatThreeHits = (what: string) => {
+        for (let r = 0; r < 4; r++) {
+          const origin = new THREE.Vector3(next() - 0.5, next() - 0.5, 4);
+          const to = new THREE.Vector3(next() - 0.5, (next() - 0.5) / 20, 0);
+          const ray = new THREE.Ray(origin, to.sub(origin).normalize());
+          const [hit, expected] = [picker.cast(ray), hitByThree(object, ray)];
+          const distance = expected && expect.closeTo(expected.distance, 4);
+          expect([what, hit?.distance, hit?.face]).toEqual([what, distance, expected?.face]);
+        }
+      };
+      const move = (to: (x: number, y: number) => [number, number, number]) => {
+        const { positions } = mesh;
+        for (let i = 0; i < positions.length; i += 3) {
+          positions.set(to(positions[i], positions[i + 1]), i);
+        }
+        object.geometry.update();
+      };
+      const grow = () => {
+        threads.at(-1)?.answer();
+        return picker.ready;
+      };
+      const end = () => {
+        picker.dispose();
+        mesh.dispose();
+      };
+      return { mesh, object, threads, hitsWhatThreeHits, move, grow, end };
+    }
+
+    test('keeps the tree of those that only move, while it grows and after', async () => {
+      const { threads, hitsWhatThreeHits, move, grow, end } = changing();
+      move((x, y) => [x, y, Math.sin(7 * x)]);
+      hitsWhatThreeHits('a wave, before the tree has grown');
+      await grow(); // over the plane that it was
+      hitsWhatThreeHits('the wave');
+      move((x, y) => [-y, x, Math.cos(5 * y)]);
+      hitsWhatThreeHits('a wave across');
+      move((x, y) => [x + 5, y, 0]);
+      hitsWhatThreeHits('out of reach');
+      move((x, y) => [x - 5, y, 2 + x * y]);
+      hitsWhatThreeHits('a saddle');
+      expect(threads.length).toBe(1);
+      end();
+    });
+
+    test('grows another tree over other triangles', async () => {
+      const { mesh, object, threads, hitsWhatThreeHits, move, grow, end } = changing();
+      await grow();
+      for (let f = 0; f < 8000; f += 2) {
+        for (const e of [...mesh.faceEdges(f)]) {
+          const [one, other] = mesh.edgeFaces(e);
+          if (one + other === f + (f + 1)) mesh.flipEdge(e); // between the two of a square
+        }
+      }
+      object.geometry.update();
+      hitsWhatThreeHits('as many others');
+      expect(threads.length).toBe(2);
+      await grow();
+      mesh.deleteFace(77);
+      object.geometry.update();
+      move((x, y) => [x, y, Math.sin(7 * x)]);
+      hitsWhatThreeHits('a wave with a hole');
+      expect(threads.length).toBe(3);
+      await grow();
+      mesh.compact(); // to the same triangles, of faces with other numbers
+      object.geometry.update();
+      hitsWhatThreeHits('the same of other faces');
+      expect(threads.length).toBe(4);
+      end();
+    });
+
+    test('forgets those beside the tree', async () => {
+      const { mesh, object, threads, hitsWhatThreeHits, move, grow, end } = changing();
+      await grow();
+      const middle = mesh.faceCount / 2;
+      const pokes = [...mesh.faces()].slice(middle - 1000, middle + 1000);
+      while (pokes.length > 0) {
+        for (const f of pokes.splice(-1000)) mesh.poke(f);
+        object.geometry.update();
+      }
+      hitsWhatThreeHits('few at a time');
+      expect(threads.length).toBe(2); // over which a tree grows now
+      move((x, y) => [x, y, Math.sin(7 * x)]);
+      hitsWhatThreeHits('a wave');
+      await grow();
+      hitsWhatThreeHits('a wave with a tree');
+      expect(threads.length).toBe(3);
+      end();
+    });
   });
 
   test('grows the tree itself where the worker answers something else', async () => {

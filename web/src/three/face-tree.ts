@@ -91,14 +91,14 @@ export class FaceTree {
   update(faces: Iterable<number> | null, shown: ShownFaces): void {
     this.#shown = shown;
     if (faces === null) {
-      this.#renew(shown.allTriangles());
+      this.#fallBehind();
+      this.#catchUp(); // at once, as there may be other triangles, over which a tree has to grow
       return;
     }
     if (this.#isBehind) return;
     const changed = Array.isArray(faces) ? (faces as readonly number[]) : [...faces];
     if (changed.length > MOST_LOOSE && 4 * changed.length > this.#tree.size) {
-      this.#isBehind = true;
-      if (this.#young) this.#young.isBehind = true;
+      this.#fallBehind();
       return;
     }
     for (const face of changed) {
@@ -136,27 +136,25 @@ export class FaceTree {
     this.#stopWorker();
   }
 
+  #fallBehind(): void {
+    this.#isBehind = true;
+    if (this.#young) this.#young.isBehind = true;
+  }
+
   /** Takes over all faces as they are shown, if that was put off. */
   #catchUp(): void {
     if (!this.#isBehind) return;
     const triangles = this.#shown.allTriangles();
-    if (!this.#tree.follow(triangles)) {
-      this.#renew(triangles);
-      return;
-    }
     this.#isBehind = false;
     this.#loose.clear();
+    if (!this.#tree.follow(triangles)) {
+      this.#tree = new TriangleTree(triangles);
+      this.#grow(this.#tree);
+      return;
+    }
     this.#moves += 1;
     // Boxes grow where neighbours part.
     if (this.#moves >= MOST_MOVES && this.#young === null) this.#grow(new TriangleTree(triangles));
-  }
-
-  /** These triangles and no others. */
-  #renew(triangles: Triangles): void {
-    this.#tree = new TriangleTree(triangles);
-    this.#isBehind = false;
-    this.#loose.clear();
-    this.#grow(this.#tree);
   }
 
   #grow(tree: TriangleTree): void {
