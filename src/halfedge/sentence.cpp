@@ -55,7 +55,7 @@ std::string list_of(std::span<const Index> items) {
     if (i > 0) list += ", ";
     list += std::to_string(items[i]);
   }
-  if (items.size() > kListed) list += ", ...";
+  if (items.size() > kListed) list += " and others";
   return list;
 }
 

@@ -77,7 +77,7 @@ template <class... Parts>
 /// So many items of a list are told.
 inline constexpr std::size_t kListed = 8;
 
-/// "3, 5, 9"; of a long list the first few and "...".
+/// "3, 5, 9"; of a long list the first few "and others".
 [[nodiscard]] std::string list_of(std::span<const Index> items);
 
 /// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30".

@@ -196,7 +196,7 @@ TEST(BuildRefusal, OfAnEdgeWithATenthFaceNamesEightAndKeepsTheRestAsWitness) {
   expect_problems(
       12, faces,
       {{"edge-with-many-faces",
-        "Edge 0-1 is used by 10 faces (0, 1, 2, 3, 4, 5, 6, 7, ...); a manifold edge has "
+        "Edge 0-1 is used by 10 faces (0, 1, 2, 3, 4, 5, 6, 7 and others); a manifold edge has "
         "at most 2.",
         {0, 1},
         all}});

@@ -393,7 +393,7 @@ describe('parse with repair', () => {
       report.problems.map(({ message, witness }) => [message, witness?.vertices.length]),
     ).toEqual([
       [
-        '31 vertices have no faces: 0, 1, 2, 3, 4, 5, 6, 7, .... (Lines 1, 2, 3, 4, 5, 6, 7, 8, ...)',
+        '31 vertices have no faces: 0, 1, 2, 3, 4, 5, 6, 7 and others. (Lines 1, 2, 3, 4, 5, 6, 7, 8 and others)',
         31,
       ],
     ]);

@@ -153,7 +153,7 @@ void add_places(std::vector<Error>& problems, Bytes bytes, Format format) {
       list += std::to_string(number);
     }
     if (list.empty()) continue;
-    if (found > sentence::kListed) list += ", ...";
+    if (found > sentence::kListed) list += " and others";
     const char* const plural = list.find(',') == std::string::npos ? "" : "s";
     problem.message += sentence::of(" ({}{}{})", binary ? "Byte" : "Line", plural, list);
   }
