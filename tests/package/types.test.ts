@@ -4,7 +4,7 @@ import { filesBelow } from '../../scripts/lib/files.mjs';
 import { install, packed, project, tool, tryNode } from './support/project.js';
 
 const consumer = `
-import { type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type Items, NONE, type Reference, type Refusal, type Vertex } from 'halfedge';
+import { type Box, type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type Items, NONE, type Reference, type Refusal, type Vertex, type XYZ } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { type GltfPart, readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
@@ -83,6 +83,14 @@ export function byKind(mesh: HalfedgeMesh, directed: DirectedEdgesMesh, v: Verte
   return mesh.generations.reference('vertex', ring.current).index;
 }
 
+/** Measures of either kind of mesh. */
+export function measure(mesh: HalfedgeMesh | DirectedEdgesMesh, v: Vertex, f: Face): [XYZ, Float64Array, Box | null] {
+  const normals: Float32Array = mesh.allVertexNormals();
+  const areas: Float64Array = mesh.allFaceAreas(new Float64Array(mesh.faceSlots));
+  normals.set(mesh.allVertexNormals(normals));
+  return [mesh.vertexNormal(v), areas.fill(mesh.faceArea(f) + mesh.cotanWeight(0)), mesh.boundingBox()];
+}
+
 /** Kinds that only the program knows. */
 export function ofAnyKind<Kind extends ItemKind>(mesh: HalfedgeMesh, kind: Kind, item: ItemLike<Kind>, index: number, name: CirculatorKind): number {
   mesh.deleteComponent(kind, index);
@@ -137,6 +145,10 @@ mesh.circulate('vertexVertices', 0).moveTo(someFace);
 directed.circulate('edgeFaces', someFace).moveTo(0);
 // @ts-expect-error Nor is it here.
 directed.circulate('edgeFaces', 0).moveTo(someFace);
+// @ts-expect-error A face is no vertex.
+directed.vertexNormal(someFace);
+// @ts-expect-error Normals are floats.
+directed.allVertexNormals(new Uint32Array(9));
 // @ts-expect-error A face is no vertex, whatever the vertex is asked for.
 mesh.deleteComponent('vertex', someFace);
 // @ts-expect-error As above.

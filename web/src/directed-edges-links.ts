@@ -1,7 +1,7 @@
 import { HalfedgeError } from './errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
-import { NONE } from './items.js';
-import { checkIndex, disposedError } from './links.js';
+import { type Halfedge, NONE } from './items.js';
+import { checkIndex, corrupt, disposedError } from './links.js';
 import type { Core } from './loader.js';
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
@@ -177,6 +177,25 @@ export const faceOf = (links: DirectedLinks, h: number): number =>
 export const edgeOf = (links: DirectedLinks, h: number): number => {
   return Math.min(links.opposite[h], h);
 };
+
+/** One halfedge of each boundary loop, in ascending order. */
+export function boundaryLoopsOf(links: DirectedLinks): Halfedge[] {
+  links.revive();
+  const { sides, halfedges } = links;
+  const seen = new Uint8Array(halfedges - sides);
+  const firsts: Halfedge[] = [];
+  for (let first = sides; first < halfedges; first++) {
+    if (seen[first - sides] === 1) continue;
+    firsts.push(first as Halfedge);
+    for (let h = first; seen[h - sides] !== 1; h = after(links, h)) {
+      if (!(h >= sides && h < halfedges)) {
+        throw corrupt(`The loop of halfedge ${first} does not close`);
+      }
+      seen[h - sides] = 1;
+    }
+  }
+  return firsts;
+}
 
 /** The error for use after `dispose()`. */
 export function staleError(links: DirectedLinks): HalfedgeError {

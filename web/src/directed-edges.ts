@@ -10,8 +10,9 @@ import {
   type CirculatorCentre,
   type CirculatorKind,
 } from './circulation.js';
-import { after, DirectedLinks } from './directed-edges-links.js';
-import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
+import { DirectedEdgesGeometry } from './directed-edges-geometry.js';
+import { boundaryLoopsOf, DirectedLinks } from './directed-edges-links.js';
+import { directedLinksOf } from './directed-edges-navigation.js';
 import {
   DirectedCirculator,
   DirectedItems,
@@ -32,7 +33,7 @@ import type {
   Vertex,
   VertexLike,
 } from './items.js';
-import { corrupt, Links } from './links.js';
+import { Links } from './links.js';
 import { core } from './loader.js';
 import { HalfedgeMesh } from './mesh.js';
 import { linksOf } from './navigation.js';
@@ -69,7 +70,7 @@ Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
  * vertex of a closed mesh, positions included. The three halfedges of face f are 3 f, 3 f + 1 and 3 f + 2, so
  * `next`, `prev` and `face` are arithmetic. Boundary halfedges come after those of all faces.
  *
- * Links, circulators and queries about single items are those of a {@link HalfedgeMesh}, in the same order
+ * Links, circulators, queries about single items and measures are those of a {@link HalfedgeMesh}, in the same order
  * and with the same errors. The differences: it can't be edited; `opposite(h)` is not `h ^ 1`; and an edge
  * has the index of the smaller of its two halfedges, so edge indices have gaps. For edits, and for everything
  * else that a HalfedgeMesh has (measures, rows of all rings, neighbourhoods, components, attributes, files),
@@ -82,7 +83,7 @@ Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
  * geometry.setIndex(new BufferAttribute(mesh.indices, 1)); // no copy
  * ```
  */
-export class DirectedEdgesMesh extends DirectedEdgesNavigation {
+export class DirectedEdgesMesh extends DirectedEdgesGeometry {
   /** By {@link fromTriangles} and {@link fromMesh}. */
   private constructor(links: DirectedLinks) {
     if (!(links instanceof DirectedLinks)) {
@@ -276,22 +277,7 @@ export class DirectedEdgesMesh extends DirectedEdgesNavigation {
 
   /** One halfedge of each boundary loop, in ascending order. O(boundary). */
   boundaryLoops(): Halfedge[] {
-    const links = directedLinksOf(this);
-    links.revive();
-    const { sides, halfedges } = links;
-    const seen = new Uint8Array(halfedges - sides);
-    const firsts: Halfedge[] = [];
-    for (let first = sides; first < halfedges; first++) {
-      if (seen[first - sides] === 1) continue;
-      firsts.push(first as Halfedge);
-      for (let h = first; seen[h - sides] !== 1; h = after(links, h)) {
-        if (!(h >= sides && h < halfedges)) {
-          throw corrupt(`The loop of halfedge ${first} does not close`);
-        }
-        seen[h - sides] = 1;
-      }
-    }
-    return firsts;
+    return boundaryLoopsOf(directedLinksOf(this));
   }
 
   /** Vertices - edges + faces. */

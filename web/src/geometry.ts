@@ -1,13 +1,11 @@
-import { newArray, typedArrayName } from './arguments.js';
-import { refuse } from './checks.js';
 import { Circulation } from './circulation.js';
 import { counted } from './counted.js';
-import { HalfedgeError } from './errors.js';
 import type { EdgeLike, FaceLike, HalfedgeLike, ItemKind, VertexLike } from './items.js';
 import { slotCount } from './links.js';
 import type { Box, Floats, Surface, XYZ } from './measures.js';
 import * as measures from './measures.js';
 import { linksOf } from './navigation.js';
+import { arrayFor, checkClosed, type FloatsConstructor, pointOf } from './results.js';
 import { boundaryLoopsOf } from './topology.js';
 
 /**
@@ -231,12 +229,8 @@ export abstract class Geometry extends Circulation {
    * @throws HalfedgeError `open-surface` if there is a boundary, where the inside leaks out
    */
   volume(): number {
-    const { length } = boundaryLoopsOf(linksOf(this));
-    if (length === 0) return measures.enclosedVolume(surfaceOf(this));
-    throw new HalfedgeError(
-      'open-surface',
-      `This mesh has ${counted(length, 'boundary loop')}; expected a closed surface, which has none: fillHoles() closes them.`,
-    );
+    checkClosed(boundaryLoopsOf(linksOf(this)).length, 'fillHoles()');
+    return measures.enclosedVolume(surfaceOf(this));
   }
 
   /**
@@ -255,13 +249,6 @@ function surfaceOf(mesh: Geometry): Surface {
   const { next, toVertex, face, vertexHalfedge, faceHalfedge, positions } = links;
   return { next, toVertex, face, vertexHalfedge, faceHalfedge, positions };
 }
-
-/** What `write` leaves in an array. */
-function pointOf(write: (out: Float64Array) => void): XYZ {
-  write(point);
-  return [point[0], point[1], point[2]];
-}
-const point = new Float64Array(3);
 
 /** Calls `write` for each live item of a kind; the rest is zeros. */
 function forAll<Into extends Floats>(
@@ -283,24 +270,6 @@ function forAll<Into extends Floats>(
     else out.fill(0, components * i, components * (i + 1));
   }
   return out as Into;
-}
-
-type FloatsConstructor = new (length: number) => Floats;
-
-/** An array of this length: `into`, or the first part of it, if that is long enough; else a new one. */
-function arrayFor(length: number, Default: FloatsConstructor, into?: Floats): Floats {
-  if (into === undefined) return newArray<Floats>('the result', Default, length);
-  const name = typedArrayName(into);
-  if (name !== 'Float32Array' && name !== 'Float64Array') {
-    refuse('into', into, 'a Float32Array or a Float64Array');
-  }
-  if (into.length === length) return into;
-  if (into.length > length) return into.subarray(0, length);
-  return newArray<Floats>(
-    'the result',
-    name === 'Float32Array' ? Float32Array : Float64Array,
-    length,
-  );
 }
 
 const besideWhich = (links: Surface, f: number) =>
