@@ -73,8 +73,8 @@ Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
  * Links, circulators, queries about single items and measures are those of a {@link HalfedgeMesh}, in the same order
  * and with the same errors. The differences: it can't be edited; `opposite(h)` is not `h ^ 1`; and an edge
  * has the index of the smaller of its two halfedges, so edge indices have gaps. For edits, and for everything
- * else that a HalfedgeMesh has (measures, rows of all rings, neighbourhoods, components, attributes, files),
- * convert it with {@link toMesh}.
+ * else that a HalfedgeMesh has (rows of all rings, neighbourhoods, components, attributes, files), convert it
+ * with {@link toMesh}.
  *
  * ```ts
  * await init();

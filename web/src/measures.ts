@@ -405,8 +405,8 @@ export interface Box {
 }
 
 /**
- * For the measures of Directed Edges. V8 checks at each use of a constant that is exported whether it is initialised,
- * which makes normals slower by a twentieth: these aren't, and whoever imports them makes constants of them, too.
+ * For the measures of Directed Edges. V8 checks at each use of a constant that is exported by itself whether it has a
+ * value yet, which makes normals slower by a twentieth; the properties of this one become constants over there.
  */
 export const parts = {
   LEAST,
