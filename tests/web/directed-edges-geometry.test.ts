@@ -396,6 +396,16 @@ describe('Of Directed Edges', () => {
     for (const each of meshes) each.dispose();
   });
 
+  test.each([1000, -5])('a walk that leaves the links is told: opposite is %i', (opposite) => {
+    using mesh = meshOf(quadGrid());
+    mesh.connectivity.opposite[mesh.rotateCw(mesh.vertexHalfedge(5))] = opposite;
+    for (const measure of perVertex) {
+      const error = caught(() => mesh[measure](5)) as HalfedgeError;
+      expect(error.code).toBe('corrupt-connectivity');
+      expect(error.message).toContain('The halfedges around an item form no closed orbit');
+    }
+  });
+
   test('with corrupt links, all ends with an answer or a sentence', () => {
     let sentences = 0;
     for (let seed = 1; seed <= 200; seed++) {
