@@ -13,7 +13,11 @@ export const memorySize = (): number => core().memory.buffer.byteLength;
 /** Makes WebAssembly memory grow, which detaches all views, without making a mesh. */
 export function growMemory(): void {
   const blocks: number[] = [];
-  for (const size = memorySize(); size === memorySize(); ) blocks.push(core().allocate(2 ** 22));
+  for (const size = memorySize(); size === memorySize(); ) {
+    const address = core().allocate(2 ** 22);
+    if (address === 0) throw new Error('The memory is as large as it can be.');
+    blocks.push(address);
+  }
   for (const address of blocks) core().free(address);
 }
 
