@@ -407,6 +407,7 @@ export interface Box {
 /**
  * For the measures of Directed Edges. V8 checks at each use of a constant that is exported by itself whether it has a
  * value yet, which makes normals slower by a twentieth; the properties of this one become constants over there.
+ * @internal
  */
 export const parts = {
   LEAST,
