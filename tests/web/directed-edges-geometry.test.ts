@@ -8,6 +8,7 @@ import {
   annulus,
   bowTie,
   build,
+  fans,
   type Input,
   pillow,
   puncturedTorus,
@@ -46,10 +47,6 @@ const points: Measure[] = ['faceNormal', 'faceCentroid', 'edgeMidpoint', 'vertex
 /** One of the measures, of a mesh of either kind. */
 const measured = (mesh: HalfedgeMesh | DirectedEdgesMesh, measure: Measure, item: number) =>
   [mesh[measure](item)].flat();
-
-/** Fans of triangles around the first corners of all faces. */
-const fans = ({ faces }: Input) =>
-  faces.flatMap((face) => face.slice(2).flatMap((_, i) => [face[0], face[i + 1], face[i + 2]]));
 
 /** What tells values apart that toEqual takes for one: nothing. NaN is NaN, and 0 is not -0. */
 function expectSame(found: ArrayLike<number>, expected: ArrayLike<number>, what: string): void {

@@ -10,6 +10,7 @@ import { bytesInUse, growMemory, withLeft } from './support/core.js';
 import {
   annulus,
   bowTie,
+  fans,
   type Input,
   pillow,
   puncturedTorus,
@@ -23,13 +24,8 @@ import { random } from './support/random.js';
 
 beforeAll(() => init());
 
-/** Each face as a fan of triangles around its first corner: positions and an index buffer. */
-function triangulated({ positions, faces }: Input): { positions: number[]; indices: number[] } {
-  const indices = faces.flatMap((face) =>
-    face.slice(2).flatMap((_, i) => [face[0], face[i + 1], face[i + 2]]),
-  );
-  return { positions, indices };
-}
+/** Positions and an index buffer. */
+const triangulated = (input: Input) => ({ positions: input.positions, indices: fans(input) });
 
 /** Those of the random meshes whose faces can be cut without making an edge twice. */
 function randomTriangles(): [string, Input][] {

@@ -1,6 +1,6 @@
 import { newArray } from './arguments.js';
 import * as directed from './directed-edges-links.js';
-import { type Floats, parts } from './measures.js';
+import { type Floats, parts, writeUnitVectors } from './measures.js';
 
 // Constants of this module's own: see walks.ts.
 const { after, before, faceOf } = directed;
@@ -206,20 +206,7 @@ export function writeVertexNormals(links: DirectedLinks, out: Floats): void {
       sums[v + 2] += z;
     }
   }
-  // A sum that is long beside all faces together is long beside its own; of the others, these are asked.
-  for (let v = 0; v < vertices; v++) {
-    const x = sums[3 * v];
-    const y = sums[3 * v + 1];
-    const z = sums[3 * v + 2];
-    const length = lengthOf(x, y, z);
-    if (length > LEAST * all) {
-      out[3 * v] = x / length;
-      out[3 * v + 1] = y / length;
-      out[3 * v + 2] = z / length;
-    } else {
-      writeVertexNormal(links, v, out, 3 * v);
-    }
-  }
+  writeUnitVectors(sums, LEAST * all, out, (v) => writeVertexNormal(links, v, out, 3 * v));
 }
 
 /** The areas of all vertices. */

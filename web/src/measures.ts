@@ -313,18 +313,30 @@ export function writeVertexNormals(surface: Surface, slots: number, out: Floats)
       h = next[h];
     } while (h !== first);
   }
-  // A sum that is long beside all faces together is long beside its own; of the others, these are asked.
-  for (let v = 0; v < slots; v++) {
-    const x = sums[3 * v];
-    const y = sums[3 * v + 1];
-    const z = sums[3 * v + 2];
+  writeUnitVectors(sums, LEAST * all, out, (v) => writeVertexNormal(surface, v, out, 3 * v));
+}
+
+/**
+ * Writes the directions of sums around vertices. One that is longer than `least`, a share of all faces together, is
+ * long beside its own faces; for the others, these are asked by `writeShort`.
+ */
+export function writeUnitVectors(
+  sums: Float64Array,
+  least: number,
+  out: Floats,
+  writeShort: (v: number) => void,
+): void {
+  for (let i = 0; i < sums.length; i += 3) {
+    const x = sums[i];
+    const y = sums[i + 1];
+    const z = sums[i + 2];
     const length = lengthOf(x, y, z);
-    if (length > LEAST * all) {
-      out[3 * v] = x / length;
-      out[3 * v + 1] = y / length;
-      out[3 * v + 2] = z / length;
+    if (length > least) {
+      out[i] = x / length;
+      out[i + 1] = y / length;
+      out[i + 2] = z / length;
     } else {
-      writeVertexNormal(surface, v, out, 3 * v);
+      writeShort(i / 3);
     }
   }
 }

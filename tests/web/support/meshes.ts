@@ -7,6 +7,13 @@ export interface Input {
   faces: number[][];
 }
 
+/** An index buffer of triangles: each face as a fan around its first corner. */
+export function fans({ faces }: Input): number[] {
+  return faces.flatMap((face) =>
+    face.slice(2).flatMap((_, i) => [face[0], face[i + 1], face[i + 2]]),
+  );
+}
+
 /** The mesh of polygons; throws what `fromPolygons` throws. */
 export function build({ positions, faces }: Input, options: BuildOptions = {}): HalfedgeMesh {
   return HalfedgeMesh.fromPolygons(positions, faces, options);
