@@ -7,13 +7,12 @@ import { growMemory, growSilently } from './support/core.js';
 import {
   annulus,
   bowTie,
-  build,
   fans,
   type Input,
   pillow,
   puncturedTorus,
   quadGrid,
-  randomPolygons,
+  randomTriangles,
   tetrahedron,
   torus,
   triangleAndIsolatedVertex,
@@ -159,7 +158,8 @@ describe('The measures of Directed Edges are those of the full mesh', () => {
   });
 
   test.each([1, 2, 3, 4, 5, 6, 7, 8])('of random polygons, cut (seed %i)', (seed) => {
-    using cut = triangulated(seed);
+    using cut = randomTriangles(seed);
+    cut.compact();
     using mesh = DirectedEdgesMesh.fromMesh(cut);
     using whole = mesh.toMesh();
     expectSameMeasures(mesh, whole);
@@ -190,19 +190,6 @@ describe('The measures of Directed Edges are those of the full mesh', () => {
     }
   });
 });
-
-/** A random mesh, cut into triangles. Not all can be without joining two vertices twice. */
-function triangulated(seed: number): HalfedgeMesh {
-  for (let attempt = 0; ; attempt++) {
-    const mesh = build(randomPolygons(100 * seed + attempt));
-    if (mesh.checkTriangulate() === null) {
-      mesh.triangulate();
-      mesh.compact();
-      return mesh;
-    }
-    mesh.dispose();
-  }
-}
 
 describe('Of Directed Edges', () => {
   /** A cube around the origin, with sides of length 1. */
@@ -289,10 +276,10 @@ describe('Of Directed Edges', () => {
       const exact = new Floats(length).fill(7);
       expect(mesh[all](exact)).toBe(exact);
       expect([...exact]).toEqual([...Floats.from(expected)]);
-      const long = new Floats(length + 2).fill(7);
+      const long = new Floats(length + 1).fill(7);
       const part = mesh[all](long);
       expect(part.buffer).toBe(long.buffer);
-      expect([...long]).toEqual([...Floats.from(expected), 7, 7]);
+      expect([...long]).toEqual([...Floats.from(expected), 7]);
       expect(part).toHaveLength(length);
       const short = new Floats(length - 1).fill(7);
       expect([...mesh[all](short)]).toEqual([...Floats.from(expected)]);

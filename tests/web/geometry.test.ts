@@ -10,6 +10,7 @@ import {
   oneSquare,
   quadGrid,
   randomPolygons,
+  randomTriangles,
   tetrahedron,
   triangleAndIsolatedVertex,
 } from './support/meshes.js';
@@ -39,16 +40,6 @@ function only(polygon: readonly Point[], matrix = new Matrix4()): HalfedgeMesh {
     new Vector3(x, y, 0).applyMatrix4(matrix).toArray(),
   );
   return HalfedgeMesh.fromPolygons(positions, [polygon.map((_, i) => i)]);
-}
-
-/** A random mesh, cut into triangles. Not all can be without joining two vertices twice. */
-function triangles(seed: number): HalfedgeMesh {
-  for (let attempt = 0; ; attempt++) {
-    const mesh = build(randomPolygons(100 * seed + attempt));
-    if (mesh.checkTriangulate() !== null) continue;
-    mesh.triangulate();
-    return mesh;
-  }
 }
 
 /** The angle from direction `a` to direction `b`, counter-clockwise, from 0 to a full turn. */
@@ -275,7 +266,7 @@ describe('On random meshes', () => {
     'angle defects add up to 2π times the Euler characteristic (seed %i)',
     (seed) => {
       for (let round = 0; round < 20; round++) {
-        using mesh = triangles(100 * seed + round);
+        using mesh = randomTriangles(100 * seed + round);
         const total = sum(mesh.allAngleDefects());
         expect(total).toBeCloseTo(2 * Math.PI * mesh.eulerCharacteristic(), 8);
       }
@@ -317,7 +308,7 @@ describe('On random meshes', () => {
     expectNear(mesh.allVertexAreas(), areas, 1e-12);
     const normals = three(vertexSlots, vertices, (v) => mesh.vertexNormal(v));
     expectNear(mesh.allVertexNormals(), normals, 1e-5);
-    using cut = triangles(seed);
+    using cut = randomTriangles(seed);
     expect(cut.allCotanWeights()).toEqual(
       one(cut.edgeSlots, cut.edges(), (e) => cut.cotanWeight(e)),
     );
@@ -326,7 +317,7 @@ describe('On random meshes', () => {
   test.each(seeds)(
     'edges bend by the angle between normals, outwards if convex (seed %i)',
     (seed) => {
-      using mesh = triangles(seed);
+      using mesh = randomTriangles(seed);
       let [ridges, valleys] = [0, 0];
       for (const e of mesh.edges()) {
         if (mesh.isBoundaryEdge(e)) {
@@ -349,7 +340,7 @@ describe('On random meshes', () => {
   );
 
   test.each(seeds)('cotangent weights are those of the angles (seed %i)', (seed) => {
-    using mesh = triangles(seed);
+    using mesh = randomTriangles(seed);
     for (const e of mesh.edges()) {
       let twice = 0;
       for (const h of mesh.edgeHalfedges(e)) {

@@ -161,3 +161,13 @@ export const twoTriangles = () => ({
 
 /** The same square as one face. */
 export const oneSquare = () => ({ positions: twoTriangles().positions, faces: [[0, 1, 2, 3]] });
+
+/** A random mesh, cut into triangles. Not all can be without joining two vertices twice. */
+export function randomTriangles(seed: number): HalfedgeMesh {
+  for (let attempt = 0; ; attempt++) {
+    const mesh = build(randomPolygons(100 * seed + attempt));
+    if (mesh.checkTriangulate() !== null) continue;
+    mesh.triangulate();
+    return mesh;
+  }
+}
