@@ -4,6 +4,7 @@
 #include <halfedge/io/bytes.h>
 #include <halfedge/operations/append.h>
 #include <halfedge/operations/dual.h>
+#include <halfedge/operations/extract.h>
 #include <halfedge/shapes/shapes.h>
 
 #include <type_traits>
@@ -82,6 +83,20 @@ val append_mesh(Address address, Address other, Index mode) {
   return result;
 }
 
+/// Returns the mesh of some faces, and the items that it is a copy of.
+val extract_part(Address address, Address faces, std::size_t count) {
+  const AnyMesh& mesh = mesh_at(address);
+  NewMesh part(mesh.stores_prev());
+  if (!part) return failure(no_room_for_a_mesh());
+  Result<ItemSet> items = extract(mesh, array_at<Index>(faces, count), *part);
+  if (!items) return failure(items.error());
+  val result = success("mesh", val(part.release()));
+  result.set("vertices", hand_over(items.value().vertices));
+  result.set("edges", hand_over(items.value().edges));
+  result.set("faces", hand_over(items.value().faces));
+  return result;
+}
+
 val mesh_to_bytes(Address address) {
   Result<Array<std::uint8_t>> bytes = to_bytes(mesh_at(address));
   if (!bytes) return failure(bytes.error());
@@ -119,6 +134,7 @@ EMSCRIPTEN_BINDINGS(halfedge_making) {
   function("shape", &shape);
   function("dual", &dual_of);
   function("append", &append_mesh);
+  function("extract", &extract_part);
   function("toBytes", &mesh_to_bytes);
   function("fromBytes", &mesh_from_bytes);
 }

@@ -20,6 +20,7 @@
 #include <halfedge/mesh.h>
 #include <halfedge/operations/append.h>
 #include <halfedge/operations/dual.h>
+#include <halfedge/operations/extract.h>
 #include <halfedge/operations/operations.h>
 #include <halfedge/operations/reorder.h>
 #include <halfedge/repair/repair.h>

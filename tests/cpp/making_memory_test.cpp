@@ -34,6 +34,7 @@ bool is_out_of_memory(const Result<T>& result) {
   if (!is_out_of_memory(append(mesh, mesh))) std::_Exit(4);
   if (!is_out_of_memory(append(empty, mesh))) std::_Exit(5);
   if (!is_out_of_memory(dual(mesh, empty))) std::_Exit(6);
+  if (!is_out_of_memory(extract(mesh, some, empty))) std::_Exit(11);
   if (!is_out_of_memory(to_bytes(mesh))) std::_Exit(7);
   if (!is_out_of_memory(from_bytes(bytes.value().span(), empty))) std::_Exit(8);
   if (!is_out_of_memory(k_ring(mesh, some, kNone))) std::_Exit(9);

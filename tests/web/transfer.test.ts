@@ -103,6 +103,80 @@ describe('append', () => {
   });
 });
 
+describe('extract', () => {
+  test('makes a mesh of some faces, and tells what its items are copies of', () => {
+    using mesh = HalfedgeMesh.torus(8, 5, { storePrev: false });
+    mesh.deleteFace(3 as never);
+    const before = arraysOf(mesh);
+    const { mesh: part, vertices, edges, faces } = mesh.extract([12, 17, 11, 12]);
+    using _ = part;
+    expect(part.validate()).toEqual([]);
+    expect(part.connectivity.prev).toHaveLength(0);
+    expect(Array.from(faces)).toEqual([11, 12, 17]);
+    expect([part.vertexCount, part.edgeCount, part.faceCount]).toEqual([8, 10, 3]);
+    const original = (h: number) => 2 * edges[h >> 1] + (h & 1);
+    for (const h of part.halfedges()) {
+      expect(vertices[part.toVertex(h)]).toBe(mesh.toVertex(original(h)));
+      if (part.face(h) === -1) continue;
+      expect(faces[part.face(h)]).toBe(mesh.face(original(h)));
+      expect(original(part.next(h))).toBe(mesh.next(original(h)));
+    }
+    for (const v of part.vertices()) expect(part.position(v)).toEqual(mesh.position(vertices[v]));
+    expect(arraysOf(mesh)).toEqual(before);
+  });
+
+  test('takes components apart, which appended to each other are the mesh again', () => {
+    using mesh = HalfedgeMesh.icoSphere(2);
+    using torus = HalfedgeMesh.torus(7, 6);
+    mesh.append(torus);
+    const parts = mesh.components().map(({ faces }) => mesh.extract(faces).mesh);
+    expect(parts.map((part) => part.genus())).toEqual([0, 1]);
+    using again = new HalfedgeMesh();
+    for (const part of parts) {
+      again.append(part);
+      part.dispose();
+    }
+    expect(arraysOf(again)).toEqual(arraysOf(mesh));
+  });
+
+  test('carries attributes over', () => {
+    using mesh = HalfedgeMesh.cube();
+    const uv = mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    uv.forEach((_, i) => {
+      uv[i] = i;
+    });
+    mesh.attributes.add('face', 'label', { type: 'int16', default: -3, onSplit: 'copy' })[4] = 9;
+    const { mesh: part, edges } = mesh.extract(Uint32Array.of(1, 4));
+    using _ = part;
+    const copied = part.attributes.get('halfedge', 'uv');
+    for (const h of part.halfedges()) {
+      expect(copied[2 * h + 1]).toBe(2 * (2 * edges[h >> 1] + (h & 1)) + 1);
+    }
+    expect(Array.from(part.attributes.get('face', 'label'))).toEqual([-3, 9]);
+    expect(part.attributes.list()).toEqual(mesh.attributes.list());
+  });
+
+  test('names the face that is none, keeps no memory, and changes nothing', () => {
+    using mesh = HalfedgeMesh.cube();
+    const bytes = bytesInUse();
+    mesh.extract([0, 1, 2]).mesh.dispose();
+    mesh.deleteFace(2 as never);
+    expect(() => mesh.extract([0, 6])).toThrow('faces[1] is 6; expected a face');
+    expect(() => mesh.extract([0, 2])).toThrow('faces[1] is face 2, which was deleted');
+    expect(() => mesh.extract(['0'] as never)).toThrow(TypeError);
+    expect(() => mesh.extract(undefined as never)).toThrow('faces is undefined; expected');
+    mesh.connectivity.next[mesh.faceHalfedge(4 as never)] = -1;
+    const before = arraysOf(mesh);
+    expect(() => mesh.extract([0, 4])).toThrow(
+      expect.objectContaining({ code: 'corrupt-connectivity' }),
+    );
+    expect(bytesInUse()).toBe(bytes);
+    expect(arraysOf(mesh)).toEqual(before);
+    mesh.dispose();
+    expect(() => mesh.extract([0])).toThrow(/disposed/);
+  });
+});
+
 describe('dual', () => {
   test('exchanges the regular solids', () => {
     for (const [make, faces, degree] of [

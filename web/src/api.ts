@@ -48,7 +48,7 @@ export type {
   OrientOptions,
   StitchOptions,
 } from './mending.js';
-export { HalfedgeMesh } from './mesh.js';
+export { HalfedgeMesh, type MeshPart } from './mesh.js';
 export type { ItemSet, Items } from './neighbourhoods.js';
 export type { Orbit } from './orbit.js';
 export type {

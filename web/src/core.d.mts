@@ -202,6 +202,12 @@ export interface RawCore {
     other: number,
     mode: number,
   ): { vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
+  /** The mesh of some faces, and the items that it is a copy of. */
+  extract(
+    mesh: number,
+    faces: number,
+    count: number,
+  ): { mesh: number; vertices: RawWords; edges: RawWords; faces: RawWords } | RawFailure;
   /** The bytes are JavaScript's to copy and to free. */
   toBytes(mesh: number): { bytes: { address: number; count: number } } | RawFailure;
   /** `isOurs`: another thread with this module has made the bytes, which are not checked. */

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { describe, indices, type NumberArray } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
 import { type ItemKind, NONE } from './items.js';
@@ -411,19 +411,21 @@ export function checkItem(links: Links, kind: ItemKind, item: number, argument =
   else links.checkFace(item, argument);
 }
 
-/** Throws a sentence for the first of a list that is no live item of the kind. */
-export function checkItems(
+/** The list of items that an argument is. Throws a sentence for the first that is no live item of the kind. */
+export function listOfItems(
   links: Links,
   kind: 'vertex' | 'edge' | 'face',
-  list: ArrayLike<number>,
   argument: string,
-): void {
+  value: unknown,
+): NumberArray {
+  const list = indices(argument, value);
   links.revive();
   const starts = { vertex: links.vertexHalfedge, edge: links.next, face: links.faceHalfedge }[kind];
   const stride = kind === 'edge' ? 2 : 1;
   for (let i = 0; i < list.length; i++) {
     if (!(starts[stride * list[i]] >= NONE)) checkItem(links, kind, list[i], `${argument}[${i}]`);
   }
+  return list;
 }
 
 /** Whether there is such an item, and it was not deleted. Mends detached views on the way. */

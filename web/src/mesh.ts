@@ -17,11 +17,12 @@ import { answer, type Refusal } from './edit.js';
 import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import { printed } from './inspect.js';
-import type { Halfedge } from './items.js';
+import type { FaceLike, Halfedge } from './items.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
+import type { ItemSet } from './neighbourhoods.js';
 import { checkOptions } from './options.js';
 import { type FileFormat, type ParseOptions, type ParseReport, parseFile } from './parse.js';
 import { type RepairReport, type SoupOptions, soupLinks } from './repair.js';
@@ -36,12 +37,28 @@ import {
   trianglesOf,
   type ValidationLevel,
 } from './topology.js';
-import { type AppendMaps, appendLinks, bytesOfLinks, dualLinks, linksOfBytes } from './transfer.js';
+import {
+  type AppendMaps,
+  appendLinks,
+  bytesOfLinks,
+  dualLinks,
+  extractLinks,
+  linksOfBytes,
+} from './transfer.js';
 import { warmUp } from './warm-up.js';
 import { type OwnBytes, type WriteOptions, writeFile } from './write.js';
 
 /** Where the platform has no `Symbol.dispose` yet, polyfills register theirs under this name. */
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/**
+ * A mesh of some faces of another, and the items that it has copies of, in ascending order: vertex i of `mesh`
+ * is a copy of `vertices[i]`, edge i of `edges[i]`, face i of `faces[i]`, and halfedge h of
+ * `2 * edges[h >> 1] + (h & 1)`.
+ */
+export interface MeshPart extends ItemSet {
+  readonly mesh: HalfedgeMesh;
+}
 
 /**
  * A halfedge mesh: vertices with positions, halfedges, edges, and faces with any number of corners.
@@ -264,6 +281,26 @@ export class HalfedgeMesh extends Shapes {
     const added = linksOf(other);
     added.checkAlive();
     return answer(links, links.core._check_append(links.address, added.address));
+  }
+
+  /**
+   * Makes a mesh of its own out of some faces, in any order and with repetitions, with their edges and vertices,
+   * positions and attributes. Where a face is left out there is a gap. This mesh doesn't change; the new one
+   * stores `prev` if this one does, and has its history off. Linear in the size of the part, plus 4 bytes for each
+   * item of this mesh while it runs.
+   *
+   * ```ts
+   * const parts = mesh.components().map(({ faces }) => mesh.extract(faces).mesh);
+   * const { mesh: patch, vertices } = mesh.extract(mesh.star({ vertices: [v] }).faces);
+   * // ... edit or solve on `patch`, then bring it back:
+   * for (const w of patch.vertices()) mesh.setPosition(vertices[w], patch.position(w));
+   * ```
+   *
+   * @throws HalfedgeError `corrupt-connectivity`, `out-of-memory`
+   */
+  extract(faces: ArrayLike<FaceLike>): MeshPart {
+    const { part, items } = extractLinks(linksOf(this), faces);
+    return { mesh: new HalfedgeMesh(part), ...items };
   }
 
   /**

@@ -1,8 +1,10 @@
-import { describe, indices, type NumberArray } from './arguments.js';
+import { describe } from './arguments.js';
 import { refuse } from './checks.js';
+import type { RawWords } from './core.mjs';
 import { Editing } from './editing.js';
 import type { EdgeLike, FaceLike, VertexLike } from './items.js';
-import { checkItems, type Links } from './links.js';
+import { type Links, listOfItems } from './links.js';
+import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
 import { checkObject } from './options.js';
@@ -61,7 +63,7 @@ export abstract class Neighbourhoods extends Editing {
     const links = linksOf(this);
     const { core } = links;
     if (typeof vertices === 'number') links.checkVertex(vertices, 'vertices');
-    const list = itemList(
+    const list = listOfItems(
       links,
       'vertex',
       'vertices',
@@ -103,9 +105,9 @@ function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items:
   const { core } = links;
   const { vertices, edges, faces } = listsOf(checkObject(items, 'items'));
   const lists = {
-    vertices: itemList(links, 'vertex', 'items.vertices', vertices),
-    edges: itemList(links, 'edge', 'items.edges', edges),
-    faces: itemList(links, 'face', 'items.faces', faces),
+    vertices: listOfItems(links, 'vertex', 'items.vertices', vertices),
+    edges: listOfItems(links, 'edge', 'items.edges', edges),
+    faces: listOfItems(links, 'face', 'items.faces', faces),
   };
   const raw = withInputs(core, (inputs) => {
     inputs.hold(...Object.values(lists));
@@ -115,8 +117,16 @@ function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items:
     }) as [number, number, number, number, number, number];
     return unwrap(core.surroundings(links.address, SURROUNDINGS.indexOf(which), ...blocks));
   });
-  const [first, second, third] = take(core, raw.vertices, raw.edges, raw.faces);
-  return { vertices: first, edges: second, faces: third };
+  return takeItems(core, raw);
+}
+
+/** Copies of the items that the core hands over. */
+export function takeItems(
+  core: Core,
+  raw: { vertices: RawWords; edges: RawWords; faces: RawWords },
+): ItemSet {
+  const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces);
+  return { vertices, edges, faces };
 }
 
 /** The lists by name. What has others, but none of these, was spelt in another way. */
@@ -128,17 +138,6 @@ function listsOf(items: Items): Required<Items> {
   throw new TypeError(
     `items has ${describe(other)}, but neither vertices, edges nor faces; expected lists of them.`,
   );
-}
-
-function itemList(
-  links: Links,
-  kind: 'vertex' | 'edge' | 'face',
-  argument: string,
-  items: unknown,
-): NumberArray {
-  const list = indices(argument, items);
-  checkItems(links, kind, list, argument);
-  return list;
 }
 
 /** `k` as the core takes it, which has no infinity, but no distance that is as large either. */

@@ -1,8 +1,8 @@
-import { indices, newArray, typedArrayName } from './arguments.js';
+import { newArray, typedArrayName } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
 import type { Direction } from './items.js';
-import { checkItems, type Links } from './links.js';
+import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { unwrap } from './reports.js';
@@ -51,8 +51,7 @@ export function rings(
   if (centres === undefined) return takeRows(core, core.allRings(address, ring, way), into);
   const centre = kind.startsWith('v') ? 'vertex' : kind.startsWith('f') ? 'face' : 'edge';
   const argument = LISTS[centre];
-  const list = indices(argument, centres);
-  checkItems(links, centre, list, argument);
+  const list = listOfItems(links, centre, argument, centres);
   return withInputs(core, (inputs) => {
     const block = inputs.indices(argument, list);
     const raw = core.someRings(links.address, ring, way, block.address, block.count);

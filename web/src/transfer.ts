@@ -2,9 +2,10 @@ import { bytesOf, newArray, noRoomHere } from './arguments.js';
 import { refuse } from './checks.js';
 import type { RawWords } from './core.mjs';
 import { modeOf } from './edit.js';
-import { Links } from './links.js';
+import { Links, listOfItems } from './links.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
+import { type ItemSet, takeItems } from './neighbourhoods.js';
 import { unwrap } from './reports.js';
 import { take } from './rings.js';
 import type { OwnBytes } from './write.js';
@@ -41,6 +42,24 @@ export function takeMaps(
     halfedges[h] = e < 0 ? -1 : 2 * e + (h & 1);
   }
   return { vertices, halfedges, edges, faces };
+}
+
+/** Faces of a mesh as one of their own, and the items that it is a copy of. */
+export function extractLinks(links: Links, value: unknown): { part: Links; items: ItemSet } {
+  links.checkAlive();
+  const { core } = links;
+  const faces = listOfItems(links, 'face', 'faces', value);
+  const raw = withInputs(core, (inputs) => {
+    const { address, count } = inputs.indices('faces', faces);
+    return unwrap(core.extract(links.address, address, count));
+  });
+  const part = new Links(core, raw.mesh);
+  try {
+    return { part, items: takeItems(core, raw) };
+  } catch (error) {
+    part.dispose();
+    throw error;
+  }
 }
 
 /** The dual of a mesh. */

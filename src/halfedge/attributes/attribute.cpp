@@ -81,8 +81,16 @@ Attribute::Attribute(std::string name, ItemKind kind, const AttributeOptions& op
 }
 
 double Attribute::get(Index item, Index component) const {
+  return number_at(&bytes_[stride_ * item], component);
+}
+
+double Attribute::default_value(Index component) const {
+  return number_at(default_.data(), component);
+}
+
+double Attribute::number_at(const std::byte* item, Index component) const {
   return with_type(type_, [&](auto number) {
-    std::memcpy(&number, &bytes_[stride_ * item + sizeof number * component], sizeof number);
+    std::memcpy(&number, item + sizeof number * component, sizeof number);
     return double(number);
   });
 }

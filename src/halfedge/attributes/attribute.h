@@ -102,6 +102,8 @@ class Attribute {
   [[nodiscard]] bool has_default() const { return default_.size() == stride_; }
   /// The value of new items, in bytes.
   [[nodiscard]] std::span<const std::byte> default_value() const { return default_.span(); }
+  /// One component of it, as a number.
+  [[nodiscard]] double default_value(Index component) const;
 
   /// One component of one item, as a number.
   [[nodiscard]] double get(Index item, Index component) const;
@@ -166,6 +168,7 @@ class Attribute {
   [[nodiscard]] bool is_of_words() const { return stride_ % sizeof(Index) == 0; }
   void note(Index item, Journal* journal) const;
   void put(Index item, Index component, double value);
+  [[nodiscard]] double number_at(const std::byte* item, Index component) const;
 
   std::string name_;
   ItemKind kind_;
