@@ -141,6 +141,10 @@ TEST(DegenerateComplexes, ALoopEdgeIsNotCutNorBeveledNorCollapsed) {
     expect_refuses(
         mesh, "loop-edge", [&] { return ops::check_cut_path(mesh, path); },
         [&] { return ops::cut_path(mesh, path); });
+    const std::vector<Edge> edges{e, e};
+    expect_refuses(
+        mesh, "loop-edge", [&] { return ops::check_cut_edges(mesh, edges); },
+        [&] { return ops::cut_edges(mesh, edges); });
     expect_refuses(
         mesh, "loop-edge", [&] { return ops::check_bevel_edge(mesh, e, 0.5); },
         [&] { return ops::bevel_edge(mesh, e, 0.5); });

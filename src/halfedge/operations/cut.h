@@ -1,9 +1,11 @@
 #pragma once
 
+#include <halfedge/connectivity/array.h>
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/surgery_refusals.h>
 #include <halfedge/sort.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 
@@ -84,6 +86,60 @@ template <class Mesh>
   return {};
 }
 
+/// An edge of a list, and where in the list it is.
+struct ListedEdge {
+  Edge edge = {};
+  Index place = 0;
+};
+
+/// Edges to be cut, by their indices, and how many vertices that will make.
+struct Cuts {
+  Array<ListedEdge> edges;
+  Index new_vertices = 0;
+};
+
+/// errors: those of check_cut_edges
+template <class Mesh>
+[[nodiscard]] Result<Cuts> plan_cuts(const Mesh& mesh, std::span<const Edge> edges) {
+  Cuts cuts;
+  Array<Vertex> inside;  // the ends that are, once for each of their edges
+  for (const Edge e : edges) {
+    if (Result<void> live = check_live(mesh, e); !live) return std::move(live).failure();
+    const Halfedge h = mesh.edge_halfedge(e);
+    if (Result<void> can = check_inner_edge(mesh, h); !can) return std::move(can).failure();
+    bool fits = cuts.edges.push_back({e, Index(cuts.edges.size())});
+    for (const Vertex end : {mesh.from_vertex(h), mesh.to_vertex(h)}) {
+      if (mesh.is_boundary(end)) {
+        ++cuts.new_vertices;
+      } else {
+        fits = fits && inside.push_back(end);
+      }
+    }
+    if (!fits) return decorator::internal::no_memory("the list of edges");
+  }
+
+  introsort(cuts.edges, [](const ListedEdge& a, const ListedEdge& b) { return a.edge < b.edge; });
+  for (std::size_t i = 1; i < cuts.edges.size(); ++i) {
+    if (cuts.edges[i - 1].edge == cuts.edges[i].edge) return repeated_in_list(cuts.edges[i].edge);
+  }
+  // A vertex inside becomes as many as it has edges to be cut, or stays one if that is one.
+  introsort(inside);
+  const auto stays_one = [&](Vertex v) {
+    if (mesh.is_boundary(v)) return false;
+    const auto first = std::lower_bound(inside.begin(), inside.end(), v);
+    return first + 1 == inside.end() || first[1] != v;
+  };
+  for (const Edge e : edges) {
+    const Vertex a = mesh.from_vertex(mesh.edge_halfedge(e));
+    const Vertex b = mesh.to_vertex(mesh.edge_halfedge(e));
+    if (stays_one(a) && stays_one(b)) return no_open_end(e, a, b);
+  }
+  for (std::size_t i = 1; i < inside.size(); ++i) {
+    if (inside[i - 1] == inside[i]) ++cuts.new_vertices;
+  }
+  return cuts;
+}
+
 }  // namespace internal
 
 /// Whether cut(h) can be done: else not-a-halfedge; loop-edge; boundary-edge; no-boundary-end, if
@@ -161,6 +217,53 @@ template <EditableSurface Mesh>
   Halfedge copy;
   for (const Halfedge h : path) copy = internal::cut_edge(mesh, h);
   return copy;
+}
+
+/// Whether cut_edges(edges) can be done: else not-an-edge; loop-edge; boundary-edge; repeated-edge,
+/// if one is listed twice; no-boundary-end, if an edge has no end on the boundary, nor one that
+/// another edge of the list shares: both copies would join the same vertices; out-of-memory.
+/// cost: O(n log n)
+template <EditableSurface Mesh>
+[[nodiscard]] Result<void> check_cut_edges(const Mesh& mesh, std::span<const Edge> edges) {
+  return internal::plan_cuts(mesh, edges).failure();
+}
+
+/// Cuts the surface open along all of these edges, which may form any graph: paths, trees, cycles,
+/// crossings, in one piece or several. The mesh that comes out is the same, numbers included, in
+/// whichever order they are listed. An empty list changes nothing.
+///
+///            |                        |   |
+///            0                        |   |
+///      --1-- * --2--      =>      ----*   *----      0, 1 and 2 are cut, the fourth isn't
+///            |
+///            |                    ------*------
+///                                       |
+///
+/// An edge e keeps the face of edge_halfedge(e), its copy gets the other. Around a vertex inside,
+/// the faces from one of these edges to the next get a vertex of their own; if it has only one such
+/// edge it stays one vertex, where the slit ends. On the boundary, so do the faces between it and
+/// an edge. Of a pinched vertex, one part of each fan stays at it, with the fans that aren't cut.
+///
+/// attributes: those of the copies are copied
+/// returns: in the order of the list, for each edge e the halfedge of its copy that has no face; it
+///          leads the same way as edge_halfedge(e)
+/// cost: O(n log n + sum over the edges of the valences of their ends)
+/// inverse: glue_path or join_loop along the boundaries that this makes
+/// errors: those of check_cut_edges, out-of-memory
+template <EditableSurface Mesh>
+[[nodiscard]] Result<Array<Halfedge>> cut_edges(Mesh& mesh, std::span<const Edge> edges) {
+  Result<internal::Cuts> planned = internal::plan_cuts(mesh, edges);
+  if (!planned) return std::move(planned).failure();
+  const internal::Cuts& cuts = planned.value();
+  Array<Halfedge> copies;
+  if (!copies.resize(edges.size()) ||
+      !decorator::internal::make_room(mesh, cuts.new_vertices, Index(edges.size()), 0)) {
+    return decorator::internal::no_memory("copies of the edges");
+  }
+  for (const auto& [e, place] : cuts.edges) {
+    copies[place] = internal::cut_edge(mesh, mesh.edge_halfedge(e));
+  }
+  return copies;
 }
 
 }  // namespace halfedge::operations

@@ -51,6 +51,20 @@ Failure no_boundary_end(Edge e, Vertex a, Vertex b) {
                  {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
 }
 
+Failure no_open_end(Edge e, Vertex a, Vertex b) {
+  return refusal("no-boundary-end",
+                 sentence::of("{} would become two edges between {} and {}, which are both inside, "
+                              "expected an end on the boundary, or at another edge of the list",
+                              e, a, b),
+                 {.vertices = {a.index(), b.index()}, .edges = {e.index()}});
+}
+
+Failure repeated_in_list(Edge e) {
+  return refusal("repeated-edge",
+                 sentence::of("{} occurs twice in the list, expected different edges", e),
+                 {.edges = {e.index()}});
+}
+
 Failure empty_path() {
   return refusal("not-a-path", "the path is empty, expected one halfedge or more");
 }

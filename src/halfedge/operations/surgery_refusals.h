@@ -16,6 +16,10 @@ namespace halfedge::operations {
 [[nodiscard]] Failure would_close_fan(Vertex v, Halfedge h, Halfedge g);
 /// no-boundary-end: neither end of `e` lies on the boundary.
 [[nodiscard]] Failure no_boundary_end(Edge e, Vertex a, Vertex b);
+/// no-boundary-end: nor does any other edge of the list end where `e` does.
+[[nodiscard]] Failure no_open_end(Edge e, Vertex a, Vertex b);
+/// repeated-edge: `e` is listed twice.
+[[nodiscard]] Failure repeated_in_list(Edge e);
 /// not-a-path: it is empty; `following` doesn't begin where `h` ends; `e` occurs twice.
 [[nodiscard]] Failure empty_path();
 [[nodiscard]] Failure not_consecutive(Halfedge h, Vertex end, Halfedge following, Vertex begin);

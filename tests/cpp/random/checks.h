@@ -38,6 +38,9 @@ inline Items touched_by(const Mesh& mesh, const Call& call) {
     for (const Vertex v : mesh.face_vertices_ccw(call.f)) add_neighbours(mesh, v, near);
   }
   for (const Halfedge h : call.path) add_halfedge(h);
+  for (const Edge e : call.edges) {
+    if (mesh.is_live(e)) add_halfedge(mesh.edge_halfedge(e));
+  }
   for (const Vertex v : call.corners) {
     if (mesh.is_live(v)) add_neighbours(mesh, v, near);
   }

@@ -27,6 +27,7 @@ struct Call {
   Vertex v = {};
   Face f = {};
   std::vector<Halfedge> path = {};
+  std::vector<Edge> edges = {};
   std::vector<Vertex> corners = {};
   std::optional<Point> position = {};
   Index count = 0;

@@ -4,6 +4,7 @@
 #include <halfedge/operations/orientation.h>
 
 #include <algorithm>
+#include <set>
 
 #include "random/items.h"
 #include "random/registry.h"
@@ -15,6 +16,17 @@ namespace {
 namespace ops = operations;
 
 void draw_path(const Mesh& m, Draw& d, Call& c) { c.path = d.path(m); }
+
+// Those of a path, of which some branch off; seldom one twice.
+void draw_edges(const Mesh& m, Draw& d, Call& c) {
+  std::set<Edge> drawn;
+  for (std::size_t paths = 1 + d.below(3); paths > 0; --paths) {
+    for (const Halfedge h : d.path(m)) drawn.insert(h.valid() ? m.edge(h) : Edge{});
+  }
+  c.edges.assign(drawn.begin(), drawn.end());
+  if (d.one_in(20)) c.edges.push_back(c.edges[d.below(c.edges.size())]);
+  if (d.one_in(20)) c.edges.clear();
+}
 
 // Two of one boundary loop, often side by side or a few apart, or of two.
 void draw_boundary(const Mesh& m, Draw& d, Call& c) {
@@ -49,6 +61,12 @@ void add_glue_operations(Operations& all) {
       "cut_path", Growth::kGrows, draw_path,
       [](const auto& m, const Call& c) { return ops::check_cut_path(m, c.path); },
       [](auto& m, const Call& c) { return outcome(ops::cut_path(m, c.path)); }));
+  all.back().euler = {};
+
+  all.push_back(operation(
+      "cut_edges", Growth::kGrows, draw_edges,
+      [](const auto& m, const Call& c) { return ops::check_cut_edges(m, c.edges); },
+      [](auto& m, const Call& c) { return outcome(ops::cut_edges(m, c.edges)); }));
   all.back().euler = {};
 
   const auto deletes = [](const Mesh& m, const Call& c, Items& items) {

@@ -32,6 +32,7 @@ inline std::string to_string(const Operation& op, const Call& call) {
   add("e", call.e);
   add("f", call.f);
   for (const Halfedge h : call.path) add("", h);
+  for (const Edge e : call.edges) add("", e);
   for (const Vertex v : call.corners) add("", v);
   return text + (call.option ? "option)" : ")");
 }
