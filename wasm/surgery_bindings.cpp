@@ -3,6 +3,9 @@
 
 #include <halfedge/operations/operations.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "operation_bindings.h"
 
 using namespace halfedge;
@@ -22,6 +25,19 @@ HALFEDGE_EXPORT int cut(Address mesh, Index mode, Index h) {
 
 HALFEDGE_EXPORT int cut_path(Address mesh, Index mode, Address path, std::size_t count) {
   return HALFEDGE_OPERATE(cut_path, items_at<Halfedge>(path, count));
+}
+
+/// Returns how many, and writes the halfedges that the core returns over the list.
+HALFEDGE_EXPORT int cut_edges(Address mesh, Index mode, Address edges, std::size_t count) {
+  const std::span<const Edge> listed = items_at<Edge>(edges, count);
+  return operate(
+      mesh, mode, [=](const auto& m) { return operations::check_cut_edges(m, listed); },
+      [=](auto& m) -> Result<Index> {
+        Result<Array<Halfedge>> copies = operations::cut_edges(m, listed);
+        if (!copies) return std::move(copies).failure();
+        std::copy(copies.value().begin(), copies.value().end(), reinterpret_cast<Halfedge*>(edges));
+        return Index(count);
+      });
 }
 
 HALFEDGE_EXPORT int split_loop(Address mesh, Index mode, Address cycle, std::size_t count) {

@@ -87,7 +87,16 @@ describe('Whatever the operation', () => {
       'compact',
       'reorder',
     ];
-    names.push('cutPath', 'splitLoop', 'reverse', 'dual', 'append', 'makeLoop', 'makeSegment');
+    names.push(
+      'cutPath',
+      'cutEdges',
+      'splitLoop',
+      'reverse',
+      'dual',
+      'append',
+      'makeLoop',
+      'makeSegment',
+    );
     names.push('deleteIsolatedVertices', 'keepLargestComponents');
     const checks = names.map((name) => `check${name[0].toUpperCase()}${name.slice(1)}`);
     const missing = checks.filter((check) => !(check in mesh) && check !== 'checkSetPosition');
@@ -97,6 +106,7 @@ describe('Whatever the operation', () => {
     expect(mesh.checkDeleteComponent('edge', 3)).toBeNull();
     expect(mesh.checkCompact()).toBeNull();
     expect(mesh.checkReorder('breadth-first')).toBeNull();
+    expect(mesh.checkCutEdges([])).toBeNull();
     expect(mesh.checkReverse()).toBeNull();
     expect(mesh.checkReverseComponent(5)).toBeNull();
     expect(mesh.checkMakeLoop()).toBeNull();

@@ -351,6 +351,110 @@ describe('Gluing and cutting', () => {
     expect(() => mesh.gluePath(0, 1, 0)).toThrow('count is 0; expected an integer from 1.');
   });
 
+  test('a tree of edges leaves one slit, whatever their order', () => {
+    using mesh = build(quadGrid(5, 5));
+    mesh.history.enabled = true;
+    const before = stateOf(mesh);
+    const ends = [
+      [12, 17],
+      [11, 12],
+      [12, 13],
+    ];
+    const edges = ends.map(([a, b]) => mesh.findEdge(a, b));
+    expect(mesh.checkCutEdges(edges)).toBe(null);
+    expect(stateOf(mesh)).toEqual(before);
+    const copies = mesh.cutEdges(edges);
+    expect([mesh.vertexCount, mesh.edgeCount]).toEqual([27, 43]);
+    expect(mesh.validate()).toEqual([]);
+    expect(new Set(mesh.halfedgeLoop(copies[0]))).toEqual(
+      new Set([...copies, ...edges.map((e) => mesh.opposite(mesh.edgeHalfedge(e)))]),
+    );
+    for (const [i, e] of edges.entries()) {
+      const h = mesh.edgeHalfedge(e);
+      expect(mesh.isBoundaryHalfedge(copies[i])).toBe(true);
+      expect(mesh.position(mesh.toVertex(copies[i]))).toEqual(mesh.position(mesh.toVertex(h)));
+      expect(mesh.position(mesh.fromVertex(copies[i]))).toEqual(mesh.position(mesh.fromVertex(h)));
+    }
+    const after = stateOf(mesh);
+    mesh.history.undo();
+    expect(stateOf(mesh)).toEqual(before);
+    expect(mesh.history.canUndo).toBe(false);
+    expect(mesh.cutEdges(Int32Array.from(edges).reverse())).toEqual([...copies].reverse());
+    expect(stateOf(mesh)).toEqual(after);
+  });
+
+  test('a long list of edges takes all faces apart', () => {
+    using mesh = HalfedgeMesh.torus(20, 20);
+    const edges = mesh.edges().toArray();
+    const copies = mesh.cutEdges(edges);
+    expect(copies.length).toBe(800);
+    expect(copies.every((g) => mesh.isBoundaryHalfedge(g))).toBe(true);
+    expect(mesh.components().length).toBe(400);
+    const across = edges.map((e) => mesh.face(mesh.opposite(mesh.edgeHalfedge(e))));
+    expect(across).toEqual(edges.map(() => NONE));
+    expect(new Set(copies.map((g) => mesh.edge(g))).size).toBe(800);
+    expect(mesh.validate()).toEqual([]);
+  });
+
+  test('a closed surface is cut to a disk', () => {
+    using mesh = build(torus());
+    // As docs/editing.md does.
+    const crossed = new Set<number>();
+    const reached = new Set<number>(mesh.faces().toArray().slice(0, 1));
+    for (const f of reached) {
+      for (const h of mesh.faceHalfedges(f)) {
+        const g = mesh.face(mesh.opposite(h));
+        if (g === NONE || reached.has(g)) continue;
+        reached.add(g);
+        crossed.add(mesh.edge(h));
+      }
+    }
+    const inner = mesh.edges().toArray();
+    const seam = new Set(inner.filter((e) => !crossed.has(e) && !mesh.isBoundaryEdge(e)));
+    using net = mesh.clone();
+    net.cutEdges([...seam]);
+    const queue: number[] = mesh.vertices().toArray();
+    for (const v of queue) {
+      const atVertex = mesh
+        .vertexEdges(v)
+        .toArray()
+        .filter((e) => seam.has(e));
+      if (atVertex.length !== 1) continue;
+      seam.delete(atVertex[0]);
+      queue.push(...mesh.edgeVertices(atVertex[0]));
+    }
+    const { vertexCount } = mesh;
+    expect(mesh.cutEdges([...seam]).length).toBe(seam.size);
+    for (const disk of [net, mesh]) {
+      expect([disk.eulerCharacteristic(), disk.boundaryLoops().length]).toEqual([1, 1]);
+      expect(disk.validate()).toEqual([]);
+    }
+    // A graph with one vertex less than edges has become a boundary with two vertices for each edge.
+    expect(mesh.vertexCount).toBe(vertexCount + seam.size + 1);
+    expect(net.vertexCount).toBeGreaterThan(mesh.vertexCount);
+  });
+
+  test('lists of edges that are refused', () => {
+    using mesh = build(quadGrid(5, 5));
+    const before = stateOf(mesh);
+    const [a, b, c] = [mesh.findEdge(6, 7), mesh.findEdge(7, 8), mesh.findEdge(16, 17)];
+    expectRefused(() => mesh.cutEdges([a, b, a]), 'repeated-edge');
+    expectRefused(() => mesh.cutEdges([a, b, c]), 'no-boundary-end');
+    expectRefused(() => mesh.cutEdges([a, b, mesh.findEdge(0, 1)]), 'boundary-edge');
+    expect(mesh.checkCutEdges([c])?.witness.edges).toEqual([c]);
+    expect(mesh.checkCutEdges([c])?.message).toBe(
+      `Edge ${c} would become two edges between vertex 16 and vertex 17, which are both inside, expected an end on the boundary, or at another edge of the list.`,
+    );
+    for (const call of ['cutEdges', 'checkCutEdges'] as const) {
+      expect(() => mesh[call]([a, 99_999])).toThrow('edges[1] is 99999; expected an edge from 0');
+      expect(() => mesh[call]([0.5])).toThrow(RangeError);
+      expect(() => mesh[call](['1' as never])).toThrow(TypeError);
+      expect(() => mesh[call](5 as never)).toThrow('edges is 5; expected an array of edges');
+    }
+    expect(mesh.cutEdges([])).toEqual([]);
+    expect(stateOf(mesh)).toEqual(before);
+  });
+
   test('a cycle around a handle is cut and closed, and joined', () => {
     using mesh = build(torus());
     const cycle = Array.from({ length: 5 }, (_, i) => mesh.findHalfedge(i, (i + 1) % 5));

@@ -313,6 +313,7 @@ export interface RawCore {
   _glue_path(mesh: number, mode: number, h: number, g: number, count: number): number;
   _cut(mesh: number, mode: number, h: number): number;
   _cut_path(mesh: number, mode: number, path: number, count: number): number;
+  _cut_edges(mesh: number, mode: number, edges: number, count: number): number;
   _split_loop(mesh: number, mode: number, cycle: number, count: number): number;
   _join_loop(mesh: number, mode: number, h: number, g: number): number;
   _bridge(mesh: number, mode: number, h: number, g: number): number;

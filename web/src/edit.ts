@@ -2,7 +2,7 @@ import { describe, lengthOfArrayLike, newArray } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
 import type { ItemKind } from './items.js';
-import type { Links } from './links.js';
+import { checkItem, type Links } from './links.js';
 import { outOfMemory, withInputs } from './memory.js';
 import { takeRefusal } from './refusal.js';
 
@@ -97,6 +97,11 @@ function coordinate(position: Position, i: number, argument: string): number {
   refuse(`${argument}[${i}]`, value, 'a finite number that fits a 32-bit float', 'number');
 }
 
+/** What lists for the core are of. */
+type ListedKind = 'vertex' | 'halfedge' | 'edge';
+
+const PLURALS = { vertex: 'vertices', halfedge: 'halfedges', edge: 'edges' };
+
 /** The room for a list in the core, in place: most are short. */
 let shortList = new Uint32Array(0);
 const SHORT = 64;
@@ -111,13 +116,12 @@ export function withList(
   links: Links,
   argument: string,
   list: ArrayLike<number>,
-  kind: 'vertex' | 'halfedge',
+  kind: ListedKind,
   use: (address: number, count: number) => number,
 ): number {
   links.revive();
   const { core } = links;
-  const plural = kind === 'vertex' ? 'vertices' : 'halfedges';
-  const count = lengthOfArrayLike(argument, list, `an array of ${plural}`);
+  const count = lengthOfArrayLike(argument, list, `an array of ${PLURALS[kind]}`);
   // Each is read once and by index: getters may answer otherwise later, or let the memory grow, and an iterator
   // of the list's own may give fewer.
   if (count > SHORT) {
@@ -142,16 +146,18 @@ function checkListed(
   links: Links,
   argument: string,
   item: number,
-  kind: 'vertex' | 'halfedge',
+  kind: ListedKind,
   i: number,
 ): number {
-  const link = typeof item === 'number' ? linksOfKind(links, kind)[item] : undefined;
+  const link = typeof item === 'number' ? linkOf(links, kind, item) : undefined;
   if (link !== undefined && link >= -1) return item;
-  const name = `${argument}[${i}]`;
-  if (kind === 'vertex') links.checkVertex(item, name);
-  else links.checkHalfedge(item, name);
+  checkItem(links, kind, item, `${argument}[${i}]`);
   return item;
 }
 
-const linksOfKind = (links: Links, kind: 'vertex' | 'halfedge') =>
-  kind === 'vertex' ? links.vertexHalfedge : links.next;
+/** A link of the item, which only a live one has. */
+function linkOf(links: Links, kind: ListedKind, item: number): number | undefined {
+  if (kind === 'vertex') return links.vertexHalfedge[item];
+  if (kind === 'halfedge') return links.next[item];
+  return Number.isInteger(item) ? links.next[2 * item] : undefined;
+}

@@ -1,7 +1,7 @@
 import { checkCount } from './checks.js';
 import { answer, CHECK_ONLY, done, modeOf, type Refusal, withList } from './edit.js';
 import { EulerOperations } from './euler.js';
-import type { Edge, Halfedge, HalfedgeLike } from './items.js';
+import type { Edge, EdgeLike, Halfedge, HalfedgeLike } from './items.js';
 import { linksOf } from './navigation.js';
 
 /**
@@ -110,6 +110,44 @@ export abstract class Surgery extends EulerOperations {
     const check = (address: number, count: number) =>
       links.core._cut_path(links.address, CHECK_ONLY, address, count);
     return answer(links, withList(links, 'path', path, 'halfedge', check));
+  }
+
+  /**
+   * Cuts the surface open along a set of interior edges, which may form any graph: paths, trees, cycles,
+   * crossings, in one piece or several. Each becomes two boundary edges: itself, with the face of
+   * `edgeHalfedge(e)`, and a copy with the other face. A vertex becomes as many as there are fans of faces
+   * left at it, so the slit just ends at an interior vertex with only one of the edges. At a pinched vertex,
+   * one part of each of its fans stays with the others. The resulting mesh, including the numbering, doesn't
+   * depend on the order of the list. An empty list changes nothing. O(n log n + sum of the valences of the
+   * ends).
+   *
+   * Inverse: {@link gluePath} or {@link joinLoop} along the new boundaries.
+   *
+   * @returns for each edge `e`, in the order of the list, the halfedge of its copy that has no face; it runs in
+   * the same direction as `edgeHalfedge(e)`
+   * @throws HalfedgeError `loop-edge`, `boundary-edge`, `repeated-edge`, `no-boundary-end` (an edge of which
+   * neither end lies on the boundary or at another of the edges: both copies would join the same vertices)
+   */
+  cutEdges(edges: ArrayLike<EdgeLike>): Halfedge[] {
+    const links = linksOf(this);
+    let copies: Halfedge[] = [];
+    const cut = (address: number, count: number) => {
+      const result = links.core._cut_edges(links.address, modeOf(links), address, count);
+      // They are where the edges were. The memory may have grown.
+      const written = new Int32Array(links.core.memory.buffer, address, Math.max(0, result));
+      copies = Array.from(written) as Halfedge[];
+      return result;
+    };
+    done(links, withList(links, 'edges', edges, 'edge', cut));
+    return copies;
+  }
+
+  /** Why {@link cutEdges} would be refused, or null. */
+  checkCutEdges(edges: ArrayLike<EdgeLike>): Refusal | null {
+    const links = linksOf(this);
+    const check = (address: number, count: number) =>
+      links.core._cut_edges(links.address, CHECK_ONLY, address, count);
+    return answer(links, withList(links, 'edges', edges, 'edge', check));
   }
 
   /**

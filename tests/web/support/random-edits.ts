@@ -41,6 +41,15 @@ function somePath(mesh: HalfedgeMesh, first: number, next: () => number): number
   return path;
 }
 
+/** The edges of some paths from the same halfedge, which branch and cross; seldom one twice. */
+function someEdges(mesh: HalfedgeMesh, first: number, next: () => number): number[] {
+  const edges = new Set<number>();
+  do {
+    for (const h of somePath(mesh, first, next)) edges.add(mesh.edge(h));
+  } while (next() < 0.5);
+  return next() < 0.1 ? [mesh.edge(first), ...edges] : [...edges];
+}
+
 /** A cycle of halfedges: that of a face, or around a vertex, in either direction. */
 function someCycle(mesh: HalfedgeMesh, h: number, next: () => number): number[] {
   if (next() < 0.5) return mesh.halfedgeLoop(h).toArray();
@@ -59,7 +68,7 @@ const byItem =
     return item === undefined ? undefined : edit(mesh, name, [item, ...more(mesh, item, next)]);
   };
 
-/** Of one list of halfedges, which begins with one at random. */
+/** Of one list of halfedges, or of edges, which begins with one at random. */
 function byList(
   name: string,
   list: (mesh: HalfedgeMesh, first: number, next: () => number) => number[],
@@ -137,6 +146,7 @@ const MAKERS: Record<string, [weight: number, Maker]> = {
   ],
   cut: [2, byItem('halfedges', 'cut')],
   cutPath: [1, byList('cutPath', somePath)],
+  cutEdges: [1, byList('cutEdges', someEdges)],
   splitLoop: [1, byList('splitLoop', someCycle)],
   joinLoop: [1, byItem('halfedges', 'joinLoop', (...given) => [halfedge(...given)])],
   bridge: [1, byItem('halfedges', 'bridge', (...given) => [halfedge(...given)])],
