@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/build/build.h>
+#include <halfedge/decorator/complexes.h>
 #include <halfedge/mesh.h>
 
 #include <functional>
@@ -313,6 +314,23 @@ TEST(Adjacency, SurvivesArraysOfDifferentLengths) {
   const Result<void> done = adjacency(mesh, Ring::kVertexFaces, Direction::kCcw, result);
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().code, "corrupt-connectivity");
+}
+
+// Where most faces are triangles, these are told by their third step.
+TEST(Adjacency, OfALoopAmongTrianglesHasOneItem) {
+  Mesh mesh = reference_build(test::triangle_grid(6, 6));
+  const Halfedge h = decorator::make_loop(mesh).value();
+  Adjacency rows;
+  for (const Kind& kind : kinds()) {
+    if (kind.centre != ItemKind::kFace) continue;
+    SCOPED_TRACE(kind.name);
+    ASSERT_TRUE(adjacency(mesh, kind.ring, Direction::kCcw, rows));
+    for (const Halfedge side : {h, mesh.opposite(h)}) {
+      const Index f = mesh.face(side).index();
+      ASSERT_EQ(rows.offsets[f + 1] - rows.offsets[f], 1U);
+      EXPECT_EQ(Row{rows.items[rows.offsets[f]]}, kind.ccw(mesh, f));
+    }
+  }
 }
 
 }  // namespace

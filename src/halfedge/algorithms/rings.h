@@ -163,14 +163,15 @@ template <class Ring>
 }
 
 /// Writes the ring of a triangle, without a loop whose end is found. False if it is no triangle, or
-/// an item is missing.
+/// an item is missing. A loop of one halfedge is none: three steps end there, too.
 /// pre: links.contain(first)
 template <class Ring>
 [[nodiscard]] bool write_triangle(const RawLinks& links, Halfedge first, Index* out) {
   const Halfedge second = Ring::Walk::on(links, first);
   if (!links.contain(second)) return false;
   const Halfedge third = Ring::Walk::on(links, second);
-  if (!links.contain(third) || Ring::Walk::on(links, third) != first) return false;
+  if (!links.contain(third) || Ring::Walk::on(links, third) != first || third == first)
+    return false;
   out[0] = Ring::View::of(links, first).index();
   out[1] = Ring::View::of(links, second).index();
   out[2] = Ring::View::of(links, third).index();
