@@ -5,6 +5,7 @@
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/neighbourhood.h>
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/algorithms/triangles.h>
 #include <halfedge/build/build.h>
 #include <halfedge/connectivity/compact.h>
 #include <halfedge/connectivity/convert.h>

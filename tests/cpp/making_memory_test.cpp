@@ -27,6 +27,8 @@ bool is_out_of_memory(const Result<T>& result) {
   const Snapshot before(mesh);
   const Result<Array<std::uint8_t>> bytes = to_bytes(mesh);
   const std::vector<Index> some = {0, 5};
+  const Mesh polygon = shapes::mesh_of(shapes::prism(100000)).value();
+  const std::vector<Index> face = {0};
   Mesh empty;
   use_up_memory();
   if (!is_out_of_memory(shapes::grid(900, 900))) std::_Exit(2);
@@ -39,6 +41,8 @@ bool is_out_of_memory(const Result<T>& result) {
   if (!is_out_of_memory(from_bytes(bytes.value().span(), empty))) std::_Exit(8);
   if (!is_out_of_memory(k_ring(mesh, some, kNone))) std::_Exit(9);
   if (!is_out_of_memory(star(mesh, {.faces = some}))) std::_Exit(10);
+  if (!is_out_of_memory(to_triangles(mesh))) std::_Exit(11);
+  if (!is_out_of_memory(to_triangles(polygon, face))) std::_Exit(12);
   // Whatever of this was done in part is gone.
   leave(empty.vertex_slots() == 0 && mesh.halfedge_slots() == before.links[0].size() &&
         std::equal(before.links[0].begin(), before.links[0].end(), mesh.links().next.begin()));

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <set>
@@ -244,6 +245,27 @@ TEST(TriangulatePolygon, ShorterDiagonalOfAConvexQuadTheOnlyOneOfADart) {
             (Triangles{{1, 2, 3}, {0, 1, 3}}));
   EXPECT_EQ(triangulate({{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}),
             (Triangles{{0, 1, 2}, {0, 2, 3}}));
+}
+
+// That a side is forbidden changes nothing, but for how a quad is cut.
+TEST(TriangulatePolygon, QuadsAreCutAsAllOtherPolygonsAre) {
+  std::mt19937 random(8);
+  const float odd[] = {std::numeric_limits<float>::quiet_NaN(),
+                       std::numeric_limits<float>::infinity(), -0.0F, 1e-30F, 3e38F};
+  int along_02 = 0;
+  for (int round = 0; round < 20000; ++round) {
+    Polygon quad(4);
+    for (Point& p : quad) {
+      for (float* const x : {&p.x, &p.y, &p.z}) *x = float(random() % 4);
+      if (round % 7 == 0 && random() % 4 == 0) p.y = odd[random() % 5];
+      if (round % 3 == 0) p.z = 0;
+    }
+    const Triangles triangles = triangulate(quad);
+    ASSERT_EQ(triangles, triangulate(quad, {{0, 1}})) << round;
+    along_02 += triangles[0] == std::array<Index, 3>{0, 1, 2} ? 1 : 0;
+  }
+  EXPECT_GT(along_02, 5000);
+  EXPECT_LT(along_02, 15000);
 }
 
 // The shortest sum of diagonals of all triangulations without a fold, by trying all of them.

@@ -1,3 +1,5 @@
+#include <halfedge/algorithms/projection.h>
+#include <halfedge/algorithms/quad.h>
 #include <halfedge/algorithms/triangulate_polygon.h>
 
 #include <algorithm>
@@ -26,40 +28,10 @@ PolygonTriangulator::Cost PolygonTriangulator::Cost::operator+(const Cost& other
           length + other.length};
 }
 
-// Leaves out the coordinate in which the normal (Newell's) is largest: what is left are the
-// numbers given, so that corners on a line stay on it.
-bool PolygonTriangulator::project() {
+bool PolygonTriangulator::project_points() {
   if (!planar_.recreate(points_.size())) return false;
-  double normal[3] = {};
-  const Point origin = points_[0];
-  const auto from_origin = [&](const Point& p, double(&v)[3]) {
-    v[0] = double{p.x} - double{origin.x};
-    v[1] = double{p.y} - double{origin.y};
-    v[2] = double{p.z} - double{origin.z};
-  };
-  double a[3];
-  double b[3];
-  from_origin(points_[points_.size() - 1], a);
-  for (const Point& p : points_) {
-    from_origin(p, b);
-    normal[0] += a[1] * b[2] - a[2] * b[1];
-    normal[1] += a[2] * b[0] - a[0] * b[2];
-    normal[2] += a[0] * b[1] - a[1] * b[0];
-    std::copy(std::begin(b), std::end(b), std::begin(a));
-  }
-  int axis = 2;
-  for (const int i : {0, 1}) {
-    if (std::abs(normal[i]) > std::abs(normal[axis])) axis = i;
-  }
-  const bool is_reversed = normal[axis] < 0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Point& p = points_[i];
-    PlanarPoint planar = axis == 2   ? PlanarPoint{p.x, p.y}
-                         : axis == 0 ? PlanarPoint{p.y, p.z}
-                                     : PlanarPoint{p.z, p.x};
-    if (is_reversed) std::swap(planar.u, planar.v);
-    planar_[i] = planar;
-  }
+  const Projection projection(points_);
+  for (std::size_t i = 0; i < points_.size(); ++i) planar_[i] = projection(points_[i]);
   return true;
 }
 
@@ -68,13 +40,7 @@ int PolygonTriangulator::turn(Index a, Index b, Index c) const {
 }
 
 double PolygonTriangulator::distance(Index a, Index b) const {
-  const Point& p = points_[a];
-  const Point& q = points_[b];
-  const double x = double{p.x} - double{q.x};
-  const double y = double{p.y} - double{q.y};
-  const double z = double{p.z} - double{q.z};
-  const double length = std::sqrt(x * x + y * y + z * z);
-  return length < std::numeric_limits<double>::max() ? length : 0;
+  return diagonal_length(points_[a], points_[b]);
 }
 
 bool PolygonTriangulator::is_forbidden(Index a, Index b) const {
@@ -96,7 +62,10 @@ PolygonTriangulator::Outcome PolygonTriangulator::run(std::span<const Point> poi
 
 PolygonTriangulator::Outcome PolygonTriangulator::cut(Array<Index>& ears) {
   const std::size_t n = points_.size();
-  if (!project() || !ears.reserve(ears.size() + n)) return Outcome::kOutOfMemory;
+  if (n == 4 && forbidden_.empty()) {
+    return ears.push_back(ear_of_quad(points_.first<4>())) ? Outcome::kDone : Outcome::kOutOfMemory;
+  }
+  if (!project_points() || !ears.reserve(ears.size() + n)) return Outcome::kOutOfMemory;
   if (n > kSmall) {
     if (const Outcome outcome = cut_to_few(ears); outcome != Outcome::kDone) return outcome;
   }

@@ -75,7 +75,7 @@ class PolygonTriangulator {
   };
 
   [[nodiscard]] Outcome cut(Array<Index>& ears);
-  [[nodiscard]] bool project();
+  [[nodiscard]] bool project_points();
   [[nodiscard]] int turn(Index a, Index b, Index c) const;
   [[nodiscard]] double distance(Index a, Index b) const;
   [[nodiscard]] bool is_forbidden(Index a, Index b) const;
