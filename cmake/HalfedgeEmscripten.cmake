@@ -35,6 +35,7 @@ set(halfedge_fast_files
   sentence result decorator/refusal
   # whole meshes: rows of all rings, topology, validation, copies, orders
   algorithms/adjacency algorithms/topology algorithms/touch_rings
+  algorithms/triangles algorithms/quad
   validate/check_links validate/check_orbits validate/check_polygons validate/check_references
   making_bindings operations/append operations/reorder
 )

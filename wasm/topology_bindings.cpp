@@ -1,7 +1,8 @@
-// Questions about a whole mesh: whether it is valid, and its topology. See the design in
-// bindings.cpp.
+// Questions about a whole mesh: whether it is valid, its topology, and its faces as triangles. See
+// the design in bindings.cpp.
 
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/algorithms/triangles.h>
 #include <halfedge/validate/validate.h>
 
 #include <cstdint>
@@ -51,6 +52,18 @@ bool only_triangles_or_quads(Address mesh, bool triangles) {
   return triangles ? is_triangle_mesh(mesh_at(mesh)) : is_quad_mesh(mesh_at(mesh));
 }
 
+/// `corners_as` is a value of CornersAs. Of all faces, if `faces` is 0.
+val triangles_of(Address address, int corners_as, Address faces, std::size_t count) {
+  const AnyMesh& mesh = mesh_at(address);
+  const CornersAs as = static_cast<CornersAs>(corners_as);
+  Result<TriangleList> triangles =
+      faces == 0 ? to_triangles(mesh, as) : to_triangles(mesh, array_at<Index>(faces, count), as);
+  if (!triangles) return failure(triangles.error());
+  val result = success("corners", hand_over(triangles.value().corners));
+  result.set("faces", hand_over(triangles.value().faces));
+  return result;
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(halfedge_topology) {
@@ -63,4 +76,5 @@ EMSCRIPTEN_BINDINGS(halfedge_topology) {
   function("components", &components);
   function("isClosed", &closed);
   function("onlyTrianglesOrQuads", &only_triangles_or_quads);
+  function("toTriangles", &triangles_of);
 }

@@ -1,4 +1,5 @@
-import { type Edge, HalfedgeMesh, init } from 'halfedge';
+import { type Edge, type Face, HalfedgeMesh, init, type Vertex } from 'halfedge';
+import { concavePolygon } from './support/concave.js';
 import {
   annulus,
   bowTie,
@@ -183,8 +184,18 @@ describe('validate', () => {
   });
 });
 
-describe('An export', () => {
-  test('of triangles cuts polygons into fans, and names their faces', () => {
+/** Each from its least corner on, in order. */
+function inOrder(indices: Uint32Array): string[] {
+  const triangles: string[] = [];
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = indices.subarray(i, i + 3);
+    triangles.push([[a, b, c].join(), [b, c, a].join(), [c, a, b].join()].sort()[0]);
+  }
+  return triangles.sort();
+}
+
+describe('An export of triangles', () => {
+  test('cuts polygons along short diagonals, and names their faces', () => {
     using mesh = HalfedgeMesh.fromPolygons(
       [0, 0, 0, 2, 0, 0, 3, 1, 0, 1, 2, 0, -1, 1, 0, 1, -1, 0],
       [
@@ -193,7 +204,80 @@ describe('An export', () => {
       ],
     );
     const { indices, faces } = mesh.toTriangles();
-    expect(Array.from(indices)).toEqual([0, 1, 2, 0, 2, 3, 0, 3, 4, 5, 1, 0]);
+    expect(inOrder(indices)).toEqual(['0,1,3', '0,3,4', '0,5,1', '1,2,3']);
     expect(Array.from(faces)).toEqual([0, 0, 0, 1]);
+    expect(Array.from(indices.subarray(9))).toEqual([5, 1, 0]);
+  });
+
+  test('covers concave faces, never folds over, and changes nothing', () => {
+    for (let seed = 1; seed <= 50; seed++) {
+      using mesh = build(concavePolygon(seed));
+      const bytes = mesh.toBytes();
+      const { indices, faces } = mesh.toTriangles();
+      expect(faces).toEqual(new Uint32Array(mesh.degree(0 as Face) - 2));
+      let area = 0;
+      for (let i = 0; i < indices.length; i += 3) {
+        const [a, b, c] = Array.from(indices.subarray(i, i + 3), (v) => mesh.position(v as Vertex));
+        const twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        expect({ seed, isUpright: twice > 0 }).toEqual({ seed, isUpright: true });
+        area += twice / 2;
+      }
+      expect({ seed, area }).toEqual({ seed, area: expect.closeTo(mesh.area(), 4) });
+      expect(mesh.toBytes()).toEqual(bytes);
+      mesh.triangulate();
+      expect(inOrder(indices)).toEqual(inOrder(mesh.toTriangles().indices));
+    }
+  });
+
+  test('refuses no mesh for its diagonals', () => {
+    // Two darts with the same four corners, back to back.
+    using mesh = HalfedgeMesh.fromPolygons(
+      [0, 0, 0, 4, 0, 0, 1, 1, 0, 0, 4, 0],
+      [
+        [0, 1, 2, 3],
+        [3, 2, 1, 0],
+      ],
+    );
+    expect(() => mesh.triangulate()).toThrow(/which one across another face will join/);
+    const { indices, faces } = mesh.toTriangles();
+    expect(inOrder(indices)).toEqual(['0,1,2', '0,2,1', '0,2,3', '0,3,2']);
+    expect(Array.from(faces)).toEqual([0, 0, 1, 1]);
+  });
+
+  test('leaves out deleted faces and those of loops', () => {
+    using mesh = HalfedgeMesh.prism(6);
+    mesh.makeLoop();
+    mesh.deleteFace(2 as Face);
+    const { indices, faces } = mesh.toTriangles();
+    const expected = mesh
+      .faces()
+      .toArray()
+      .flatMap((f) => Array(Math.max(0, mesh.degree(f) - 2)).fill(f));
+    expect(Array.from(faces)).toEqual(expected);
+    faces.forEach((f, i) => {
+      const corners = mesh.faceVertices(f as Face).toArray();
+      for (const v of indices.subarray(3 * i, 3 * i + 3)) expect(corners).toContain(v);
+    });
+  });
+
+  test('tells in a sentence where links are broken', () => {
+    using mesh = build(quadGrid());
+    const { next, toVertex, faceHalfedge } = mesh.connectivity;
+    for (const [links, at] of [
+      [next, faceHalfedge[1]],
+      [toVertex, faceHalfedge[1]],
+      [faceHalfedge, 1],
+    ] as const) {
+      const was = links[at];
+      links[at] = 9999;
+      expect(() => mesh.toTriangles()).toThrow(
+        expect.objectContaining({
+          code: 'corrupt-connectivity',
+          message: expect.stringMatching(/^The ring around face 1 does not close, or leads to /),
+        }),
+      );
+      links[at] = was;
+    }
+    expect(mesh.validate()).toEqual([]);
   });
 });

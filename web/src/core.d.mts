@@ -53,6 +53,12 @@ export interface RawRows {
   items: RawWords;
 }
 
+/** Three corners for each triangle, and its face. */
+export interface RawTriangles {
+  corners: RawWords;
+  faces: RawWords;
+}
+
 /** What a repair has done. */
 export interface RawRepair {
   repairs: RawProblem[];
@@ -216,6 +222,13 @@ export interface RawCore {
   isClosed(mesh: number): boolean;
   /** Whether all faces have three, or else four, corners. */
   onlyTrianglesOrQuads(mesh: number, triangles: boolean): boolean;
+  /** `cornersAs` is a value of the enum CornersAs in C++. Of all faces, if `faces` is 0. */
+  toTriangles(
+    mesh: number,
+    cornersAs: number,
+    faces: number,
+    count: number,
+  ): RawTriangles | RawFailure;
   kRing(mesh: number, vertices: number, count: number, k: number): RawRows | RawFailure;
   /** `which` is a value of the enum Surroundings in C++. */
   surroundings(

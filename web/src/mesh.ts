@@ -386,8 +386,11 @@ export class HalfedgeMesh extends Shapes {
 
   /**
    * A copy of the live faces as an index buffer, for drawing, and for each triangle the face that it belongs
-   * to. Larger faces become fans around their first corner, which is correct for convex faces. Of a mesh with concave
-   * ones, call `triangulate()` on a {@link clone} first: the fan of a concave face covers too much.
+   * to: n - 2 triangles of a face of degree n, none of the faces of loops and segments, faces in ascending
+   * order. Larger faces may be concave, and nearly planar only: none of their triangles folds over, and a quad
+   * is cut along its shorter diagonal. They are cut as by {@link triangulate}, but each for itself, so that no
+   * mesh is refused; the mesh is not changed. O(slots), and what `triangulate` takes for larger faces. Throws
+   * `corrupt-connectivity` where links are broken, which live views allow to write; `out-of-memory`.
    */
   toTriangles(): { indices: Uint32Array; faces: Uint32Array } {
     return trianglesOf(linksOf(this));

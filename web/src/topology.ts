@@ -26,6 +26,8 @@ export interface Component {
 export type ValidationLevel = number | 'geometry';
 /** The number that 'geometry' has in C++. */
 const GEOMETRY = 5;
+/** What corners of triangles are named by, in C++. */
+const AS_VERTICES = 0;
 
 /** What is wrong with the mesh, up to a level. */
 export function problemsOf(links: Links, level: unknown): Problem[] {
@@ -100,24 +102,10 @@ export function polygonsOf(links: Links): { sizes: Uint32Array; corners: Uint32A
   return { sizes, corners: items };
 }
 
-/** The live faces cut into triangles, as fans around their first corners. */
+/** The live faces cut into triangles: the vertices of their corners. */
 export function trianglesOf(links: Links): { indices: Uint32Array; faces: Uint32Array } {
-  const { offsets, items } = rings(links, 'faceVertices', 'ccw');
-  let count = 0;
-  for (let f = 0; f + 1 < offsets.length; f++) {
-    count += Math.max(0, offsets[f + 1] - offsets[f] - 2); // faces of loops have one corner
-  }
-  const indices = new Uint32Array(3 * count);
-  const faces = new Uint32Array(count);
-  let triangle = 0;
-  for (let f = 0; f + 1 < offsets.length; f++) {
-    const first = offsets[f];
-    for (let i = first + 2; i < offsets[f + 1]; i++) {
-      indices[3 * triangle] = items[first];
-      indices[3 * triangle + 1] = items[i - 1];
-      indices[3 * triangle + 2] = items[i];
-      faces[triangle++] = f;
-    }
-  }
+  const { core, address } = links;
+  const raw = unwrap(core.toTriangles(address, AS_VERTICES, 0, 0));
+  const [indices, faces] = take(core, raw.corners, raw.faces);
   return { indices, faces };
 }
