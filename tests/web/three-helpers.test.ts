@@ -13,6 +13,7 @@ import {
 } from 'halfedge/three';
 import * as THREE from 'three';
 import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { random } from './support/random.js';
 
 beforeAll(() => init());
 
@@ -44,6 +45,40 @@ describe('HalfedgesHelper', () => {
         expect(sizes[2]).toBeCloseTo(1); // in the plane of a side of the cube
         expect(sizes[1]).toBeLessThan(0.999); // and not on an edge of it
       }
+    }
+  });
+
+  test('lies in the triangles that a bent quad is cut into, also where its diagonals are alike', () => {
+    const next = random(3);
+    for (let round = 0; round < 60; round++) {
+      const z = () => 0.5 * (next() - 0.5);
+      const x = round % 3 === 0 ? 0 : 0.2 * next();
+      const corners = [
+        [0, 0, z()],
+        [1 + x, 0, z()],
+        [1, 1, z()],
+        [0, 1, z()],
+      ];
+      if (round % 3 === 0) for (const i of [0, 1, 2, 3]) corners[i][2] = 0.2 * (i % 2);
+      const turned = corners.map((corner) => corner.map((_, i) => corner[(i + round) % 3]));
+      const mesh = HalfedgeMesh.fromPolygons(turned.flat(), [[0, 1, 2, 3]]);
+      const { indices } = mesh.toTriangles();
+      const triangles = [0, 3].map((at) => {
+        const [a, b, c] = [0, 1, 2].map(
+          (k) => new THREE.Vector3(...mesh.position(indices[at + k])),
+        );
+        return new THREE.Triangle(a, b, c);
+      });
+      const inside = segmentsOf(new HalfedgesHelper(mesh)).slice(0, 8);
+      const apart = inside
+        .flat()
+        .map((p) =>
+          Math.min(
+            ...triangles.map((t) => t.closestPointToPoint(p, new THREE.Vector3()).distanceTo(p)),
+          ),
+        );
+      expect({ round, apart: Math.max(...apart) }).toEqual({ round, apart: expect.closeTo(0, 5) });
+      mesh.dispose();
     }
   });
 

@@ -59,14 +59,13 @@ export function readGltfParts(
 
 /**
  * Writes a mesh as a GLB file, or as a glTF file with embedded buffers. Positions keep all their bits.
- * Polygons are cut into triangles, as by `mesh.triangulate()`; vertices are repeated if their corners have
+ * Polygons are cut into triangles, as by `mesh.toTriangles()`; vertices are repeated if their corners have
  * different attributes. The attributes `normal`, `uv` and `color` of vertices or halfedges are written.
  * `onNote` is told what is left out, and what was changed: normals are scaled to length 1, and colours brought
  * between 0 and 1. A mesh without faces becomes an empty scene.
  *
  * @throws HalfedgeError `missing-dependency` (three.js is not installed), `out-of-memory`, `disposed`,
- * `non-finite-position`, `no-triangulation` and the like if `mesh.triangulate()` fails, `write-error` if
- * three.js fails; TypeError or RangeError for wrong arguments
+ * `non-finite-position`, `write-error` if three.js fails; TypeError or RangeError for wrong arguments
  */
 export function writeGltf(
   mesh: HalfedgeMesh,

@@ -5,7 +5,7 @@ import { messageOf } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
-import { liveFaces, triangulateFaces } from '../three/triangulate.js';
+import { triangulateFaces } from '../three/triangulate.js';
 import type { OwnBytes } from '../write.js';
 import { withAlpha } from './colors.js';
 import { makeGlb } from './container.js';
@@ -64,7 +64,7 @@ function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
   }
   if (mesh.faceCount > 0) checkPositions(mesh);
   if (mesh.isTriangleMesh()) return writableBuffers(mesh, note);
-  const { halfedges, faces } = triangulateFaces(mesh, liveFaces(mesh));
+  const { halfedges, faces } = triangulateFaces(mesh);
   const cut = counted(mesh.faceCount, 'face', 'faces');
   note(`Cut ${cut} into ${counted(faces.length, 'triangle')}: glTF has no polygons.`);
   return writableBuffers(mesh, note, halfedges);

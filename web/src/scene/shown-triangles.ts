@@ -1,7 +1,7 @@
 import type { BufferAttribute } from 'three';
 import type { HalfedgeMesh } from '../mesh.js';
 import { TriangleIndex } from '../three/triangle-index.js';
-import { liveFaces, triangulateFaces } from '../three/triangulate.js';
+import { triangulateFaces } from '../three/triangulate.js';
 
 /** The triangles that faces are drawn as, in an index where each face keeps its place: edits upload what they change. */
 export class ShownTriangles {
@@ -42,7 +42,7 @@ export class ShownTriangles {
   /** All faces anew, in their order. */
   fill(mesh: HalfedgeMesh): void {
     this.#hidden.clear();
-    this.#index.fill(mesh, triangulateFaces(mesh, liveFaces(mesh)));
+    this.#index.fill(mesh, triangulateFaces(mesh));
     this.#index.buffer.forget();
     this.index.needsUpdate = true;
     this.#isInOrder = true;

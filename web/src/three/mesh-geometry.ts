@@ -19,7 +19,7 @@ import { ItemSet } from './item-set.js';
 import { MeshChanges } from './mesh-changes.js';
 import type { RowBuffer } from './rows.js';
 import { TriangleIndex } from './triangle-index.js';
-import { liveFaces, triangulateFaces } from './triangulate.js';
+import { triangulateFaces } from './triangulate.js';
 import { VertexRows } from './vertex-rows.js';
 import { toBufferGeometry } from './write.js';
 
@@ -206,7 +206,7 @@ export class MeshGeometry extends BufferGeometry {
   #rebuild(): void {
     const { mesh } = this;
     this.#changes.skip(mesh);
-    const triangles = triangulateFaces(mesh, liveFaces(mesh));
+    const triangles = triangulateFaces(mesh);
     this.#triangles.fill(mesh, triangles);
     this.#rows.fill(triangles);
     this.setDrawRange(0, 3 * this.#triangles.slots.end);

@@ -6,7 +6,7 @@ import { checkOptions } from '../options.js';
 import { morphName } from './attributes.js';
 import { checkMesh, columnsToShow, GEOMETRY_OPTIONS, type GeometryOptions } from './columns.js';
 import { GROUP } from './read.js';
-import { type FaceTriangles, liveFaces, triangulateFaces } from './triangulate.js';
+import { type FaceTriangles, triangulateFaces } from './triangulate.js';
 
 /** How to make a geometry from a mesh. */
 export interface ToGeometryOptions extends GeometryOptions {
@@ -48,7 +48,7 @@ export function toBufferGeometry(
   const columns = columnsToShow(mesh, options);
   const geometry = new BufferGeometry();
   const info = mesh.attributes.list().find(({ kind, name }) => kind === 'face' && name === GROUP);
-  let triangles = triangulateFaces(mesh, liveFaces(mesh));
+  let triangles = triangulateFaces(mesh);
   if (groups && info?.components === 1) {
     triangles = inGroups(triangles, mesh.attributes.get('face', GROUP), geometry);
   }
