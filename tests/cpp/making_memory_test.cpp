@@ -27,8 +27,8 @@ bool is_out_of_memory(const Result<T>& result) {
   const Snapshot before(mesh);
   const Result<Array<std::uint8_t>> bytes = to_bytes(mesh);
   const std::vector<Index> some = {0, 5};
-  const Mesh polygon = shapes::mesh_of(shapes::prism(100000)).value();
-  const std::vector<Index> face = {0};
+  const Mesh prism = shapes::mesh_of(shapes::prism(100000)).value();
+  const std::vector<Index> base = {100000};
   Mesh empty;
   use_up_memory();
   if (!is_out_of_memory(shapes::grid(900, 900))) std::_Exit(2);
@@ -42,7 +42,7 @@ bool is_out_of_memory(const Result<T>& result) {
   if (!is_out_of_memory(k_ring(mesh, some, kNone))) std::_Exit(9);
   if (!is_out_of_memory(star(mesh, {.faces = some}))) std::_Exit(10);
   if (!is_out_of_memory(to_triangles(mesh))) std::_Exit(11);
-  if (!is_out_of_memory(to_triangles(polygon, face))) std::_Exit(12);
+  if (!is_out_of_memory(to_triangles(prism, base))) std::_Exit(12);
   // Whatever of this was done in part is gone.
   leave(empty.vertex_slots() == 0 && mesh.halfedge_slots() == before.links[0].size() &&
         std::equal(before.links[0].begin(), before.links[0].end(), mesh.links().next.begin()));
@@ -52,6 +52,29 @@ TEST(MakingDeathTest, WithoutMemoryIsAnErrorAndChangesNothing) {
   HALFEDGE_NEEDS_A_MEMORY_LIMIT();
   EXPECT_EXIT(make_without_memory(), testing::ExitedWithCode(0), "");
 }
+
+#if defined(HALFEDGE_CAN_LIMIT_MEMORY)
+
+// A face of many corners, whose triangles take memory in many places.
+[[noreturn]] void cut_with_more_and_more_memory() {
+  constexpr Index kCorners = 20000;
+  const Mesh prism = shapes::mesh_of(shapes::prism(kCorners)).value();
+  const std::vector<Index> base = {kCorners};
+  constexpr std::size_t kStep = std::size_t{16} << 10U;
+  for (int failures = 0;; ++failures) {
+    leave_memory(kStep * std::size_t(failures));
+    const Result<TriangleList> triangles = to_triangles(prism, base);
+    stop_limiting_memory();
+    if (!triangles && is_out_of_memory(triangles)) continue;
+    leave(triangles.ok() && triangles.value().faces.size() == kCorners - 2 && failures > 8);
+  }
+}
+
+TEST(MakingDeathTest, TrianglesComeWholeOrNotAtAll) {
+  EXPECT_EXIT(cut_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
+}
+
+#endif
 
 }  // namespace
 }  // namespace halfedge::test

@@ -366,10 +366,16 @@ TEST(Triangles, OfACorruptMeshAreAnErrorOrNameWhatIsThere) {
   EXPECT_GT(errors, 2000);
 
   Mesh broken = reference_build(cube());
-  broken.mutable_links().next[broken.face_halfedge(Face(2)).index()] = 99;
-  EXPECT_EQ(to_triangles(broken).error().message,
-            "the ring around face 2 does not close, or leads to vertices that don't exist: "
-            "validate names the broken links");
+  const Index h = broken.face_halfedge(Face(2)).index();
+  for (Array<Index>* const links :
+       {&broken.mutable_links().next, &broken.mutable_links().to_vertex}) {
+    const Index was = std::exchange((*links)[h], 99);
+    EXPECT_EQ(to_triangles(broken).error().message,
+              "the ring around face 2 does not close, or leads to vertices that don't exist: "
+              "validate names the broken links");
+    (*links)[h] = was;
+  }
+  EXPECT_TRUE(to_triangles(broken).ok());
   ASSERT_TRUE(broken.mutable_links().next.resize(3));
   EXPECT_EQ(to_triangles(broken).error().code, "corrupt-connectivity");
 }
