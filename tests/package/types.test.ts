@@ -4,7 +4,7 @@ import { filesBelow } from '../../scripts/lib/files.mjs';
 import { install, packed, project, tool, tryNode } from './support/project.js';
 
 const consumer = `
-import { type Box, type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type Items, NONE, type Reference, type Refusal, type Vertex, type XYZ } from 'halfedge';
+import { type Box, type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type EdgeLike, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type ItemList, type Items, type MeshPart, NONE, type Reference, type Refusal, type Vertex, type XYZ } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { type GltfPart, readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
@@ -76,8 +76,13 @@ export function byKind(mesh: HalfedgeMesh, directed: DirectedEdgesMesh, v: Verte
   if (mesh.checkDeleteComponent('halfedge', mesh.findHalfedge(v, 0)) === null) mesh.deleteComponent('face', f);
   const items: Items = { vertices: [v, 1], edges: words, faces: undefined };
   mesh.link(mesh.star(items));
-  mesh.allFaceVertices('cw', mesh.kRing(mesh.vertices().toArray(), 2).items);
+  mesh.allFaceVertices('cw', mesh.kRing(mesh.vertices(), 2).items);
   mesh.allEdgeFaces([...mesh.vertexEdges(v)]);
+  mesh.allEdgeFaces(mesh.vertexEdges(v));
+  const part: MeshPart = mesh.extract(new Set([f, 2]));
+  const seam: ItemList<EdgeLike> = mesh.vertexEdges(part.vertices[0]);
+  const copies: Halfedge[] = mesh.cutEdges(seam);
+  mesh.star({ faces: mesh.vertexFaces(mesh.toVertex(copies[0])) });
   const reference: Reference = mesh.generations.reference('face', f);
   mesh.generations.isCurrent({ kind: 'face', index: reference.index, generation: 1 });
   return mesh.generations.reference('vertex', ring.current).index;
@@ -117,6 +122,8 @@ declare const someFace: Face;
 mesh.next(someFace);
 // @ts-expect-error A halfedge is no vertex.
 mesh.valence(mesh.faceHalfedge(0));
+// @ts-expect-error Vertices are no faces.
+mesh.extract(mesh.vertices());
 // @ts-expect-error A string is no index.
 mesh.next('0');
 // @ts-expect-error There are two directions.

@@ -1,4 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, type ItemKind, init } from 'halfedge';
+import { Color, Vector3 } from 'three';
 import { growMemory } from './support/core.js';
 import { expectRefused, stateOf } from './support/editing.js';
 import { quadGrid, tetrahedron } from './support/meshes.js';
@@ -30,6 +31,8 @@ describe('The positions', () => {
       'attribute-exists',
     );
     expect(() => attributes.remove('vertex', 'position')).toThrow(RangeError);
+    attributes.set('vertex', 'position', 3, new Vector3(1, 2, 3));
+    expect(attributes.values('vertex', 'position', 3)).toEqual([1, 2, 3]);
     expect(() => attributes.set('vertex', 'position', 99, [0, 0, 0])).toThrow('item is 99');
     expect(() => attributes.set('vertex', 'position', 0, [0, 0])).toThrow(RangeError);
     attributes.add('face', 'position');
@@ -72,6 +75,19 @@ describe('An attribute', () => {
     for (const other of ['vertex', 'halfedge', 'edge', 'face'] as const) {
       if (other !== kind) expect(mesh.attributes.has(other, 'a')).toBe(false);
     }
+  });
+
+  test('takes vectors and colours of three.js, with as many numbers as it has components', () => {
+    using mesh = grid();
+    const { attributes } = mesh;
+    attributes.add('face', 'rgb', { components: 3, default: new Color(0.25, 0.5, 0.75) });
+    attributes.set('face', 'rgb', 2, new Color(1, 0.5, 0));
+    expect(attributes.values('face', 'rgb', 1)).toEqual([0.25, 0.5, 0.75]);
+    expect(attributes.values('face', 'rgb', 2)).toEqual([1, 0.5, 0]);
+    attributes.add('vertex', 'uv', { components: 2 });
+    expect(() => attributes.set('vertex', 'uv', 0, new Vector3(1, 2, 3))).toThrow(
+      new RangeError('values is an array of 3 elements; expected a number, or 2 of them.'),
+    );
   });
 
   test('follows its policy when an edge is split', () => {

@@ -1,4 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { Vector2, Vector3 } from 'three';
 import { growMemory } from './support/core.js';
 import { stateOf } from './support/editing.js';
 import { annulus, build, quadGrid } from './support/meshes.js';
@@ -162,6 +163,19 @@ describe('Whatever the operation', () => {
       }
     }
     expect(stateOf(mesh)).toEqual(before);
+  });
+
+  test.each([...positioned, 'setPosition'])('%s takes a vector of three.js', (name) => {
+    using mesh = octahedron();
+    using same = octahedron();
+    const at = (place: unknown) => (name === 'addVertex' ? [place] : [0, place]);
+    edit(mesh, name, at(new Vector3(0.5, 1, 2))).run();
+    edit(same, name, at([0.5, 1, 2])).run();
+    expect(stateOf(mesh)).toEqual(stateOf(same));
+    using other = octahedron();
+    expect(edit(other, name, at(new Vector2(0.5, 1))).run).toThrow(
+      /^position is an array of 2 elements; expected three numbers, x, y and z/,
+    );
   });
 
   test('circulators, orbits and lists of items that it has ended say so', () => {

@@ -102,6 +102,35 @@ describe('Star, closure and link', () => {
     expect(arrays(mesh.star({}))).toEqual({ vertices: [], edges: [], faces: [] });
   });
 
+  test('take items in a Set, or as a range', () => {
+    using mesh = HalfedgeMesh.torus(6, 5);
+    const around = mesh.vertexFaces(7).toArray();
+    const star = mesh.star({ faces: around });
+    expect(mesh.star({ faces: new Set(around) })).toEqual(star);
+    expect(mesh.star({ faces: mesh.vertexFaces(7) })).toEqual(star);
+    expect(mesh.kRing(mesh.faceVertices(3), 1)).toEqual(
+      mesh.kRing(mesh.faceVertices(3).toArray(), 1),
+    );
+    expect(mesh.allEdgeFaces(mesh.vertexEdges(7))).toEqual(
+      mesh.allEdgeFaces('ccw', mesh.vertexEdges(7).toArray()),
+    );
+    expect(mesh.allVertexFaces('cw', new Set([4, 2]).values())).toEqual(
+      mesh.allVertexFaces('cw', [4, 2]),
+    );
+    using part = mesh.extract(mesh.vertexFaces(7)).mesh;
+    expect(part.faceCount).toBe(4);
+    expect(mesh.cutEdges(mesh.vertexEdges(7))).toHaveLength(4);
+    const corners = mesh.faceVertices(20).toArray();
+    mesh.deleteFace(20, { keepIsolatedVertices: true });
+    expect(mesh.addFace(new Set(corners))).toBe(20);
+    const refused = { faces: new Set([3, 99]) };
+    expect(() => mesh.star(refused)).toThrow('items.faces[1] is 99; expected a face from 0 to 29.');
+    expect(() => mesh.extract(new Map([[1, 2]]) as never)).toThrow(
+      'faces[0] is an array of 2 elements; expected an index',
+    );
+    expect(() => mesh.extract('12' as never)).toThrow('faces is "12"; expected an array');
+  });
+
   test('refuse what are no items, and leak nothing', () => {
     using mesh = HalfedgeMesh.cube();
     const before = bytesInUse();

@@ -31,6 +31,7 @@ export {
   type HalfedgeLike,
   type ItemKind,
   type ItemLike,
+  type ItemList,
   type ItemOf,
   NONE,
   type Vertex,

@@ -1,4 +1,4 @@
-import { describe, lengthOfArrayLike } from './arguments.js';
+import { describe, lengthOfArrayLike, listFrom } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { checkGivenPosition, done, KINDS, kindIndex, modeOf } from './edit.js';
 import { HalfedgeError } from './errors.js';
@@ -44,7 +44,7 @@ export interface AttributeOptions<Type extends AttributeType = AttributeType> {
   /** Numbers for each item, 1 to 16. Default: 1. */
   components?: number | undefined;
   /** The value of new items: one number for all components, or one for each. Default: 0. */
-  default?: number | ArrayLike<number> | undefined;
+  default?: number | ArrayLike<number> | Iterable<number> | undefined;
   /** Default: 'interpolate'. */
   onSplit?: OnSplit | undefined;
   /** Ignored, so that you can pass an entry of {@link Attributes.list}, of this mesh or another one. */
@@ -202,14 +202,15 @@ export class Attributes {
   }
 
   /**
-   * Sets the values of one item: one number, or one for each component. Like writing to the view, except that
-   * history records it. For integer types, numbers are rounded and clamped to the range; NaN is refused.
+   * Sets the values of one item: one number, or one for each component, as an array, or as a vector or colour
+   * of three.js. Like writing to the view, except that history records it. For integer types, numbers are
+   * rounded and clamped to the range; NaN is refused.
    */
   set<Kind extends ItemKind>(
     kind: Kind,
     name: string,
     item: ItemLike<Kind>,
-    values: number | ArrayLike<number>,
+    values: number | ArrayLike<number> | Iterable<number>,
   ): void {
     const links = this.#links;
     if (this.#isPosition(kind, name)) {
@@ -357,10 +358,10 @@ function numbersOf(
     return new Array(components).fill(given);
   }
   const expected = `a number, or ${components === 1 ? 'an array of one' : `${components} of them`}`;
-  if (lengthOfArrayLike(argument, given, expected) !== components) {
-    throw new RangeError(`${argument} is ${describe(given)}; expected ${expected}.`);
+  const list = listFrom(given) as ArrayLike<unknown>;
+  if (lengthOfArrayLike(argument, list, expected) !== components) {
+    throw new RangeError(`${argument} is ${describe(list)}; expected ${expected}.`);
   }
-  const list = given as ArrayLike<unknown>;
   const numbers: number[] = [];
   for (let i = 0; i < components; i++) {
     const value = list[i];

@@ -1,4 +1,4 @@
-import type { Direction, EdgeLike, FaceLike, VertexLike } from './items.js';
+import type { Direction, EdgeLike, FaceLike, ItemList, VertexLike } from './items.js';
 import { linksOf, Navigation } from './navigation.js';
 import { type Rows, rings } from './rings.js';
 
@@ -18,7 +18,7 @@ export abstract class BulkRings extends Navigation {
   /** Row v: the one-ring vertices of vertex v. */
   allVertexVertices(
     direction: Direction = 'ccw',
-    vertices?: ArrayLike<VertexLike>,
+    vertices?: ItemList<VertexLike>,
     into?: Rows,
   ): Rows {
     return rings(linksOf(this), 'vertexVertices', direction, vertices, into);
@@ -26,7 +26,7 @@ export abstract class BulkRings extends Navigation {
   /** Row v: the halfedges that leave vertex v. */
   allVertexOutgoingHalfedges(
     direction: Direction = 'ccw',
-    vertices?: ArrayLike<VertexLike>,
+    vertices?: ItemList<VertexLike>,
     into?: Rows,
   ): Rows {
     return rings(linksOf(this), 'vertexOutgoingHalfedges', direction, vertices, into);
@@ -34,63 +34,55 @@ export abstract class BulkRings extends Navigation {
   /** Row v: the halfedges that arrive at vertex v. */
   allVertexIncomingHalfedges(
     direction: Direction = 'ccw',
-    vertices?: ArrayLike<VertexLike>,
+    vertices?: ItemList<VertexLike>,
     into?: Rows,
   ): Rows {
     return rings(linksOf(this), 'vertexIncomingHalfedges', direction, vertices, into);
   }
   /** Row v: the edges at vertex v. */
-  allVertexEdges(
-    direction: Direction = 'ccw',
-    vertices?: ArrayLike<VertexLike>,
-    into?: Rows,
-  ): Rows {
+  allVertexEdges(direction: Direction = 'ccw', vertices?: ItemList<VertexLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'vertexEdges', direction, vertices, into);
   }
   /** Row v: the faces at vertex v. */
-  allVertexFaces(
-    direction: Direction = 'ccw',
-    vertices?: ArrayLike<VertexLike>,
-    into?: Rows,
-  ): Rows {
+  allVertexFaces(direction: Direction = 'ccw', vertices?: ItemList<VertexLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'vertexFaces', direction, vertices, into);
   }
   /** Row f: the corners of face f. */
-  allFaceVertices(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+  allFaceVertices(direction: Direction = 'ccw', faces?: ItemList<FaceLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'faceVertices', direction, faces, into);
   }
   /** Row f: the halfedges of face f. */
-  allFaceHalfedges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+  allFaceHalfedges(direction: Direction = 'ccw', faces?: ItemList<FaceLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'faceHalfedges', direction, faces, into);
   }
   /** Row f: the edges of face f. */
-  allFaceEdges(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+  allFaceEdges(direction: Direction = 'ccw', faces?: ItemList<FaceLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'faceEdges', direction, faces, into);
   }
   /** Row f: the neighbours across each edge of face f. */
-  allFaceFaces(direction: Direction = 'ccw', faces?: ArrayLike<FaceLike>, into?: Rows): Rows {
+  allFaceFaces(direction: Direction = 'ccw', faces?: ItemList<FaceLike>, into?: Rows): Rows {
     return rings(linksOf(this), 'faceFaces', direction, faces, into);
   }
   /** Row e: the two ends of edge e. Side 0 comes first. */
   allEdgeVertices(
-    direction?: Direction | ArrayLike<EdgeLike>,
-    edges?: ArrayLike<EdgeLike>,
+    direction?: Direction | ItemList<EdgeLike>,
+    edges?: ItemList<EdgeLike>,
     into?: Rows,
   ): Rows {
     return ringsOfEdges(this, 'edgeVertices', direction, edges, into);
   }
   /** Row e: the two halfedges of edge e. Side 0 comes first. */
   allEdgeHalfedges(
-    direction?: Direction | ArrayLike<EdgeLike>,
-    edges?: ArrayLike<EdgeLike>,
+    direction?: Direction | ItemList<EdgeLike>,
+    edges?: ItemList<EdgeLike>,
     into?: Rows,
   ): Rows {
     return ringsOfEdges(this, 'edgeHalfedges', direction, edges, into);
   }
   /** Row e: the one or two faces of edge e. Side 0 comes first. */
   allEdgeFaces(
-    direction?: Direction | ArrayLike<EdgeLike>,
-    edges?: ArrayLike<EdgeLike>,
+    direction?: Direction | ItemList<EdgeLike>,
+    edges?: ItemList<EdgeLike>,
     into?: Rows,
   ): Rows {
     return ringsOfEdges(this, 'edgeFaces', direction, edges, into);
@@ -101,8 +93,8 @@ export abstract class BulkRings extends Navigation {
 function ringsOfEdges(
   mesh: BulkRings,
   kind: 'edgeVertices' | 'edgeHalfedges' | 'edgeFaces',
-  direction: Direction | ArrayLike<EdgeLike> = 'ccw',
-  edges?: ArrayLike<EdgeLike>,
+  direction: Direction | ItemList<EdgeLike> = 'ccw',
+  edges?: ItemList<EdgeLike>,
   into?: Rows,
 ): Rows {
   const isList = typeof direction === 'object' && direction !== null && edges === undefined;

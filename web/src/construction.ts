@@ -21,6 +21,7 @@ import type {
   Halfedge,
   ItemKind,
   ItemLike,
+  ItemList,
   Vertex,
   VertexLike,
 } from './items.js';
@@ -113,7 +114,7 @@ export abstract class Construction extends Geometry {
    * `opposite-orientation` (a neighbour runs along an edge in the same direction), `pinched-vertex` (some
    * faces around a vertex form, or would form, a closed fan, and the vertex has others besides)
    */
-  addFace(vertices: ArrayLike<VertexLike>): Face {
+  addFace(vertices: ItemList<VertexLike>): Face {
     const links = linksOf(this);
     const add = (address: number, count: number) =>
       links.core._add_face(links.address, modeOf(links), address, count);
@@ -121,7 +122,7 @@ export abstract class Construction extends Geometry {
   }
 
   /** Why {@link addFace} would be refused, or null. */
-  checkAddFace(vertices: ArrayLike<VertexLike>): Refusal | null {
+  checkAddFace(vertices: ItemList<VertexLike>): Refusal | null {
     const links = linksOf(this);
     const check = (address: number, count: number) =>
       links.core._add_face(links.address, CHECK_ONLY, address, count);

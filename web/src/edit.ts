@@ -1,7 +1,7 @@
-import { describe, lengthOfArrayLike, newArray } from './arguments.js';
+import { describe, lengthOfArrayLike, listFrom, newArray } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
-import type { ItemKind } from './items.js';
+import type { ItemKind, ItemList } from './items.js';
 import { checkItem, type Links } from './links.js';
 import { outOfMemory, withInputs } from './memory.js';
 import { takeRefusal } from './refusal.js';
@@ -37,8 +37,8 @@ export function kindIndex(kind: unknown, argument = 'kind'): number {
   return indexOfChoice(argument, kind, KINDS);
 }
 
-/** A place for a vertex: x, y, z. */
-export type Position = ArrayLike<number>;
+/** A place for a vertex: x, y, z, as an array, or as what can be iterated over, such as a Vector3 of three.js. */
+export type Position = ArrayLike<number> | Iterable<number>;
 
 /** The mode of an edit: whether it ends a step of history. */
 export function modeOf(links: Links): number {
@@ -81,17 +81,18 @@ export function checkGivenPosition(
   argument = 'position',
 ): [x: number, y: number, z: number] {
   const expected = 'three numbers, x, y and z';
-  if (lengthOfArrayLike(argument, position, expected) !== 3) {
-    throw new RangeError(`${argument} is ${describe(position)}; expected ${expected}.`);
+  const list = listFrom(position) as ArrayLike<number>;
+  if (lengthOfArrayLike(argument, list, expected) !== 3) {
+    throw new RangeError(`${argument} is ${describe(list)}; expected ${expected}.`);
   }
   return [
-    coordinate(position, 0, argument),
-    coordinate(position, 1, argument),
-    coordinate(position, 2, argument),
+    coordinate(list, 0, argument),
+    coordinate(list, 1, argument),
+    coordinate(list, 2, argument),
   ];
 }
 
-function coordinate(position: Position, i: number, argument: string): number {
+function coordinate(position: ArrayLike<number>, i: number, argument: string): number {
   const value: unknown = position[i];
   if (typeof value === 'number' && Number.isFinite(Math.fround(value))) return value;
   refuse(`${argument}[${i}]`, value, 'a finite number that fits a 32-bit float', 'number');
@@ -115,10 +116,11 @@ let shortItems: Uint32Array | undefined;
 export function withList(
   links: Links,
   argument: string,
-  list: ArrayLike<number>,
+  source: ItemList<number>,
   kind: ListedKind,
   use: (address: number, count: number) => number,
 ): number {
+  const list = listFrom(source) as ArrayLike<number>;
   links.revive();
   const { core } = links;
   const count = lengthOfArrayLike(argument, list, `an array of ${PLURALS[kind]}`);

@@ -24,6 +24,14 @@ export type EdgeLike = Edge | PlainNumber;
 /** A face as an argument; like {@link VertexLike}. */
 export type FaceLike = Face | PlainNumber;
 
+/**
+ * Items as an argument: an array, a typed array, or what can be iterated over, such as a Set or a range
+ * (`mesh.vertexFaces(v)`).
+ */
+export type ItemList<Item extends PlainNumber | Vertex | Halfedge | Edge | Face> =
+  | ArrayLike<Item>
+  | Iterable<Item>;
+
 /** An item of a kind as an argument; like {@link VertexLike}. */
 export type ItemLike<Kind extends ItemKind = ItemKind> = Indices[Kind] | PlainNumber;
 /** An item of a kind, as the mesh hands it out; a plain number where the kind may be any. */

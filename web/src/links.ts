@@ -1,4 +1,4 @@
-import { describe, indices, type NumberArray } from './arguments.js';
+import { describe, indices, listFrom, type NumberArray } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
 import { type ItemKind, NONE } from './items.js';
@@ -418,7 +418,7 @@ export function listOfItems(
   argument: string,
   value: unknown,
 ): NumberArray {
-  const list = indices(argument, value);
+  const list = indices(argument, listFrom(value));
   links.revive();
   const starts = { vertex: links.vertexHalfedge, edge: links.next, face: links.faceHalfedge }[kind];
   const stride = kind === 'edge' ? 2 : 1;

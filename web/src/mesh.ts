@@ -17,7 +17,7 @@ import { answer, type Refusal } from './edit.js';
 import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import { printed } from './inspect.js';
-import type { FaceLike, Halfedge } from './items.js';
+import type { FaceLike, Halfedge, ItemList } from './items.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
@@ -291,14 +291,14 @@ export class HalfedgeMesh extends Shapes {
    *
    * ```ts
    * const parts = mesh.components().map(({ faces }) => mesh.extract(faces).mesh);
-   * const { mesh: patch, vertices } = mesh.extract(mesh.star({ vertices: [v] }).faces);
+   * const { mesh: patch, vertices } = mesh.extract(mesh.vertexFaces(v));
    * // ... edit or solve on `patch`, then bring it back:
    * for (const w of patch.vertices()) mesh.setPosition(vertices[w], patch.position(w));
    * ```
    *
    * @throws HalfedgeError `corrupt-connectivity`, `out-of-memory`
    */
-  extract(faces: ArrayLike<FaceLike>): MeshPart {
+  extract(faces: ItemList<FaceLike>): MeshPart {
     const { part, items } = extractLinks(linksOf(this), faces);
     return { mesh: new HalfedgeMesh(part), ...items };
   }

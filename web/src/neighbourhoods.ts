@@ -2,7 +2,7 @@ import { describe } from './arguments.js';
 import { refuse } from './checks.js';
 import type { RawWords } from './core.mjs';
 import { Editing } from './editing.js';
-import type { EdgeLike, FaceLike, VertexLike } from './items.js';
+import type { EdgeLike, FaceLike, ItemList, VertexLike } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -13,9 +13,9 @@ import { type Rows, take } from './rings.js';
 
 /** Some items of a mesh, in any order. */
 export interface Items {
-  readonly vertices?: ArrayLike<VertexLike> | undefined;
-  readonly edges?: ArrayLike<EdgeLike> | undefined;
-  readonly faces?: ArrayLike<FaceLike> | undefined;
+  readonly vertices?: ItemList<VertexLike> | undefined;
+  readonly edges?: ItemList<EdgeLike> | undefined;
+  readonly faces?: ItemList<FaceLike> | undefined;
 }
 
 /** Some items of a mesh, each once, in ascending order. Can be passed wherever {@link Items} are expected. */
@@ -59,7 +59,7 @@ export abstract class Neighbourhoods extends Editing {
    * const { offsets, items } = mesh.kRing(v, 2); // items.subarray(offsets[2]): the second ring alone
    * ```
    */
-  kRing(vertices: VertexLike | ArrayLike<VertexLike>, k: number): Rows {
+  kRing(vertices: VertexLike | ItemList<VertexLike>, k: number): Rows {
     const links = linksOf(this);
     const { core } = links;
     if (typeof vertices === 'number') links.checkVertex(vertices, 'vertices');

@@ -1,7 +1,7 @@
 import { newArray, typedArrayName } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
-import type { Direction } from './items.js';
+import type { Direction, ItemList } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -41,7 +41,7 @@ export function rings(
   links: Links,
   kind: RingKind,
   direction: Direction,
-  centres?: ArrayLike<number>,
+  centres?: ItemList<number>,
   into?: Rows,
 ): Rows {
   if (into !== undefined) checkRows(into);

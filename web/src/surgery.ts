@@ -1,7 +1,7 @@
 import { checkCount } from './checks.js';
 import { answer, CHECK_ONLY, done, modeOf, type Refusal, withList } from './edit.js';
 import { EulerOperations } from './euler.js';
-import type { Edge, EdgeLike, Halfedge, HalfedgeLike } from './items.js';
+import type { Edge, EdgeLike, Halfedge, HalfedgeLike, ItemList } from './items.js';
 import { linksOf } from './navigation.js';
 
 /**
@@ -97,7 +97,7 @@ export abstract class Surgery extends EulerOperations {
    * @returns the copy, without a face, of the last halfedge of the path
    * @throws HalfedgeError `not-a-path`, `loop-edge`, `boundary-edge`, `no-boundary-end`
    */
-  cutPath(path: ArrayLike<HalfedgeLike>): Halfedge {
+  cutPath(path: ItemList<HalfedgeLike>): Halfedge {
     const links = linksOf(this);
     const cut = (address: number, count: number) =>
       links.core._cut_path(links.address, modeOf(links), address, count);
@@ -105,7 +105,7 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /** Why {@link cutPath} would be refused, or null. */
-  checkCutPath(path: ArrayLike<HalfedgeLike>): Refusal | null {
+  checkCutPath(path: ItemList<HalfedgeLike>): Refusal | null {
     const links = linksOf(this);
     const check = (address: number, count: number) =>
       links.core._cut_path(links.address, CHECK_ONLY, address, count);
@@ -128,7 +128,7 @@ export abstract class Surgery extends EulerOperations {
    * @throws HalfedgeError `loop-edge`, `boundary-edge`, `repeated-edge`, `no-boundary-end` (an edge of which
    * neither end lies on the boundary or at another of the edges: both copies would join the same vertices)
    */
-  cutEdges(edges: ArrayLike<EdgeLike>): Halfedge[] {
+  cutEdges(edges: ItemList<EdgeLike>): Halfedge[] {
     const links = linksOf(this);
     let copies: Halfedge[] = [];
     const cut = (address: number, count: number) => {
@@ -143,7 +143,7 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /** Why {@link cutEdges} would be refused, or null. */
-  checkCutEdges(edges: ArrayLike<EdgeLike>): Refusal | null {
+  checkCutEdges(edges: ItemList<EdgeLike>): Refusal | null {
     const links = linksOf(this);
     const check = (address: number, count: number) =>
       links.core._cut_edges(links.address, CHECK_ONLY, address, count);
@@ -160,7 +160,7 @@ export abstract class Surgery extends EulerOperations {
    * @returns a halfedge of the second new face; the first is that of `cycle[0]`
    * @throws HalfedgeError `not-a-cycle`, `repeated-vertex`
    */
-  splitLoop(cycle: ArrayLike<HalfedgeLike>): Halfedge {
+  splitLoop(cycle: ItemList<HalfedgeLike>): Halfedge {
     const links = linksOf(this);
     const split = (address: number, count: number) =>
       links.core._split_loop(links.address, modeOf(links), address, count);
@@ -168,7 +168,7 @@ export abstract class Surgery extends EulerOperations {
   }
 
   /** Why {@link splitLoop} would be refused, or null. */
-  checkSplitLoop(cycle: ArrayLike<HalfedgeLike>): Refusal | null {
+  checkSplitLoop(cycle: ItemList<HalfedgeLike>): Refusal | null {
     const links = linksOf(this);
     const check = (address: number, count: number) =>
       links.core._split_loop(links.address, CHECK_ONLY, address, count);

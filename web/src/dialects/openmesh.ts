@@ -1,5 +1,5 @@
 import { describe } from '../arguments.js';
-import { checkGivenPosition } from '../edit.js';
+import { checkGivenPosition, type Position } from '../edit.js';
 import { named, printed } from '../inspect.js';
 import type { Direction, ItemKind } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
@@ -208,7 +208,7 @@ export class PolyMesh {
     const at = 3 * ofVertex(v);
     return [positions[at] as number, positions[at + 1] as number, positions[at + 2] as number];
   }
-  set_point(v: VertexHandle, point: ArrayLike<number>): void {
+  set_point(v: VertexHandle, point: Position): void {
     const at = ofVertex(v);
     this.mesh.vertexHalfedge(at);
     this.mesh.positions.set(checkGivenPosition(point, 'point'), 3 * at);
