@@ -16,13 +16,6 @@
 namespace halfedge::test {
 namespace {
 
-template <class Mesh>
-Mesh copy_of(const Mesh& mesh) {
-  Mesh copy;
-  EXPECT_TRUE(copy.assign(mesh));
-  return copy;
-}
-
 TEST(Append, CopiesLiveItemsAndLeavesTheOthersAlone) {
   std::uint32_t seed = 0;
   for (const Shape& shape : all_shapes()) {

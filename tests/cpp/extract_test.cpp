@@ -16,13 +16,6 @@ namespace halfedge::test {
 namespace {
 
 template <class Mesh>
-Mesh copy_of(const Mesh& mesh) {
-  Mesh copy;
-  EXPECT_TRUE(copy.assign(mesh));
-  return copy;
-}
-
-template <class Mesh>
 std::vector<Index> all_faces(const Mesh& mesh) {
   std::vector<Index> faces;
   for (const Face f : mesh.faces()) faces.push_back(f.index());
