@@ -1,7 +1,7 @@
 import { describe, lengthOfArrayLike, listFrom, newArray } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import { HalfedgeError, type Witness } from './errors.js';
-import type { ItemKind, ItemList } from './items.js';
+import { type ItemKind, type ItemList, PLURALS } from './items.js';
 import { checkItem, type Links } from './links.js';
 import { outOfMemory, withInputs } from './memory.js';
 import { takeRefusal } from './refusal.js';
@@ -100,8 +100,6 @@ function coordinate(position: ArrayLike<number>, i: number, argument: string): n
 
 /** What lists for the core are of. */
 type ListedKind = 'vertex' | 'halfedge' | 'edge';
-
-const PLURALS = { vertex: 'vertices', halfedge: 'halfedges', edge: 'edges' };
 
 /** The room for a list in the core, in place: most are short. */
 let shortList = new Uint32Array(0);

@@ -1,7 +1,7 @@
 import { newArray, typedArrayName } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
 import type { RawFailure, RawRows, RawWords } from './core.mjs';
-import type { Direction, ItemList } from './items.js';
+import { type Direction, type ItemList, PLURALS } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -26,9 +26,6 @@ export const RING_KINDS = [
 /** A kind of ring: what one item is surrounded by. */
 export type RingKind = (typeof RING_KINDS)[number];
 
-/** What a list of such items is called. */
-const LISTS = { vertex: 'vertices', edge: 'edges', face: 'faces' } as const;
-
 /** Rows of items, compressed: row i is `items.subarray(offsets[i], offsets[i + 1])`. */
 export interface Rows {
   /** One more than there are rows. */
@@ -50,7 +47,7 @@ export function rings(
   const way = directionIndex(direction);
   if (centres === undefined) return takeRows(core, core.allRings(address, ring, way), into);
   const centre = kind.startsWith('v') ? 'vertex' : kind.startsWith('f') ? 'face' : 'edge';
-  const argument = LISTS[centre];
+  const argument = PLURALS[centre];
   const list = listOfItems(links, centre, argument, centres);
   return withInputs(core, (inputs) => {
     const block = inputs.indices(argument, list);
