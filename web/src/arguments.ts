@@ -232,16 +232,12 @@ export function noRoomHere(what: string, cause: unknown): HalfedgeError {
   });
 }
 
-/**
- * What can be iterated over, but is no array or like one, as an array; anything else as it is. A vector of
- * three.js has a length, but it is a function.
- */
+/** What can be iterated over as an array, but for arrays and typed arrays, which stay as anything else does. */
 export function listFrom(source: unknown): unknown {
   if (typeof source !== 'object' || source === null) return source;
   if (Array.isArray(source) || ArrayBuffer.isView(source) || !(Symbol.iterator in source)) {
     return source;
   }
-  if (typeof (source as { length?: unknown }).length === 'number') return source;
   const items: unknown[] = [];
   for (const item of source as Iterable<unknown>) items.push(item);
   return items;
