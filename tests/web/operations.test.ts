@@ -412,7 +412,7 @@ describe('Gluing and cutting', () => {
     const inner = mesh.edges().toArray();
     const seam = new Set(inner.filter((e) => !crossed.has(e) && !mesh.isBoundaryEdge(e)));
     using net = mesh.clone();
-    net.cutEdges([...seam]);
+    net.cutEdges(seam);
     const queue: number[] = mesh.vertices().toArray();
     for (const v of queue) {
       const atVertex = mesh
@@ -424,7 +424,7 @@ describe('Gluing and cutting', () => {
       queue.push(...mesh.edgeVertices(atVertex[0]));
     }
     const { vertexCount } = mesh;
-    expect(mesh.cutEdges([...seam]).length).toBe(seam.size);
+    expect(mesh.cutEdges(seam).length).toBe(seam.size);
     for (const disk of [net, mesh]) {
       expect([disk.eulerCharacteristic(), disk.boundaryLoops().length]).toEqual([1, 1]);
       expect(disk.validate()).toEqual([]);
@@ -451,8 +451,14 @@ describe('Gluing and cutting', () => {
       expect(() => mesh[call](['1' as never])).toThrow(TypeError);
       expect(() => mesh[call](5 as never)).toThrow('edges is 5; expected an array of edges');
     }
+    const slots = mesh.edgeSlots; // a halfedge has this number, but no edge
+    expect(() => mesh.cutEdges([a, slots])).toThrow(
+      `edges[1] is ${slots}; expected an edge from 0`,
+    );
     expect(mesh.cutEdges([])).toEqual([]);
     expect(stateOf(mesh)).toEqual(before);
+    mesh.removeEdge(a);
+    expect(() => mesh.cutEdges([b, a])).toThrow(`edges[1] is edge ${a}, which was deleted`);
   });
 
   test('a cycle around a handle is cut and closed, and joined', () => {
