@@ -107,6 +107,8 @@ describe('A mesh too large for memory', () => {
           () => HalfedgeMesh.grid(120).dispose(),
           () => HalfedgeMesh.icoSphere(5).dispose(),
           () => whole.dual().dispose(),
+          () => whole.extract(whole.faces()).mesh.dispose(),
+          () => whole.toTriangles(),
           () => whole.kRing(0, 300),
           () => whole.link({ vertices: [0], faces: [7] }),
           () => HalfedgeMesh.fromBytes(whole.toBytes()).dispose(),
@@ -146,6 +148,7 @@ describe('A mesh too large for memory', () => {
       ...grid.faces.map((face) => `4 ${face.join(' ')}`),
     ].join('\n')}\n`;
     const whole = HalfedgeMesh.fromPolygons(grid.positions, grid.faces);
+    const sixty = Uint32Array.from({ length: 60 }, (_, f) => f);
     withoutRoomForCopies(() => {
       expectOutOfMemory(() => HalfedgeMesh.parse(text));
       expectOutOfMemory(() => HalfedgeMesh.parse(text, { repair: false }));
@@ -153,6 +156,9 @@ describe('A mesh too large for memory', () => {
       expectOutOfMemory(() => whole.allVertexVertices());
       expectOutOfMemory(() => whole.components());
       expectOutOfMemory(() => whole.compact());
+      expectOutOfMemory(() => whole.toTriangles());
+      expectOutOfMemory(() => whole.extract(whole.faces()));
+      expectOutOfMemory(() => whole.extract(sixty)); // there is room for the list, not for its edges
     });
     whole.dispose();
     expectSound(before);
