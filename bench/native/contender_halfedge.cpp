@@ -43,13 +43,9 @@ class Halfedges final : public Contender {
   void subdivide() override { workloads::subdivide(mesh_); }
 
   void split_and_collapse() override {
-    using namespace halfedge;
-    const Index vertices = mesh_.vertex_slots();
-    const Index faces = mesh_.face_slots();
-    for (Index f = 0; f < faces; ++f) require(bool(operations::split_face(mesh_, Face(f))));
-    for (Index v = vertices; v < vertices + faces; ++v) {
-      require(bool(operations::collapse(mesh_, mesh_.vertex_halfedge(Vertex(v)))));
-    }
+    const halfedge::Index vertices = mesh_.vertex_slots();
+    workloads::split_faces(mesh_);
+    workloads::collapse_behind(mesh_, vertices);
   }
 
   void compact() override { require(bool(halfedge::compact(mesh_))); }

@@ -118,6 +118,24 @@ inline std::vector<halfedge::Face> faces_as_stored(const halfedge::Mesh& mesh) {
   return faces;
 }
 
+/// A vertex in each face.
+inline void split_faces(halfedge::Mesh& mesh) {
+  using namespace halfedge;
+  const std::vector<Face> faces = faces_as_stored(mesh);
+  require(mesh.reserve(mesh.vertex_slots() + mesh.face_slots(),
+                       mesh.edge_slots() + 3 * mesh.face_slots(), 3 * mesh.face_slots()));
+  operations::for_each(mesh, std::span<const Face>(faces),
+                       [&](Face f) { require(bool(operations::split_face(mesh, f))); });
+}
+
+/// Contracts an edge of each vertex behind the first `kept`.
+inline void collapse_behind(halfedge::Mesh& mesh, halfedge::Index kept) {
+  using namespace halfedge;
+  for (Index v = kept; v < mesh.vertex_slots(); ++v) {
+    require(bool(operations::collapse(mesh, mesh.vertex_halfedge(Vertex(v)))));
+  }
+}
+
 /// A step of sqrt(3) subdivision by operations (see Contender).
 inline void subdivide(halfedge::Mesh& mesh) {
   using namespace halfedge;
@@ -134,11 +152,7 @@ inline void subdivide(halfedge::Mesh& mesh) {
   }
   std::vector<Edge> old_edges(mesh.edge_slots());
   for (Index e = 0; e < old_edges.size(); ++e) old_edges[e] = Edge(e);
-  const std::vector<Face> faces = faces_as_stored(mesh);
-  require(mesh.reserve(mesh.vertex_slots() + mesh.face_slots(),
-                       mesh.edge_slots() + 3 * mesh.face_slots(), 3 * mesh.face_slots()));
-  operations::for_each(mesh, std::span<const Face>(faces),
-                       [&](Face f) { require(bool(operations::split_face(mesh, f))); });
+  split_faces(mesh);
   for (Index v = 0; v < moved.size(); ++v) mesh.set_position(Vertex(v), moved[v]);
   operations::for_each(mesh, std::span<const Edge>(old_edges),
                        [&](Edge e) { (void)operations::flip_edge(mesh, e); });
