@@ -1,5 +1,5 @@
-// `npm run check`: formatting, lint and types of both languages. `npm run format` (`--fix`) mends
-// the formatting instead.
+// `npm run check`: formatting, lint and types of both languages, and whether the pages of docs/reference are those of
+// the docstrings. `npm run format` (`--fix`) mends the formatting instead.
 
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import os from 'node:os'; // by name, a Node too old to have it would tell of that alone
@@ -9,6 +9,7 @@ import { build, configurePreset } from './build.mjs';
 import { cppFiles } from './lib/files.mjs';
 import { asProgram, capture, Failure, isProgram, root, run } from './lib/run.mjs';
 import { counts, Steps } from './lib/steps.mjs';
+import { checkReference } from './reference.mjs';
 import { setup } from './setup.mjs';
 
 const cppFolders = ['src', 'wasm', 'tests', 'bench', 'examples'];
@@ -29,6 +30,7 @@ export async function check(steps) {
     await run(process.execPath, [tsc, '-p', 'tsconfig.cli.json', '--noEmit']);
     await run(process.execPath, [tsc, '-p', 'tsconfig.json']);
   });
+  await steps.run('Reference and docstrings', () => counts(checkReference()));
   await steps.run('Lint of C++ (clang-tidy)', clangTidy);
 }
 

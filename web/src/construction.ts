@@ -41,6 +41,7 @@ const DELETE_OPTIONS: OptionNames<DeleteOptions> = { keepIsolatedVertices: true 
 
 /** In the order of the core: see `reorder`. */
 const VERTEX_ORDERS = ['morton', 'breadth-first'] as const;
+/** How `reorder()` numbers vertices: along a space-filling curve, or by breadth-first search over edges. */
 export type VertexOrder = (typeof VERTEX_ORDERS)[number];
 
 /** Where `compact()` and `reorder()` moved items: the new index by old index, -1 if the item was deleted. */
@@ -145,6 +146,7 @@ export abstract class Construction extends Geometry {
     done(links, links.core._delete_vertex(links.address, modeOf(links) | kept, v));
   }
 
+  /** Why {@link deleteVertex} would be refused, or null. */
   checkDeleteVertex(v: VertexLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();
@@ -168,6 +170,7 @@ export abstract class Construction extends Geometry {
     done(links, links.core._delete_edge(links.address, modeOf(links) | kept, e));
   }
 
+  /** Why {@link deleteEdge} would be refused, or null. */
   checkDeleteEdge(e: EdgeLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();
@@ -193,6 +196,7 @@ export abstract class Construction extends Geometry {
     done(links, links.core._delete_face(links.address, modeOf(links) | kept, f));
   }
 
+  /** Why {@link deleteFace} would be refused, or null. */
   checkDeleteFace(f: FaceLike, options?: DeleteOptions): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();

@@ -67,33 +67,39 @@ export abstract class DirectedEdgesNavigation {
     };
   }
 
+  /** The vertices. */
   get vertexCount(): number {
     this.#links.checkAlive();
     return this.#links.vertices;
   }
-  /** Boundary halfedges included: twice the edges. */
+  /** The halfedges, boundary halfedges included: twice the edges. */
   get halfedgeCount(): number {
     this.#links.checkAlive();
     return this.#links.halfedges;
   }
+  /** The edges. */
   get edgeCount(): number {
     return this.halfedgeCount / 2;
   }
+  /** The faces. */
   get faceCount(): number {
     this.#links.checkAlive();
     return this.#links.sides / 3;
   }
 
-  /** The ranges of indices; those of edges have gaps, where a halfedge is not the smaller one. */
+  /** The range of the indices of vertices. */
   get vertexSlots(): number {
     return this.vertexCount;
   }
+  /** The range of the indices of halfedges. */
   get halfedgeSlots(): number {
     return this.halfedgeCount;
   }
+  /** The range of the indices of edges, which has gaps where a halfedge is not the smaller one. */
   get edgeSlots(): number {
     return 3 * this.faceCount;
   }
+  /** The range of the indices of faces. */
   get faceSlots(): number {
     return this.faceCount;
   }

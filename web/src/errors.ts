@@ -39,7 +39,9 @@ export const NO_WITNESS: Witness = Object.freeze({
  * show why. A refused build lists all that it found in `problems`, up to a thousand.
  */
 export class HalfedgeError extends Error {
+  /** What went wrong, in a word that stays the same: docs/errors.md lists them. */
   readonly code: string;
+  /** The items that show why. */
   readonly witness: Witness;
   /** Not enumerable: otherwise an uncaught error would be printed with hundreds of them. */
   declare readonly problems: readonly Problem[];

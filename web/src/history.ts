@@ -65,9 +65,11 @@ export class History {
     return this.#travel('redo');
   }
 
+  /** Whether there is a step that {@link undo} would undo. */
   get canUndo(): boolean {
     return this.undoCount > 0;
   }
+  /** Whether there is a step that {@link redo} would redo. */
   get canRedo(): boolean {
     return this.redoCount > 0;
   }

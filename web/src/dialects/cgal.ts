@@ -79,6 +79,7 @@ export class Polyhedron<Mesh extends ReadableMesh = HalfedgeMesh> {
   }
 }
 
+/** A halfedge, as a `Halfedge_handle` points to it. */
 export class PolyhedronHalfedge {
   readonly #of: Polyhedron<ReadableMesh>;
 
@@ -145,6 +146,7 @@ export class PolyhedronHalfedge {
   }
 }
 
+/** A vertex, as a `Vertex_handle` points to it. */
 export class PolyhedronVertex {
   readonly #of: Polyhedron<ReadableMesh>;
 
@@ -180,6 +182,7 @@ export class PolyhedronVertex {
   }
 }
 
+/** A facet, as a `Facet_handle` points to it. */
 export class PolyhedronFacet {
   readonly #of: Polyhedron<ReadableMesh>;
 
@@ -235,6 +238,7 @@ abstract class HalfedgeCirculator {
   protected abstract before(h: PolyhedronHalfedge): PolyhedronHalfedge;
 }
 
+/** The halfedges that lead to a vertex, clockwise, along `next_on_vertex()`. */
 export class HalfedgeAroundVertexCirculator extends HalfedgeCirculator {
   protected after(h: PolyhedronHalfedge): PolyhedronHalfedge {
     return h.next_on_vertex();
@@ -244,6 +248,7 @@ export class HalfedgeAroundVertexCirculator extends HalfedgeCirculator {
   }
 }
 
+/** The halfedges around a facet, along `next()`. */
 export class HalfedgeAroundFacetCirculator extends HalfedgeCirculator {
   protected after(h: PolyhedronHalfedge): PolyhedronHalfedge {
     return h.next();

@@ -56,6 +56,7 @@ export class HE_mesh<Mesh extends ReadableMesh = HalfedgeMesh> {
   }
 }
 
+/** A halfedge, with the fields of the article's struct. */
 export class HE_edge {
   readonly #of: HE_mesh<ReadableMesh>;
 
@@ -86,6 +87,7 @@ export class HE_edge {
   }
 }
 
+/** A vertex, with the fields of the article's struct. */
 export class HE_vert {
   readonly #of: HE_mesh<ReadableMesh>;
 
@@ -123,6 +125,7 @@ export class HE_vert {
   }
 }
 
+/** A face, with the field of the article's struct. */
 export class HE_face {
   readonly #of: HE_mesh<ReadableMesh>;
 

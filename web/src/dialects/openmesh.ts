@@ -24,15 +24,19 @@ abstract class Handle {
 }
 
 // The names tell them apart for TypeScript.
+/** Which vertex: its index, or none. */
 export class VertexHandle extends Handle {
   readonly kind = 'vertex';
 }
+/** Which halfedge: its index, or none. */
 export class HalfedgeHandle extends Handle {
   readonly kind = 'halfedge';
 }
+/** Which edge: its index, or none. */
 export class EdgeHandle extends Handle {
   readonly kind = 'edge';
 }
+/** Which face: its index, or none. */
 export class FaceHandle extends Handle {
   readonly kind = 'face';
 }

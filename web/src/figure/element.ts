@@ -84,22 +84,27 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     throw new Error(this.failure ?? 'The figure is not in a page.');
   }
 
+  /** Plays on; from the beginning, where the end is reached. */
   play(): void {
     this.#model.player.play();
   }
 
+  /** Rests at the current step. */
   pause(): void {
     this.#model.player.pause();
   }
 
+  /** Plays if it rests, and rests if it plays. */
   toggle(): void {
     this.#model.player.toggle();
   }
 
+  /** Goes to the next step, and rests there. */
   stepForward(): void {
     this.seek(this.position + 1);
   }
 
+  /** Goes to the step before, and rests there. */
   stepBack(): void {
     this.seek(this.position - 1);
   }
@@ -114,6 +119,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.direction = this.direction === 'ccw' ? 'cw' : 'ccw';
   }
 
+  /** Shows the code in the words of another library. */
   setDialect(id: DialectId): void {
     this.dialect = id;
   }

@@ -26,6 +26,7 @@ export const ICONS = {
   target: 'M12 6a6 6 0 1 0 0 12 6 6 0 0 0 0-12M12 3v5M12 16v5M3 12h5M16 12h5',
 } as const;
 
+/** The name of an icon. */
 export type IconName = keyof typeof ICONS;
 
 /** Those that are filled rather than drawn with a pen. */

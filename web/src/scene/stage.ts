@@ -32,8 +32,9 @@ export interface Covered {
   readonly left: number;
 }
 
-/** What shows the mesh, and what shows the file that it was made of: the camera sees one of them. */
+/** The layer of what shows the mesh. */
 export const MESH_LAYER = 0;
+/** The layer of what shows the file that the mesh was made of: the camera sees one of both. */
 export const FILE_LAYER = 1;
 
 const FIELD_OF_VIEW = 32;

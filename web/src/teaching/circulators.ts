@@ -9,6 +9,7 @@ export type Walk = 'rotate' | 'loop' | 'across';
 /** What it shows of the halfedge where it stands. */
 export type View = 'itself' | 'opposite' | 'toVertex' | 'edge' | 'face' | 'faceAcross';
 
+/** A circulator, and what it is made of: a walk, and a view of where that stands. */
 export interface Circulator {
   readonly name: CirculatorName;
   readonly around: ItemKind;
@@ -39,6 +40,7 @@ function circulator(around: ItemKind, name: CirculatorName, view: View, label: s
   return { name, around, yields: YIELDS[view], walk: WALKS[around], view, label };
 }
 
+/** All circulators, by what they go around. */
 export const circulators: readonly Circulator[] = [
   circulator('vertex', 'vertexVertices', 'toVertex', 'one-ring vertices'),
   circulator('vertex', 'vertexOutgoingHalfedges', 'itself', 'outgoing halfedges'),

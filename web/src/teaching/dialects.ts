@@ -45,8 +45,10 @@ export interface Items {
   index(item: unknown, kind: ItemKind): number;
 }
 
+/** All dialects, our own first. */
 export const dialects: readonly Dialect[] = [halfedge, openmesh, cgal, mcguire];
 
+/** The dialect of that name, or our own. */
 export function dialectOf(id: DialectId): Dialect {
   return dialects.find((dialect) => dialect.id === id) ?? halfedge;
 }

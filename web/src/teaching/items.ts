@@ -17,6 +17,7 @@ export function itemName(of: Item | null): string {
   return of ? LETTERS[of.kind] + of.index : '∅';
 }
 
+/** Whether both are the same item, or both none. */
 export function sameItem(a: Item | null, b: Item | null): boolean {
   return a === b || (a?.kind === b?.kind && a?.index === b?.index);
 }
@@ -81,7 +82,9 @@ export interface Link {
   readonly role: LinkRole;
 }
 
+/** Which link it is: a role has one colour, whatever the link begins at. */
 export type LinkRole = 'next' | 'prev' | 'opposite' | 'vertex' | 'edge' | 'face' | 'halfedge';
+/** The key of the explorer that follows a link. */
 export type WalkKey = 'n' | 'p' | 'o' | 'v' | 'e' | 'f' | 'h' | 'u';
 
 function anchorHint(mesh: HalfedgeMesh, v: number): string {

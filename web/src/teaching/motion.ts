@@ -34,6 +34,7 @@ export interface StateBefore {
   readonly neighbours: readonly Item[];
 }
 
+/** What an operation is about to change, as it is. */
 export function stateBefore(operation: Operation, operands: Operands): StateBefore {
   const { mesh, item } = operands;
   const onItem = operation.on !== 'mesh' && item.index !== NONE;

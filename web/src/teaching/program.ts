@@ -57,6 +57,7 @@ export function arrives({ circulator }: Query, dialect: Dialect | undefined): bo
   return dialect?.arrives === true && circulator.around === 'vertex';
 }
 
+/** How a lap gets from one halfedge to the next. */
 export function stepOf({ circulator: { walk }, direction }: Query): Step {
   if (walk === 'across') return 'across';
   if (walk === 'rotate') return direction === 'ccw' ? 'rotateCcw' : 'rotateCw';

@@ -41,9 +41,11 @@ export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
  * hits the object.
  */
 export abstract class MeshHelper extends Group implements DrawnMesh {
+  /** What is drawn. */
   readonly mesh: HalfedgeMesh;
   /** See {@link HelperOptions}. Call `update()` after setting it. */
   pixel: number;
+  /** The colour of what is drawn. Call `update()` after changing it. */
   readonly color: Color;
   protected readonly batch = new LineBatch();
   protected readonly glyphs = new HalfedgeGlyphs(this);
@@ -64,10 +66,12 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.add(Object.assign(drawn, { frustumCulled: false, renderOrder: 3, raycast() {} }));
   }
 
+  /** By vertex of the mesh: x, y, z. */
   get points(): Float32Array {
     return this.mesh.positions;
   }
 
+  /** The vertices of the two triangles of a quad, three each; nothing of other faces. */
   triangleVertices(face: number): number[] {
     return quadVertices(this.mesh, face);
   }

@@ -48,6 +48,7 @@ const HALFEDGES_OPTIONS: OptionNames<HalfedgesOptions> = {
  */
 export class HalfedgesHelper extends MeshHelper {
   override readonly type = 'HalfedgesHelper' as 'Group';
+  /** The colour of boundary halfedges. Call `update()` after changing it. */
   readonly boundaryColor: Color;
   /** The faces that are shown; undefined for all. Call `update()` after setting it. */
   faces: readonly number[] | undefined;
@@ -130,11 +131,15 @@ const CIRCULATOR_OPTIONS: OptionNames<CirculatorOptions> = {
 /** Draws the trace of a circulator: the halfedges that it has visited, the last one in a different colour. */
 export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> extends MeshHelper {
   override readonly type = 'CirculatorHelper' as 'Group';
+  /** The colour of the current step. Call `update()` after changing it. */
   readonly currentColor: Color;
+  /** Which circulator it is. */
   readonly kind: Kind;
+  /** Which way it goes. */
   readonly direction: Direction;
-  /** The item that it goes around, and how far. Call `update()` after setting these. */
+  /** The item that it goes around. Call `update()` after setting it. */
   item: CirculatorCentre<Kind>;
+  /** How far it goes. Call `update()` after setting it. */
   steps: number;
 
   constructor(

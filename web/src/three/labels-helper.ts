@@ -45,6 +45,7 @@ function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
 /** Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
+  /** The mesh whose items are labelled. */
   readonly mesh: HalfedgeMesh;
   readonly #options: Required<Given<LabelsOptions>>;
 

@@ -17,14 +17,17 @@ export class LineBatch {
     this.#lines = new LineBuffers(2, capacity);
   }
 
+  /** What three.js draws. */
   get geometry(): LineSegmentsGeometry {
     return this.#lines.geometries[0];
   }
 
+  /** How many segments there are. */
   get count(): number {
     return this.#count;
   }
 
+  /** Begins anew: there are no segments. */
   clear(): void {
     this.#count = 0;
   }

@@ -66,6 +66,7 @@ export let trianglesOf: (geometry: MeshGeometry) => TriangleIndex;
  */
 export class MeshGeometry extends BufferGeometry {
   override readonly type = 'MeshGeometry' as 'BufferGeometry';
+  /** The mesh that it shows. */
   readonly mesh: HalfedgeMesh;
   readonly #options: GeometryOptions;
   readonly #shown: readonly AttributeInfo[];

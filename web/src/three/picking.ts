@@ -37,6 +37,7 @@ export type { TriangleHit, Triangles } from './triangle-tree.js';
  * that the object had when the picker was made: another geometry needs another picker.
  */
 export class MeshPicker extends ItemPicker {
+  /** What is picked from. */
   readonly object: Mesh<MeshGeometry>;
   readonly #tree: FaceTree;
   readonly #leave: () => void;

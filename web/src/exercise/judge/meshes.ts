@@ -14,6 +14,7 @@ export interface Sample {
   readonly view: readonly [x: number, y: number, z: number];
 }
 
+/** The name of a mesh on which answers are tried. */
 export type MeshName =
   | 'tetrahedron'
   | 'prism'

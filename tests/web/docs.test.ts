@@ -1,0 +1,64 @@
+import { existsSync, readFileSync } from 'node:fs';
+import { dirname, join, relative, resolve } from 'node:path';
+import { DirectedEdgesMesh, HalfedgeMesh } from 'halfedge';
+import { filesBelow } from '../../scripts/lib/files.mjs';
+import { root } from '../../scripts/lib/run.mjs';
+
+const pages = ['README.md', 'CHANGELOG.md', 'bench/README.md', 'examples/README.md']
+  .map((name) => join(root, name))
+  .concat(filesBelow(join(root, 'docs')).filter((path: string) => path.endsWith('.md')));
+
+/** The lines of a page that are not code. */
+function prose(path: string): string {
+  return readFileSync(path, 'utf8').replaceAll(/^```.*?^```/gms, '');
+}
+
+/** What a `#` can lead to, as GitHub makes it of the headings. */
+function anchors(path: string): Set<string> {
+  const found = new Set<string>();
+  for (const [, heading] of prose(path).matchAll(/^#+ +(.*)$/gm)) {
+    const words = heading.replaceAll(/\[([^\]]*)\]\([^)]*\)/g, '$1').toLowerCase();
+    const slug = words.replaceAll(/[^\p{L}\p{N}_ -]/gu, '').replaceAll(' ', '-');
+    let anchor = slug;
+    for (let n = 1; found.has(anchor); n++) anchor = `${slug}-${n}`;
+    found.add(anchor);
+  }
+  return found;
+}
+
+test.each(pages.map((path) => relative(root, path)))('links of %s lead somewhere', (name) => {
+  const path = join(root, name);
+  const links = [...prose(path).matchAll(/\]\((?!https?:)([^)#\s]*)(#[^)\s]*)?\)/g)];
+  const broken = links.filter(([, file, anchor]) => {
+    const target = file === '' ? path : resolve(dirname(path), file);
+    return !existsSync(target) || (anchor && !anchors(target).has(anchor.slice(1)));
+  });
+  expect(broken.map(([link]) => link)).toEqual([]);
+});
+
+/** The public names of a class and of those that it extends. */
+function namesOf(type: typeof HalfedgeMesh | typeof DirectedEdgesMesh): string[] {
+  const names = new Set<string>();
+  for (let own = type.prototype; own !== Object.prototype; own = Object.getPrototypeOf(own)) {
+    for (const name of Object.getOwnPropertyNames(own)) names.add(name);
+  }
+  for (let own = type; own !== Function.prototype; own = Object.getPrototypeOf(own)) {
+    for (const name of Object.getOwnPropertyNames(own)) names.add(`${type.name}.${name}`);
+  }
+  const ofAll = [
+    'constructor',
+    ...['length', 'name', 'prototype'].map((name) => `${type.name}.${name}`),
+  ];
+  return [...names].filter((name) => !ofAll.includes(name));
+}
+
+test.each([
+  ['mesh.md', HalfedgeMesh, 200],
+  ['directed-edges.md', DirectedEdgesMesh, 60],
+] as const)('docs/reference/%s has all that the class has', (file, type, least) => {
+  const headings = prose(join(root, 'docs/reference', file)).matchAll(/^#+ (.*)$/gm);
+  const shown = new Set(Array.from(headings, ([, heading]) => heading));
+  const names = namesOf(type);
+  expect(names.length).toBeGreaterThan(least);
+  expect(names.filter((name) => !shown.has(name))).toEqual([]);
+});
