@@ -7,9 +7,9 @@ import { Failure } from '../lib/run.mjs';
 import { entriesWithoutPage, parts } from './pages.mjs';
 
 /**
- * Reads what the pages show. Each gets `items`: `{ name, kind, doc, signatures }` for a function or a constant,
- * `{ name, kind, doc, code }` for an interface or a type, `{ name, kind, doc, extended, parts }` for a class. A part is
- * `{ title, name, doc, members }`, and a member `{ name, overloads }`, each with `signature` and `doc`.
+ * Reads what the pages show. Each gets `items`: `{ name, kind, doc, overloads }` for a function, `{ name, kind, doc, code }` for a
+ * constant or a type, `{ name, kind, doc, extended, parts }` for a class. A part is `{ title, name, doc, members }`, a
+ * member `{ name, overloads }`, and an overload `{ signature, doc }`.
  *
  * A `doc` is `{ text, params, throws, returns }`. Throws a Failure if an exported item has no docstring, or an entry of
  * the package no page.
@@ -73,17 +73,22 @@ class Reader {
     const originals = symbols.map((symbol) =>
       symbol.flags & ts.SymbolFlags.Alias ? this.checker.getAliasedSymbol(symbol) : symbol,
     );
-    return [...new Set(originals)].map((symbol) => this.#itemOf(symbol));
+    const exported = new Set(originals);
+    return [...exported].map((symbol) => this.#itemOf(symbol, exported));
   }
 
-  #itemOf(symbol) {
+  #itemOf(symbol, exported) {
     const declarations = symbol.declarations.filter((node) => this.#isOurs(node));
     const [first] = declarations;
-    return { name: symbol.name, doc: docOf(first), ...this.#contentOf(first, declarations) };
+    return {
+      name: symbol.name,
+      doc: docOf(first),
+      ...this.#contentOf(first, declarations, exported),
+    };
   }
 
-  #contentOf(first, declarations) {
-    if (ts.isClassDeclaration(first)) return this.#classOf(first);
+  #contentOf(first, declarations, exported) {
+    if (ts.isClassDeclaration(first)) return this.#classOf(first, exported);
     if (ts.isFunctionDeclaration(first)) {
       const overloads = declarations.map((node) => ({ signature: codeOf(node), doc: docOf(node) }));
       return { kind: 'function', overloads };
@@ -94,22 +99,21 @@ class Reader {
     return { kind: 'type', code: declarations.map(codeOf).join('\n') };
   }
 
-  #classOf(node) {
-    const chain = this.#chainOf(node);
-    const [own, ...inherited] = chain.filter((ancestor) => this.#isOurs(ancestor));
-    const theirs = chain.find((ancestor) => !this.#isOurs(ancestor));
-    const theirNames = new Set(theirs && this.#membersOf(theirs, node.name.text));
-    const partOf = (ancestor) => this.#partOf(ancestor, node.name.text, theirNames);
-    return {
-      kind: 'class',
-      extended: theirs?.name.text,
-      parts: [partOf(own), ...inherited.reverse().map(partOf)].filter(
-        ({ members }) => members.length > 0,
-      ),
-    };
+  #classOf(node, exported) {
+    const className = node.name.text;
+    const { chain, end } = this.#chainOf(node, exported);
+    const endNames = new Set(end && this.#membersOf(end, className));
+    const [own, ...inherited] = chain.map((ancestor) => partOf(ancestor, className, endNames));
+    const overridden = new Set(own.members.map(({ name }) => name));
+    for (const part of inherited) {
+      part.members = part.members.filter(({ name }) => !overridden.has(name));
+      for (const { name } of part.members) overridden.add(name);
+    }
+    const shown = [own, ...inherited.reverse()].filter(({ members }) => members.length > 0);
+    return { kind: 'class', extended: end?.name.text, parts: shown };
   }
 
-  /** The names of what a class of another package has, as they would be if `className` were its name. */
+  /** The names of what a class has, as they would be if `className` were its name. */
   #membersOf(node, className) {
     const type = this.checker.getTypeOfSymbol(this.checker.getSymbolAtLocation(node.name));
     const ofInstances = this.checker.getTypeAtLocation(node).getProperties();
@@ -117,52 +121,47 @@ class Reader {
     return [...ofClass, ...ofInstances.map(({ name }) => name)];
   }
 
-  /** A class and those that it extends, up to one of another package. */
-  #chainOf(node) {
-    const chain = [];
-    for (let ancestor = node; ancestor; ) {
-      chain.push(ancestor);
-      if (!this.#isOurs(ancestor)) break;
-      const clause = ancestor.heritageClauses?.find(
-        ({ token }) => token === ts.SyntaxKind.ExtendsKeyword,
-      );
-      const symbol = clause && this.checker.getTypeAtLocation(clause.types[0]).symbol;
-      ancestor = symbol?.declarations.find(
+  /** A class and those that it extends, up to the `end`: one that the page shows, or of another package. */
+  #chainOf(node, exported) {
+    const chain = [node];
+    for (;;) {
+      const clause = chain
+        .at(-1)
+        .heritageClauses?.find(({ token }) => token === ts.SyntaxKind.ExtendsKeyword);
+      if (clause === undefined) return { chain };
+      const { symbol } = this.checker.getTypeAtLocation(clause.types[0]);
+      const ancestor = symbol.declarations.find(
         (one) => ts.isClassDeclaration(one) || ts.isInterfaceDeclaration(one),
       );
+      if (exported.has(symbol) || !this.#isOurs(ancestor)) return { chain, end: ancestor };
+      chain.push(ancestor);
     }
-    return chain;
-  }
-
-  /** What one class of a chain declares. What is usual is left out where it has no docstring, as overrides are. */
-  #partOf(node, className, theirNames) {
-    const isOwn = node.name.text === className;
-    const title = isOwn ? undefined : parts[node.name.text];
-    if (!(isOwn || title))
-      throw new Failure(`scripts/reference/pages.mjs has no title for ${node.name.text}.`);
-    const members = new Map();
-    for (const member of node.members.filter(isPublic)) {
-      const name = nameOf(member, className);
-      const overload = { signature: memberCodeOf(member, className), doc: docOf(member) };
-      const isPlain = ts.isConstructorDeclaration(member) && member.parameters.length === 0;
-      const isUsual = isPlain || name.startsWith('[Symbol.') || theirNames.has(name);
-      if (isUsual && overload.doc.text === '') continue;
-      if (!members.has(name)) members.set(name, { name, overloads: [] });
-      // A setter says nothing that its getter doesn't.
-      if (ts.isSetAccessor(member)) continue;
-      members.get(name).overloads.push(overload);
-    }
-    return {
-      title,
-      name: node.name.text,
-      doc: docOf(node),
-      members: [...members.values()].filter(({ overloads }) => overloads.length > 0),
-    };
   }
 
   #isOurs(node) {
     return node.getSourceFile().fileName.startsWith(this.dist);
   }
+}
+
+/** What one class of a chain declares. What is usual is left out where it has no docstring, as overrides are. */
+function partOf(node, className, endNames) {
+  const partName = node.name.text;
+  const title = partName === className ? undefined : parts[partName];
+  if (partName !== className && title === undefined) {
+    throw new Failure(`scripts/reference/pages.mjs has no title for ${partName}.`);
+  }
+  const members = new Map();
+  for (const member of node.members.filter(isPublic)) {
+    const name = nameOf(member, className);
+    const doc = docOf(member);
+    const isPlain = ts.isConstructorDeclaration(member) && member.parameters.length === 0;
+    const isUsual = isPlain || name.startsWith('[Symbol.') || endNames.has(name);
+    // A setter says nothing that its getter doesn't.
+    if (ts.isSetAccessor(member) || (isUsual && doc.text === '')) continue;
+    if (!members.has(name)) members.set(name, { name, overloads: [] });
+    members.get(name).overloads.push({ signature: memberCodeOf(member, className), doc });
+  }
+  return { title, name: partName, doc: docOf(node), members: [...members.values()] };
 }
 
 function isPublic(member) {

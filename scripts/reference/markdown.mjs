@@ -56,7 +56,7 @@ function renderOverview({ name, parts }, links) {
     const names = new Set(members.map((member) => member.name.toLowerCase()));
     const isCheck = (member) =>
       member.name.startsWith('check') && names.has(member.name.slice('check'.length).toLowerCase());
-    const shown = members.filter((member) => !isCheck(member));
+    const shown = members.filter((member) => !(isCheck(member) || isSilent(member)));
     return listed(
       title ? `- ${title}` : '',
       shown.map((member) => links.to(member, member.name)),
@@ -76,7 +76,7 @@ function renderItem({ name, doc, code, overloads, extended, parts }, links) {
   const heading = `## ${name}`;
   if (overloads) return joined([heading, renderOverloads(overloads, links)]);
   if (!parts) return joined([heading, fenced(code), renderDoc(doc, links)]);
-  const base = extended ? `Extends \`${extended}\`.` : '';
+  const base = extended ? `Extends ${links.to(extended, extended)}.` : '';
   return joined([
     heading,
     renderDoc(doc, links),
@@ -87,11 +87,16 @@ function renderItem({ name, doc, code, overloads, extended, parts }, links) {
 
 function renderPart({ title, doc, members }, links) {
   const heading = title ? [`### ${title}`, renderDoc(doc, links)] : [];
-  const sections = members.map(({ name, overloads }) =>
-    joined([`#### ${name}`, renderOverloads(overloads, links)]),
-  );
-  return joined([...heading, ...sections]);
+  const silent = members.filter(isSilent).flatMap(({ overloads }) => overloads);
+  const code = silent.length > 0 ? fenced(silent.map(({ signature }) => signature).join('\n')) : '';
+  const sections = members
+    .filter((member) => !isSilent(member))
+    .map(({ name, overloads }) => joined([`#### ${name}`, renderOverloads(overloads, links)]));
+  return joined([...heading, code, ...sections]);
 }
+
+/** Whether the name of a member says it all: such ones stand together. */
+const isSilent = ({ overloads }) => overloads.every(({ doc }) => isEmpty(doc));
 
 /** Overloads with nothing to say of themselves stand below the one before them. */
 function renderOverloads(overloads, links) {
@@ -141,7 +146,9 @@ class Anchors {
       this.#ofName.set(item.name, this.#add(item.name));
       for (const part of item.parts ?? []) {
         if (part.title) this.#ofName.set(part.name, this.#add(part.title));
-        for (const member of part.members) this.#addMember(member, item.name);
+        for (const member of part.members) {
+          if (!isSilent(member)) this.#addMember(member, item.name);
+        }
       }
     }
   }

@@ -110,8 +110,6 @@ export const parts = {
   Shapes: 'Shapes',
   DirectedEdgesNavigation: 'Counts, links and queries',
   DirectedEdgesGeometry: 'Normals, areas, lengths, angles',
-  MeshHelper: 'What all helpers have',
-  ItemPicker: 'What all pickers have',
   HalfedgeCirculator: 'What both circulators have',
   Handle: 'What all handles have',
   FigureAttributes: 'Attributes',
