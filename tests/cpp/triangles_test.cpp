@@ -390,5 +390,20 @@ TEST(Triangles, OfManyFacesWithOneLoopEndSoon) {
   EXPECT_EQ(to_triangles(mesh).error().code, "corrupt-connectivity");
 }
 
+// More triangles than a mesh of so many edges can have.
+TEST(Triangles, OfManyFacesWithOneQuadAreThatQuadAgainAndAgain) {
+  for (const bool of_quads : {false, true}) {
+    Mesh mesh = of_quads ? reference_build(cube()) : reference_build(triangle_grid(5, 5));
+    Links& links = mesh.mutable_links();
+    const Index loop[] = {0, 2, 4, 6};
+    for (std::size_t i = 0; i < 4; ++i) links.next[loop[i]] = loop[(i + 1) % 4];
+    for (Index& h : links.face_halfedge) h = 2;
+    const Result<TriangleList> list = to_triangles(mesh, CornersAs::kHalfedges);
+    ASSERT_TRUE(list.ok());
+    EXPECT_EQ(list.value().faces.size(), 2 * mesh.face_count());
+    for (const Index h : list.value().corners) EXPECT_TRUE(h % 2 == 0 && h < 8) << h;
+  }
+}
+
 }  // namespace
 }  // namespace halfedge::test

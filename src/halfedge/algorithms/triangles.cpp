@@ -43,13 +43,22 @@ class TriangleLister {
     return list_.corners.reserve_more(3 * triangles) && list_.faces.reserve_more(triangles);
   }
 
+  // For so many triangles more.
+  [[nodiscard]] std::size_t room() const {
+    return std::min(list_.corners.capacity() / 3, list_.faces.capacity()) - list_.faces.size();
+  }
+
   Result<void> add_all() {
     RingToucher toucher(links_, Ring::kFaceVertices, Direction::kCcw);
     const Index slots = links_.slots(Face{});
     steps_ = links_.halfedge_slots();  // the loops of all faces have no more
     Result<void> added;
-    for (Index f = 0; added && (f = add_triangles(f, slots, toucher)) < slots; ++f) {
-      added = add_face(Face(f));
+    for (Index f = 0; added && (f = add_triangles(f, slots, toucher)) < slots;) {
+      const Index after_quads = add_quads(f, slots, toucher);
+      if (after_quads == f)
+        added = add_face(Face(f++));
+      else
+        f = after_quads;
     }
     return added;
   }
@@ -71,8 +80,7 @@ class TriangleLister {
     const Index vertices = links.slots(Vertex{});
     Index* corners = list_.corners.end();
     Index* face = list_.faces.end();
-    const std::size_t room = std::min(list_.corners.capacity() / 3, list_.faces.capacity());
-    const Index* const end_of_room = face + (room - list_.faces.size());
+    const Index* const end_of_room = face + room();
     for (; f < end; ++f) {
       toucher.reach(f);
       if (!has_ring(links, Face(f))) continue;
@@ -91,6 +99,53 @@ class TriangleLister {
     list_.corners.grow_to(std::size_t(corners - list_.corners.begin()));
     list_.faces.grow_to(std::size_t(face - list_.faces.begin()));
     return f;
+  }
+
+  struct Quad {
+    Index face;
+    std::array<Index, 4> corners;
+    std::array<Point, 4> points;
+  };
+
+  // The same of quads, some at a time: all of them are read before the first is cut. Where vertices
+  // are in no order, a processor waits for many corners at once then.
+  Index add_quads(Index f, Index end, RingToucher& toucher) {
+    std::array<Quad, 16> quads;
+    std::size_t count = 0;
+    do {
+      count = 0;
+      const std::size_t most = std::min(quads.size(), room() / 2);
+      for (; f < end && count < most; ++f) {
+        toucher.reach(f);
+        if (!read_quad(Face(f), quads[count])) break;
+        ++count;
+      }
+      for (std::size_t i = 0; i < count; ++i) cut_quad(quads[i]);
+    } while (count == quads.size());
+    return f;
+  }
+
+  // False if the face is no quad, or deleted, or its links lead out of the arrays.
+  [[nodiscard]] bool read_quad(Face f, Quad& quad) const {
+    const Halfedge first = links_.stored_halfedge(f);
+    Halfedge h = first;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!links_.contain(h) || (i > 0 && h == first)) return false;
+      const Index v = to_vertex(links_, h.index());
+      if (v >= links_.slots(Vertex{})) return false;
+      quad.corners[i] = as_vertices_ ? v : h.index();
+      quad.points[i] = position(Vertex(v));
+      h = links_.next(h);
+    }
+    quad.face = f.index();
+    return h == first;
+  }
+
+  void cut_quad(const Quad& quad) {
+    const bool along_02 = ear_of_quad(quad.points) == 1;
+    const auto& c = quad.corners;
+    add_triangle(quad.face, c[0], c[1], along_02 ? c[2] : c[3]);
+    add_triangle(quad.face, along_02 ? c[0] : c[1], c[2], c[3]);
   }
 
   // Any face. pre: it is live
@@ -131,15 +186,20 @@ class TriangleLister {
   }
 
   // The triangle of these corners of the face. pre: there is room
-  HALFEDGE_NOINLINE_IN_WASM void add(Face f, Index i, Index j, Index k) {
+  void add(Face f, Index i, Index j, Index k) {
+    const auto corner = [&](Index at) {
+      return as_vertices_ ? to_vertex(links_, loop_[at]) : loop_[at];
+    };
+    add_triangle(f.index(), corner(i), corner(j), corner(k));
+  }
+
+  HALFEDGE_NOINLINE_IN_WASM void add_triangle(Index face, Index a, Index b, Index c) {
     const std::size_t triangle = list_.faces.size();
     list_.faces.grow_to(triangle + 1);
     list_.corners.grow_to(3 * triangle + 3);
-    Index* corner = &list_.corners[3 * triangle];
-    for (const Index h : {loop_[i], loop_[j], loop_[k]}) {
-      *corner++ = as_vertices_ ? to_vertex(links_, h) : h;
-    }
-    list_.faces[triangle] = f.index();
+    const Index corners[] = {a, b, c};
+    std::copy_n(corners, 3, &list_.corners[3 * triangle]);
+    list_.faces[triangle] = face;
   }
 
   [[nodiscard]] Point position(Vertex v) const {
