@@ -96,7 +96,21 @@ class Reader {
     if (ts.isVariableDeclaration(first)) {
       return { kind: 'constant', code: `const ${withoutComments(first)}` };
     }
-    return { kind: 'type', code: declarations.map(codeOf).join('\n') };
+    return { kind: 'type', code: declarations.map((node) => this.#typeCodeOf(node)).join('\n') };
+  }
+
+  /** The code of a type. One that is made of a constant, such as `(typeof NAMES)[number]`, is spelled out. */
+  #typeCodeOf(node) {
+    if (
+      !(ts.isTypeAliasDeclaration(node) && /\btypeof\b/.test(node.type.getText())) ||
+      node.typeParameters
+    ) {
+      return codeOf(node);
+    }
+    const { InTypeAlias, NoTruncation, UseSingleQuotesForStringLiteralType } = ts.TypeFormatFlags;
+    const flags = InTypeAlias | NoTruncation | UseSingleQuotesForStringLiteralType;
+    const type = this.checker.getTypeAtLocation(node.name);
+    return `type ${node.name.text} = ${this.checker.typeToString(type, node, flags)}`;
   }
 
   #classOf(node, exported) {

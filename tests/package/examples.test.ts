@@ -101,6 +101,20 @@ describe('simplify.mjs', () => {
   });
 });
 
+describe('subdivide.mjs', () => {
+  test('prints what the program in C++ prints', async () => {
+    const printed = await node(folder, 'examples/subdivide.mjs');
+    expect(`${printed}\n`).toBe(example('subdivide.txt'));
+  });
+
+  test('subdivides a file twice, by the scheme for its faces', async () => {
+    const told = await node(folder, 'examples/subdivide.mjs', 'pyramid.obj', 'smooth.ply');
+    expect(told).toMatch(/^64 faces; inside 1 of valence 4, 24 of valence 6; .*; valid$/);
+    const info = await node(folder, 'node_modules/halfedge/dist/cli/main.js', 'info', 'smooth.ply');
+    expect(info).toMatch(/^faces +64 \(64 triangles\)$/m);
+  });
+});
+
 describe('load_file.mjs', () => {
   test('tells counts, topology and validity', async () => {
     expect(await node(folder, 'examples/load_file.mjs', 'pyramid.obj')).toBe(

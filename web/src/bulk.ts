@@ -4,8 +4,8 @@ import { type Rows, rings } from './rings.js';
 
 /**
  * All rings of a mesh in one call: `all` plus the name of a circulator. Row i is the ring around item i, in
- * exactly the order of the circulator; it is empty for deleted slots and isolated vertices. This is faster
- * than any loop in JavaScript.
+ * exactly the order of the circulator: counter-clockwise unless `direction` says otherwise. It is empty for
+ * deleted slots and isolated vertices. This is faster than any loop in JavaScript.
  *
  * With a list of items, row i is the ring around the i-th of them. For edges, both directions have the same
  * order.

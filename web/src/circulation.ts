@@ -61,7 +61,7 @@ export interface CirculateOptions {
 export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: true, start: true };
 
 /**
- * Circulators: one lap around an item.
+ * Circulators: one lap around an item, counter-clockwise unless `direction` says otherwise.
  *
  * Around a vertex, 'cw' begins at its anchor, and 'ccw' is the exact reverse; on the boundary both list an
  * open path from one boundary neighbour to the other. Around a face, 'ccw' begins with the first vertex of
