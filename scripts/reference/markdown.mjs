@@ -37,8 +37,7 @@ function renderIndex(pages) {
   return `# Reference
 
 Everything that the package exports. ${note} The docstrings show in editors, too.
-The [guides](../../README.md#guides) tell how things belong together. C++ has the same names in \`snake_case\`, and is
-documented in the headers of [src/halfedge](../../src/halfedge).
+The [guides](../../README.md#guides) tell how things belong together. [C++](../cpp.md) has the same names in \`snake_case\`.
 
 | page | import from | what it has |
 | --- | --- | --- |
