@@ -16,18 +16,6 @@ enum Rank : std::uint8_t { kRight = 1, kLeft = 2, kFlat = 3 };
 
 }  // namespace
 
-bool PolygonTriangulator::Cost::operator<(const Cost& other) const {
-  if (flips != other.flips) return flips < other.flips;
-  if (forbidden != other.forbidden) return forbidden < other.forbidden;
-  if (flat != other.flat) return flat < other.flat;
-  return length < other.length;
-}
-
-PolygonTriangulator::Cost PolygonTriangulator::Cost::operator+(const Cost& other) const {
-  return {flips + other.flips, forbidden + other.forbidden, flat + other.flat,
-          length + other.length};
-}
-
 bool PolygonTriangulator::project_points() {
   if (!planar_.recreate(points_.size())) return false;
   const Projection projection(points_);
@@ -88,7 +76,7 @@ PolygonTriangulator::Outcome PolygonTriangulator::cut(Array<Index>& ears) {
 // What the diagonal between corners i and j costs; a side of the polygon costs nothing.
 PolygonTriangulator::Cost PolygonTriangulator::side_cost(std::size_t i, std::size_t j) {
   if (j - i == 1 || j - i + 1 == rest_.size()) return {};
-  return {0, is_forbidden(rest_[i], rest_[j]) ? 1U : 0U, 0, distance(rest_[i], rest_[j])};
+  return {is_forbidden(rest_[i], rest_[j]) ? Cost::kForbidden : 0, distance(rest_[i], rest_[j])};
 }
 
 // A simple polygon cut into triangles which all turn left isn't covered twice anywhere, so that
@@ -105,15 +93,14 @@ bool PolygonTriangulator::choose_diagonals() {
       for (std::size_t k = i + 1; k < j; ++k) {
         const int turns = turn(rest_[i], rest_[k], rest_[j]);
         Cost cost = choice(i, k).cost + choice(k, j).cost;
-        cost.flips += turns < 0 ? 1U : 0U;
-        cost.flat += turns == 0 ? 1 : 0;
+        cost.faults += turns < 0 ? Cost::kFlip : turns == 0 ? Cost::kFlat : 0;
         if (best.corner == kNone || cost < best.cost) best = {cost, Index(k)};
       }
       best.cost = best.cost + side_cost(i, j);
       choice(i, j) = best;
     }
   }
-  if (choice(0, n - 1).cost.forbidden == 0) return true;
+  if (!choice(0, n - 1).cost.has_forbidden()) return true;
   find_blocked(0, n - 1);
   return false;
 }
@@ -128,12 +115,13 @@ void PolygonTriangulator::list_ears(std::size_t i, std::size_t j, Array<Index>& 
 
 void PolygonTriangulator::find_blocked(std::size_t i, std::size_t j) {
   if (j - i < 2) return;
-  if (side_cost(i, j).forbidden > 0) {
+  if (side_cost(i, j).has_forbidden()) {
     blocked_ = {std::min(rest_[i], rest_[j]), std::max(rest_[i], rest_[j])};
     return;
   }
   const std::size_t k = choice(i, j).corner;
-  find_blocked(choice(i, k).cost.forbidden > 0 ? i : k, choice(i, k).cost.forbidden > 0 ? k : j);
+  const bool is_before = choice(i, k).cost.has_forbidden();
+  find_blocked(is_before ? i : k, is_before ? k : j);
 }
 
 // ---- many corners -----------------------------------------------------------------------------

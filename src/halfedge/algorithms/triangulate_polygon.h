@@ -54,15 +54,23 @@ class PolygonTriangulator {
   [[nodiscard]] Diagonal blocked() const { return blocked_; }
 
  private:
-  /// What a choice of diagonals costs, the worst first.
+  /// What a choice of diagonals costs: first what is bad about it, the worst first, in one number;
+  /// fewer than 2^10 of each, since there are few corners.
   struct Cost {
-    Index flips = 0;
-    Index forbidden = 0;
-    Index flat = 0;  // triangles without area
+    static constexpr std::uint32_t kFlat = 1;  // a triangle without area
+    static constexpr std::uint32_t kForbidden = 1U << 10U;
+    static constexpr std::uint32_t kFlip = 1U << 20U;
+
+    std::uint32_t faults = 0;
     double length = 0;
 
-    [[nodiscard]] bool operator<(const Cost& other) const;
-    [[nodiscard]] Cost operator+(const Cost& other) const;
+    [[nodiscard]] bool has_forbidden() const { return (faults & (kFlip - kForbidden)) != 0; }
+    [[nodiscard]] bool operator<(const Cost& other) const {
+      return faults != other.faults ? faults < other.faults : length < other.length;
+    }
+    [[nodiscard]] Cost operator+(const Cost& other) const {
+      return {faults + other.faults, length + other.length};
+    }
   };
   struct Choice {
     Cost cost;
