@@ -66,7 +66,10 @@ void zip_triangle(Mesh& mesh, const CollapseSite& site, Halfedge kept, Halfedge 
   steps::replace_anchor(mesh, end_that_stays(mesh.from_vertex(beyond)), beyond, kept);
   mesh.release(mesh.face(kept));
   mesh.copy_corner(kept, beyond);
-  const auto writer = mesh.writer();
+  if (mesh.history() != nullptr) [[unlikely]] {
+    for (const Halfedge side : {before, kept, after}) mesh.note_loop_links(side);
+  }
+  const auto writer = mesh.unnoted_writer();
   writer.link(before, kept);
   writer.link(kept, after);
   writer.set_face(kept, f);
@@ -102,13 +105,16 @@ template <EditableSurface Mesh>
                                       const std::optional<Point>& position = {},
                                       LinkCondition condition = LinkCondition::kStrict) {
   namespace steps = decorator::internal;
-  if (Result<void> can = check_collapse(mesh, h, condition); !can) return can.error();
+  if (Result<void> live = check_live(mesh, h); !live) return live.error();
   const internal::CollapseSite site(mesh, h);
+  if (Result<void> can = internal::check_site(mesh, site, condition); !can) return can.error();
   const Halfedge o = site.o;
   const Halfedge before_h = mesh.prev(h);
   const Halfedge before_o = mesh.prev(o);
-  internal::blend_ends(mesh, site, before_h, before_o,
-                       internal::parameter_on(mesh, h, position, 1));
+  if (mesh.attributes().has_any()) {
+    internal::blend_ends(mesh, site, before_h, before_o,
+                         internal::parameter_on(mesh, h, position, 1));
+  }
   internal::move_to(mesh, site.b, position);
 
   internal::move_edges(mesh, site, before_h);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/inlining.h>
 #include <halfedge/operations/requirements.h>
 
 #include <cstddef>
@@ -28,7 +29,7 @@ struct CollapseSite {
   bool right_is_triangle = false;
 
   template <class Mesh>
-  CollapseSite(const Mesh& mesh, Halfedge collapsed)
+  HALFEDGE_NOINLINE_IN_WASM CollapseSite(const Mesh& mesh, Halfedge collapsed)
       : h(collapsed),
         o(mesh.opposite(h)),
         after_h(mesh.next(h)),
@@ -78,17 +79,19 @@ template <class Mesh>
 [[nodiscard]] Halfedge find_common_neighbour(const Mesh& mesh, const CollapseSite& site) {
   constexpr int kMany = 64;
   const auto bit = [](Vertex v) { return std::uint64_t{1} << (v.index() % 64); };
+  const auto is_apex = [&](Vertex v) { return v == site.left || v == site.right; };
   std::uint64_t around_a = 0;
   for (Halfedge g = mesh.rotate_cw(site.h); g != site.h; g = mesh.rotate_cw(g)) {
-    around_a |= bit(mesh.to_vertex(g));
+    if (const Vertex v = mesh.to_vertex(g); !is_apex(v)) around_a |= bit(v);
   }
+  if (around_a == 0) return {};
   int seen = 0;
   for (Halfedge g = mesh.rotate_cw(site.o); g != site.o; g = mesh.rotate_cw(g)) {
     if (++seen == kMany) [[unlikely]] {
       if (const std::optional<Halfedge> found = find_near_few(mesh, site)) return *found;
     }
     const Vertex v = mesh.to_vertex(g);
-    if ((around_a & bit(v)) == 0 || v == site.left || v == site.right) continue;
+    if ((around_a & bit(v)) == 0 || is_apex(v)) continue;
     for (Halfedge of_a = mesh.rotate_cw(site.h); of_a != site.h; of_a = mesh.rotate_cw(of_a)) {
       if (mesh.to_vertex(of_a) == v) return g;
     }
@@ -107,16 +110,21 @@ template <class Mesh>
   return {};
 }
 
-/// The two faces of which a closed component would consist, glued along all their edges; else
-/// empty. They meet at b, which would have valence two then; this is rare, so the rest is rarely
-/// looked at.
+/// Whether find_pillow may find something: b would have valence two then, which is rare.
 template <class Mesh>
-[[nodiscard]] std::pair<Face, Face> find_pillow(const Mesh& mesh, const CollapseSite& site) {
+[[nodiscard]] bool can_leave_pillow(const Mesh& mesh, const CollapseSite& site) {
   const auto has_valence_below_four = [&](Halfedge leaving) {
     const Halfedge third = mesh.rotate_cw(mesh.rotate_cw(leaving));
     return third == leaving || mesh.rotate_cw(third) == leaving;
   };
-  if (!has_valence_below_four(site.h) || !has_valence_below_four(site.o)) return {};
+  return has_valence_below_four(site.o) && has_valence_below_four(site.h);
+}
+
+/// The two faces of which a closed component would consist, glued along all their edges; else
+/// empty.
+/// pre: can_leave_pillow
+template <class Mesh>
+[[nodiscard]] std::pair<Face, Face> find_pillow(const Mesh& mesh, const CollapseSite& site) {
   // The faces at a and b that stay, each of them once.
   Face found[2];
   std::size_t count = 0;
@@ -190,10 +198,9 @@ enum class LinkCondition : std::uint8_t {
 namespace internal {
 
 template <class Mesh>
-[[nodiscard]] CollapseObstacle find_collapse_obstacle(const Mesh& mesh, Halfedge h,
+[[nodiscard]] CollapseObstacle find_collapse_obstacle(const Mesh& mesh, const CollapseSite& site,
                                                       LinkCondition condition) {
   using Kind = CollapseObstacle::Kind;
-  const CollapseSite site(mesh, h);
   if (mesh.face(site.h) == mesh.face(site.o)) return {Kind::kSameLoop};
   if (const Halfedge g = find_loop_edge(mesh, site); g.valid()) return {Kind::kLoopEdge, g};
   const bool is_interior = !mesh.is_boundary(site.h) && !mesh.is_boundary(site.o);
@@ -211,7 +218,7 @@ template <class Mesh>
   if (const Face f = find_face_at_both_ends(mesh, site); f.valid()) {
     return {Kind::kRepeatedVertex, {}, f};
   }
-  if (condition == LinkCondition::kStrict) {
+  if (condition == LinkCondition::kStrict && can_leave_pillow(mesh, site)) {
     const auto [f, g] = find_pillow(mesh, site);
     if (f.valid()) return {Kind::kPillow, {}, f, g};
   }
@@ -219,10 +226,10 @@ template <class Mesh>
 }
 
 template <class Mesh>
-[[nodiscard]] Failure explain(const Mesh& mesh, Halfedge h, const CollapseObstacle& obstacle) {
+[[nodiscard]] Failure explain(const Mesh& mesh, const CollapseSite& site,
+                              const CollapseObstacle& obstacle) {
   using Kind = CollapseObstacle::Kind;
-  const CollapseSite site(mesh, h);
-  const Edge e = mesh.edge(h);
+  const Edge e = mesh.edge(site.h);
   switch (obstacle.kind) {
     case Kind::kLoopEdge:
       return decorator::internal::is_loop_edge(obstacle.side, mesh.to_vertex(obstacle.side));
@@ -251,6 +258,15 @@ template <class Mesh>
   return {};
 }
 
+/// check_collapse of a live halfedge.
+template <class Mesh>
+[[nodiscard]] Result<void> check_site(const Mesh& mesh, const CollapseSite& site,
+                                      LinkCondition condition) {
+  const CollapseObstacle obstacle = find_collapse_obstacle(mesh, site, condition);
+  if (obstacle.kind == CollapseObstacle::Kind::kNone) return {};
+  return explain(mesh, site, obstacle);
+}
+
 }  // namespace internal
 
 /// Whether collapse(h) can be done, without a sentence: allocates nothing. (OpenMesh:
@@ -260,7 +276,7 @@ template <class Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] bool is_collapse_ok(const Mesh& mesh, Halfedge h,
                                   LinkCondition condition = LinkCondition::kStrict) {
-  return internal::find_collapse_obstacle(mesh, h, condition).kind ==
+  return internal::find_collapse_obstacle(mesh, internal::CollapseSite(mesh, h), condition).kind ==
          internal::CollapseObstacle::Kind::kNone;
 }
 
@@ -290,9 +306,7 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_collapse(const Mesh& mesh, Halfedge h,
                                           LinkCondition condition = LinkCondition::kStrict) {
   if (Result<void> live = check_live(mesh, h); !live) return live;
-  const internal::CollapseObstacle obstacle = internal::find_collapse_obstacle(mesh, h, condition);
-  if (obstacle.kind == internal::CollapseObstacle::Kind::kNone) return {};
-  return internal::explain(mesh, h, obstacle);
+  return internal::check_site(mesh, internal::CollapseSite(mesh, h), condition);
 }
 
 }  // namespace halfedge::operations
