@@ -172,7 +172,7 @@ void Attributes::copy_corner_values(Index to, Index from, Journal* journal) {
   }
 }
 
-void Attributes::blend_corners(Index to, Index a, Index b, double t, Journal* journal) {
+void Attributes::blend_corner_values(Index to, Index a, Index b, double t, Journal* journal) {
   for (Column& column : of(ItemKind::kHalfedge)) {
     if (!column->interpolates()) continue;
     Attribute::Sum sum;

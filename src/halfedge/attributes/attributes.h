@@ -103,7 +103,9 @@ class Attributes {
   void copy_corner(Index to, Index from, Journal* journal) {
     if (has_any()) copy_corner_values(to, from, journal);
   }
-  void blend_corners(Index to, Index a, Index b, double t, Journal* journal);
+  void blend_corners(Index to, Index a, Index b, double t, Journal* journal) {
+    if (has_any()) blend_corner_values(to, a, b, t, journal);
+  }
   void swap_corners(Index a, Index b, Journal* journal);
   /// The ends of an edge whose corners move to a point on it.
   enum class EdgeEnd : std::uint8_t { kFrom, kTo };
@@ -165,6 +167,7 @@ class Attributes {
   void copy_values(ItemKind kind, Index to, Index from, Journal* journal);
   void blend_values(ItemKind kind, Index to, Index a, Index b, double t, Journal* journal);
   void copy_corner_values(Index to, Index from, Journal* journal);
+  void blend_corner_values(Index to, Index a, Index b, double t, Journal* journal);
   void drop_all();
 
   std::array<std::vector<Column>, 5> columns_;  // by kind; a mesh itself has none

@@ -133,21 +133,12 @@ template <Editable Mesh>
   return internal::check_live(mesh, h);
 }
 
-/// A new vertex of valence two on the edge of `h`; the loops on both sides gain a corner.
-/// (CGAL's Polyhedron: split_edge)
-///
-///       u ------------- h -----------> v
-///       u ----- k ----> w ---- h ----> v       next(k) == h
-///
-/// returns: k, which leads to the new vertex, at (1 - t) u + t v. k has the attributes of the old
-///          edge, w and its corners are interpolated.
-/// cost: O(1), and finding prev(h) where it isn't stored. inverse: join_edge(k), which returns h
-/// errors: not-a-halfedge, out-of-memory
-template <Editable Mesh>
-[[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h, double t = 0.5) {
-  using namespace internal;
-  if (Result<void> can = check_split_edge(mesh, h); !can) return can.error();
-  if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
+namespace internal {
+
+/// split_edge, all checks done.
+/// pre: there is room for a vertex and an edge
+template <class Mesh>
+[[nodiscard]] Halfedge halve_edge(Mesh& mesh, Halfedge h, double t) {
   const Halfedge o = mesh.opposite(h);
   const Vertex u = mesh.from_vertex(h);
   const Halfedge before_h = mesh.prev(h);
@@ -174,6 +165,26 @@ template <Editable Mesh>
   replace_anchor(mesh, u, h, k);
   set_anchor(mesh, w, is_boundary(mesh, o) ? k_opposite : h);
   return k;
+}
+
+}  // namespace internal
+
+/// A new vertex of valence two on the edge of `h`; the loops on both sides gain a corner.
+/// (CGAL's Polyhedron: split_edge)
+///
+///       u ------------- h -----------> v
+///       u ----- k ----> w ---- h ----> v       next(k) == h
+///
+/// returns: k, which leads to the new vertex, at (1 - t) u + t v. k has the attributes of the old
+///          edge, w and its corners are interpolated.
+/// cost: O(1), and finding prev(h) where it isn't stored. inverse: join_edge(k), which returns h
+/// errors: not-a-halfedge, out-of-memory
+template <Editable Mesh>
+[[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h, double t = 0.5) {
+  using namespace internal;
+  if (Result<void> can = check_split_edge(mesh, h); !can) return can.error();
+  if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
+  return halve_edge(mesh, h, t);
 }
 
 /// Whether join_edge(k) can be done: else not-a-halfedge, loop-edge, not-valence-two.

@@ -151,7 +151,7 @@ template <EditableSurface Mesh>
   const bool cuts_left = internal::is_in_triangle(mesh, h);
   const bool cuts_right = internal::is_in_triangle(mesh, o);
   const double t = internal::parameter_on(mesh, h, position, 0.5);
-  const Halfedge k = decorator::split_edge(mesh, h, t).value();  // room was made
+  const Halfedge k = decorator::internal::halve_edge(mesh, h, t);
   const Vertex w = mesh.to_vertex(k);
   internal::move_to(mesh, w, position);
   if (cuts_left) internal::cut_face(mesh, mesh.next(h), k);
