@@ -98,6 +98,12 @@ class [[nodiscard]] Result {
   Result(Failure failure) : failure_(std::move(failure)) {}
   Result(Error&& error) : failure_(std::move(error)) {}
   Result(const Error& error) : failure_(error) {}
+  /// The error of another result, so that `return can;` passes it on, without a copy.
+  /// pre: !failed.ok()
+  template <class Other>
+  Result(Result<Other>&& failed) : failure_(std::move(failed).failure()) {
+    assert(!ok());
+  }
 
   [[nodiscard]] bool ok() const { return !failure_.happened(); }
   explicit operator bool() const { return ok(); }

@@ -455,5 +455,14 @@ TEST(Result, HandsOverWhatALoopCanGoOver) {
   EXPECT_EQ(loops, 1U);
 }
 
+TEST(Result, PassesTheErrorOfAnotherOneOn) {
+  const auto passed_on = [](Result<void> can) -> Result<Index> { return can; };
+  const Result<Index> result = passed_on(Error{"a-code", "A sentence.", {.vertices = {7}}});
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, "a-code");
+  EXPECT_EQ(result.error().message, "A sentence.");
+  EXPECT_EQ(result.error().witness, (Witness{.vertices = {7}}));
+}
+
 }  // namespace
 }  // namespace halfedge::test

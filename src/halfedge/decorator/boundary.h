@@ -36,7 +36,7 @@ template <Editable Mesh>
 requires StoresFaces<Mesh>
 [[nodiscard]] Result<Halfedge> add_face_to_boundary(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;
-  if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can;
   if (!make_room(mesh, 0, 1, 1)) return no_memory("an edge and a face");
   const Halfedge d = mesh.new_edge(mesh.to_vertex(g), mesh.to_vertex(h));
   insert_tip(mesh, d, h);
@@ -57,7 +57,7 @@ template <Editable Mesh>
 requires StoresFaces<Mesh>
 [[nodiscard]] Result<Halfedge> add_vertex_and_face_to_boundary(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;
-  if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can;
   if (!make_room(mesh, 1, 2, 1)) return no_memory("a vertex, two edges and a face");
   Result<Halfedge> closing = add_face_to_boundary(mesh, h, g);
   if (!closing) return closing;
@@ -85,7 +85,7 @@ template <Editable Mesh>
 requires StoresSurface<Mesh>
 [[nodiscard]] Result<void> erase_face(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_erase_face(mesh, h); !can) return can.error();
+  if (Result<void> can = check_erase_face(mesh, h); !can) return can;
   struct Corner {
     Halfedge halfedge;
     Vertex vertex;

@@ -223,7 +223,7 @@ template <Editable Mesh>
 /// errors: those of check_create_center_vertex, out-of-memory
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> create_center_vertex(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_create_center_vertex(mesh, h); !can) return can.error();
+  if (Result<void> can = check_create_center_vertex(mesh, h); !can) return can;
   return internal::add_center_vertex(mesh, h);
 }
 
@@ -274,7 +274,7 @@ template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
 [[nodiscard]] Result<Halfedge> erase_center_vertex(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_erase_center_vertex(mesh, h); !can) return can.error();
+  if (Result<void> can = check_erase_center_vertex(mesh, h); !can) return can;
   const Vertex c = mesh.to_vertex(h);
   const Face f = face_of(mesh, h);
   Halfedge returned = mesh.prev(h);

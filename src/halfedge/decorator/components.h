@@ -74,7 +74,7 @@ template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
 [[nodiscard]] Result<Index> erase_connected_component(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> live = check_live(mesh, h); !live) return live.error();
+  if (Result<void> live = check_live(mesh, h); !live) return live;
   ComponentWalk<Mesh> walk(mesh);
   if (!walk.prepare()) return no_memory("the edges of the component");
   const Array<Edge>& edges = walk.edges_of(mesh.edge(h));

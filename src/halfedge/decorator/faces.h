@@ -35,7 +35,7 @@ template <Editable Mesh>
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> split_face(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;
-  if (Result<void> can = check_split_face(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_split_face(mesh, h, g); !can) return can;
   if (!make_room(mesh, 0, 1, 1)) return no_memory("an edge and a face");
   const Face f = face_of(mesh, h);
   const Halfedge d = mesh.new_edge(mesh.to_vertex(h), mesh.to_vertex(g));
@@ -83,7 +83,7 @@ template <Editable Mesh>
 requires DeletesFaces<Mesh>
 [[nodiscard]] Result<Halfedge> join_face(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_join_face(mesh, h); !can) return can.error();
+  if (Result<void> can = check_join_face(mesh, h); !can) return can;
   const Halfedge o = mesh.opposite(h);
   const Halfedge before_h = mesh.prev(h);
   const Halfedge before_o = mesh.prev(o);
@@ -127,7 +127,7 @@ template <Editable Mesh>
 requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh>
 [[nodiscard]] Result<Halfedge> make_hole(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_make_hole(mesh, h); !can) return can.error();
+  if (Result<void> can = check_make_hole(mesh, h); !can) return can;
   mesh.release(mesh.face(h));
   set_face_of_loop(mesh, h, Face{});
   if constexpr (StoresAnchors<Mesh>) {
@@ -160,7 +160,7 @@ template <Editable Mesh>
 requires StoresFaces<Mesh>
 [[nodiscard]] Result<Halfedge> fill_hole(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_fill_hole(mesh, h); !can) return can.error();
+  if (Result<void> can = check_fill_hole(mesh, h); !can) return can;
   if (!make_room(mesh, 0, 0, 1)) return no_memory("a face");
   make_face(mesh, h);
   mend_anchors_of_loop(mesh, h);

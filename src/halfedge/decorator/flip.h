@@ -85,7 +85,7 @@ void turn_edge(Mesh& mesh, Halfedge h) {
 /// errors: those of check_flip_edge
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> flip_edge(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_flip_edge(mesh, h); !can) return can.error();
+  if (Result<void> can = check_flip_edge(mesh, h); !can) return can;
   internal::turn_edge(mesh, h);
   return h;
 }

@@ -73,7 +73,7 @@ template <Editable Mesh>
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> split_loop(Mesh& mesh, std::span<const Halfedge> cycle) {
   using namespace internal;
-  if (Result<void> can = check_split_loop(mesh, cycle); !can) return can.error();
+  if (Result<void> can = check_split_loop(mesh, cycle); !can) return can;
   const std::size_t n = cycle.size();
   struct Cut {
     Halfedge copy;    // c'[i]
@@ -202,7 +202,7 @@ template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>
 [[nodiscard]] Result<Halfedge> join_loop(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;
-  if (Result<void> can = check_join_loop(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_join_loop(mesh, h, g); !can) return can;
   struct Seam {
     Halfedge kept = {};    // on the loop of h
     Halfedge outer = {};   // opposite the halfedge on the loop of g, whose place `kept` takes

@@ -53,7 +53,7 @@ template <Editable Mesh>
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> split_vertex(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace internal;
-  if (Result<void> can = check_split_vertex(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_split_vertex(mesh, h, g); !can) return can;
   if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
   const Vertex v = mesh.to_vertex(h);
   const Vertex w = copy_vertex(mesh, v);
@@ -95,7 +95,7 @@ template <Editable Mesh>
 requires DeletesVertices<Mesh>
 [[nodiscard]] Result<Halfedge> join_vertex(Mesh& mesh, Halfedge h) {
   using namespace internal;
-  if (Result<void> can = check_join_vertex(mesh, h); !can) return can.error();
+  if (Result<void> can = check_join_vertex(mesh, h); !can) return can;
   const Halfedge o = mesh.opposite(h);
   const Vertex kept = mesh.to_vertex(h);
   const Vertex gone = mesh.from_vertex(h);
@@ -182,7 +182,7 @@ template <class Mesh>
 template <Editable Mesh>
 [[nodiscard]] Result<Halfedge> split_edge(Mesh& mesh, Halfedge h, double t = 0.5) {
   using namespace internal;
-  if (Result<void> can = check_split_edge(mesh, h); !can) return can.error();
+  if (Result<void> can = check_split_edge(mesh, h); !can) return can;
   if (!make_room(mesh, 1, 1, 0)) return no_memory("a vertex and an edge");
   return halve_edge(mesh, h, t);
 }
@@ -218,7 +218,7 @@ template <Editable Mesh>
 requires DeletesVertices<Mesh>
 [[nodiscard]] Result<Halfedge> join_edge(Mesh& mesh, Halfedge k) {
   using namespace internal;
-  if (Result<void> can = check_join_edge(mesh, k); !can) return can.error();
+  if (Result<void> can = check_join_edge(mesh, k); !can) return can;
   const Halfedge k_opposite = mesh.opposite(k);
   const Halfedge h = mesh.next(k);
   const Halfedge o = mesh.opposite(h);
@@ -278,7 +278,7 @@ template <Editable Mesh>
 template <Editable Mesh>
 requires DeletesVertices<Mesh>
 [[nodiscard]] Result<Halfedge> erase_tip(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_erase_tip(mesh, h); !can) return can.error();
+  if (Result<void> can = check_erase_tip(mesh, h); !can) return can;
   return join_vertex(mesh, mesh.opposite(h));
 }
 

@@ -65,7 +65,7 @@ template <class Mesh>
 [[nodiscard]] Result<Index> count_new_edges(const Mesh& mesh, std::span<const Vertex> corners) {
   const std::size_t degree = corners.size();
   for (const Vertex v : corners) {
-    if (Result<void> live = check_live(mesh, v); !live) return live.error();
+    if (Result<void> live = check_live(mesh, v); !live) return live;
   }
   if (degree < 3) return degree_below_three(Index(degree), corners);
   const Result<Vertex> repeated = find_repeated(corners);
@@ -81,7 +81,7 @@ template <class Mesh>
     const Halfedge out = i + 1 == degree ? last : mesh.find_halfedge(corners[i], corners[i + 1]);
     if (out.valid() && !mesh.is_boundary(out)) return side_is_taken(mesh, out, corners, i);
     new_edges += out.valid() ? 0U : 1U;
-    if (Result<void> can = check_corner(mesh, corners[i], in, out); !can) return can.error();
+    if (Result<void> can = check_corner(mesh, corners[i], in, out); !can) return can;
     in = out;
   }
   return new_edges;

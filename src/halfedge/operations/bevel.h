@@ -53,7 +53,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_vertex(Mesh& mesh, Vertex v, double amount) {
   using namespace decorator::internal;
-  if (Result<void> can = check_bevel_vertex(mesh, v, amount); !can) return can.error();
+  if (Result<void> can = check_bevel_vertex(mesh, v, amount); !can) return can;
   struct Spoke {
     Halfedge in;         // leads to v
     Vertex corner = {};  // where it will lead
@@ -181,7 +181,7 @@ template <class Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_edge(Mesh& mesh, Edge e, double amount) {
   using namespace decorator::internal;
-  if (Result<void> can = check_bevel_edge(mesh, e, amount); !can) return can.error();
+  if (Result<void> can = check_bevel_edge(mesh, e, amount); !can) return can;
   if (!make_room(mesh, 2, 3, 1)) return no_memory("a face");
   const Halfedge h = mesh.edge_halfedge(e);
   const Halfedge o = mesh.opposite(h);

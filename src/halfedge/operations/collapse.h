@@ -105,9 +105,9 @@ template <EditableSurface Mesh>
                                       const std::optional<Point>& position = {},
                                       LinkCondition condition = LinkCondition::kStrict) {
   namespace steps = decorator::internal;
-  if (Result<void> live = check_live(mesh, h); !live) return live.error();
+  if (Result<void> live = check_live(mesh, h); !live) return live;
   const internal::CollapseSite site(mesh, h);
-  if (Result<void> can = internal::check_site(mesh, site, condition); !can) return can.error();
+  if (Result<void> can = internal::check_site(mesh, site, condition); !can) return can;
   const Halfedge o = site.o;
   const Halfedge before_h = mesh.prev(h);
   const Halfedge before_o = mesh.prev(o);

@@ -44,7 +44,7 @@ template <EditableSurface Mesh, class Item>
 /// errors: those of check_delete_component, out-of-memory
 template <EditableSurface Mesh, class Item>
 [[nodiscard]] Result<Index> delete_component(Mesh& mesh, Item item) {
-  if (Result<void> can = check_delete_component(mesh, item); !can) return can.error();
+  if (Result<void> can = check_delete_component(mesh, item); !can) return can;
   const Index before = mesh.face_count();
   if (const Halfedge h = internal::halfedge_of(mesh, item); h.valid()) {
     Result<Index> erased = decorator::erase_connected_component(mesh, h);

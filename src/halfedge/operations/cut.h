@@ -104,9 +104,9 @@ template <class Mesh>
   Cuts cuts;
   Array<Vertex> inside;  // the ends that are, once for each of their edges
   for (const Edge e : edges) {
-    if (Result<void> live = check_live(mesh, e); !live) return std::move(live).failure();
+    if (Result<void> live = check_live(mesh, e); !live) return live;
     const Halfedge h = mesh.edge_halfedge(e);
-    if (Result<void> can = check_inner_edge(mesh, h); !can) return std::move(can).failure();
+    if (Result<void> can = check_inner_edge(mesh, h); !can) return can;
     bool fits = cuts.edges.push_back({e, Index(cuts.edges.size())});
     for (const Vertex end : {mesh.from_vertex(h), mesh.to_vertex(h)}) {
       if (mesh.is_boundary(end)) {
@@ -163,7 +163,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_cut, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> cut(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_cut(mesh, h); !can) return can.error();
+  if (Result<void> can = check_cut(mesh, h); !can) return can;
   if (!decorator::internal::make_room(mesh, 2, 1, 0)) {
     return decorator::internal::no_memory("an edge and its ends");
   }
@@ -209,7 +209,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_cut_path, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> cut_path(Mesh& mesh, std::span<const Halfedge> path) {
-  if (Result<void> can = check_cut_path(mesh, path); !can) return can.error();
+  if (Result<void> can = check_cut_path(mesh, path); !can) return can;
   const std::size_t n = path.size();
   if (n > kMaxSlots / 2 || !decorator::internal::make_room(mesh, Index(2 * n), Index(n), 0)) {
     return decorator::internal::no_memory("a copy of the path");

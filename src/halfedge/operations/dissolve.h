@@ -77,7 +77,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_dissolve_vertex
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> dissolve_vertex(Mesh& mesh, Vertex v) {
-  if (Result<void> can = check_dissolve_vertex(mesh, v); !can) return can.error();
+  if (Result<void> can = check_dissolve_vertex(mesh, v); !can) return can;
   const Halfedge in = mesh.opposite(mesh.vertex_halfedge(v));
   const Face f = mesh.face(in);
   if (!mesh.is_boundary(v)) {
@@ -171,7 +171,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> dissolve_edge(Mesh& mesh, Edge e) {
   using namespace internal;
-  if (Result<void> can = check_dissolve_edge(mesh, e); !can) return can.error();
+  if (Result<void> can = check_dissolve_edge(mesh, e); !can) return can;
   const Halfedge h = mesh.edge_halfedge(e);
   const Halfedge o = mesh.opposite(h);
   const Face f = mesh.face(h);

@@ -97,7 +97,7 @@ requires HasPositions<Mesh>
 template <EditableSurface Mesh>
 requires HasPositions<Mesh>
 [[nodiscard]] Result<Face> extrude_face(Mesh& mesh, Face f, double offset) {
-  if (Result<void> can = check_extrude_face(mesh, f, offset); !can) return can.error();
+  if (Result<void> can = check_extrude_face(mesh, f, offset); !can) return can;
   const Vector offset_vector = internal::along_normal(mesh, f, offset);
   Array<internal::RingSide> sides;
   if (!internal::insert_ring(mesh, f, sides)) {
@@ -132,7 +132,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_inset_face, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> inset_face(Mesh& mesh, Face f, double fraction) {
-  if (Result<void> can = check_inset_face(mesh, f, fraction); !can) return can.error();
+  if (Result<void> can = check_inset_face(mesh, f, fraction); !can) return can;
   Array<internal::RingSide> sides;
   if (!internal::insert_ring(mesh, f, sides)) {
     return decorator::internal::no_memory("a quad at each side");

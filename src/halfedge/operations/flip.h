@@ -47,7 +47,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_flip_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> flip_edge(Mesh& mesh, Edge e) {
-  if (Result<void> can = check_flip_edge(mesh, e); !can) return can.error();
+  if (Result<void> can = check_flip_edge(mesh, e); !can) return can;
   decorator::internal::turn_edge(mesh, mesh.edge_halfedge(e));
   return e;
 }

@@ -175,7 +175,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_glue
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> glue(Mesh& mesh, Halfedge h, Halfedge g) {
-  if (Result<void> can = check_glue(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_glue(mesh, h, g); !can) return can;
   internal::glue_edges(mesh, h, g);
   return mesh.edge(h);
 }
@@ -206,7 +206,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_glue_path
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> glue_path(Mesh& mesh, Halfedge h, Halfedge g, std::size_t n) {
-  if (Result<void> can = check_glue_path(mesh, h, g, n); !can) return can.error();
+  if (Result<void> can = check_glue_path(mesh, h, g, n); !can) return can;
   Halfedge on_h = h;
   for (std::size_t i = 0; i < n; ++i) {
     const Halfedge next_h = mesh.next(on_h);

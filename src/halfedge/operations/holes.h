@@ -59,7 +59,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_make_hole
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> make_hole(Mesh& mesh, Face f) {
-  if (Result<void> can = check_make_hole(mesh, f); !can) return can.error();
+  if (Result<void> can = check_make_hole(mesh, f); !can) return can;
   return decorator::make_hole(mesh, mesh.face_halfedge(f));
 }
 
@@ -81,7 +81,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_fill_hole, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> fill_hole(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_fill_hole(mesh, h); !can) return can.error();
+  if (Result<void> can = check_fill_hole(mesh, h); !can) return can;
   const Result<Halfedge> filled = decorator::fill_hole(mesh, h);
   if (!filled) return filled.error();
   return mesh.face(h);

@@ -54,7 +54,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_insert_edge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> insert_edge(Mesh& mesh, Halfedge h, Halfedge g) {
-  if (Result<void> can = check_insert_edge(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_insert_edge(mesh, h, g); !can) return can;
   const Result<Halfedge> inserted = mesh.is_boundary(h)
                                         ? decorator::add_face_to_boundary(mesh, h, g)
                                         : decorator::split_face(mesh, h, g);
@@ -124,7 +124,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_remove_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> remove_edge(Mesh& mesh, Edge e) {
-  if (Result<void> can = check_remove_edge(mesh, e); !can) return can.error();
+  if (Result<void> can = check_remove_edge(mesh, e); !can) return can;
   const Halfedge h = mesh.edge_halfedge(e);
   const bool is_turned = mesh.is_boundary(mesh.opposite(h));
   const Result<Halfedge> joined = decorator::join_face(mesh, is_turned ? mesh.opposite(h) : h);

@@ -73,7 +73,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_join_loop, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> join_loop(Mesh& mesh, Halfedge h, Halfedge g) {
-  if (Result<void> can = check_join_loop(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_join_loop(mesh, h, g); !can) return can;
   return decorator::join_loop(mesh, h, g);
 }
 
@@ -115,7 +115,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> bridge(Mesh& mesh, Halfedge h, Halfedge g) {
   using namespace decorator::internal;
-  if (Result<void> can = check_bridge(mesh, h, g); !can) return can.error();
+  if (Result<void> can = check_bridge(mesh, h, g); !can) return can;
   Index n = 0;
   for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(h)) ++n;
   struct Quad {
@@ -196,7 +196,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> remove_bridge(Mesh& mesh, Halfedge s) {
   using namespace decorator::internal;
-  if (Result<void> can = check_remove_bridge(mesh, s); !can) return can.error();
+  if (Result<void> can = check_remove_bridge(mesh, s); !can) return can;
   // The two faces take slots of the quads, but their attributes must be there at the same time.
   if (!make_room(mesh, 0, 0, 2)) return no_memory("two faces");
   const Face like = mesh.face(s);

@@ -52,7 +52,7 @@ template <EditableSurface Mesh>
 /// errors: not-a-halfedge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> reverse_component(Mesh& mesh, Halfedge h) {
-  if (Result<void> can = check_reverse_component(mesh, h); !can) return can.error();
+  if (Result<void> can = check_reverse_component(mesh, h); !can) return can;
   decorator::internal::ComponentWalk<Mesh> walk(mesh);
   Array<bool> seen;
   if (!walk.prepare() || !seen.resize(mesh.halfedge_slots(), false)) {

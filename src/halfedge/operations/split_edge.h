@@ -29,7 +29,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> insert_vertex_on_edge(Mesh& mesh, Edge e,
                                                    const std::optional<Point>& position = {}) {
-  if (Result<void> can = check_insert_vertex_on_edge(mesh, e); !can) return can.error();
+  if (Result<void> can = check_insert_vertex_on_edge(mesh, e); !can) return can;
   const Halfedge h = mesh.edge_halfedge(e);
   const double t = internal::parameter_on(mesh, h, position, 0.5);
   const Result<Halfedge> half = decorator::split_edge(mesh, h, t);
@@ -73,7 +73,7 @@ template <EditableSurface Mesh>
 /// errors: those of check_remove_vertex_on_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> remove_vertex_on_edge(Mesh& mesh, Vertex v) {
-  if (Result<void> can = check_remove_vertex_on_edge(mesh, v); !can) return can.error();
+  if (Result<void> can = check_remove_vertex_on_edge(mesh, v); !can) return can;
   const Halfedge h = mesh.vertex_halfedge(v);
   const Halfedge g = mesh.rotate_cw(h);
   const Halfedge kept = mesh.edge(h) < mesh.edge(g) ? h : g;
@@ -142,7 +142,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_edge(Mesh& mesh, Edge e,
                                         const std::optional<Point>& position = {}) {
-  if (Result<void> can = check_split_edge(mesh, e); !can) return can.error();
+  if (Result<void> can = check_split_edge(mesh, e); !can) return can;
   if (!decorator::internal::make_room(mesh, 1, 3, 2)) {
     return decorator::internal::no_memory("a vertex, three edges and two faces");
   }

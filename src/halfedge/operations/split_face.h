@@ -33,7 +33,7 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_face(
     Mesh& mesh, Face f, [[maybe_unused]] const std::optional<Point>& position = {}) {
-  if (Result<void> can = check_split_face(mesh, f); !can) return can.error();
+  if (Result<void> can = check_split_face(mesh, f); !can) return can;
   const Result<Halfedge> to_center =
       decorator::internal::add_center_vertex(mesh, mesh.face_halfedge(f));
   if (!to_center) return to_center.error();
@@ -91,7 +91,7 @@ requires HasPositions<Mesh>
 template <EditableSurface Mesh>
 requires HasPositions<Mesh>
 [[nodiscard]] Result<Vertex> poke(Mesh& mesh, Face f, double offset = 0) {
-  if (Result<void> can = check_poke(mesh, f, offset); !can) return can.error();
+  if (Result<void> can = check_poke(mesh, f, offset); !can) return can;
   if (offset == 0) return split_face(mesh, f);
   return split_face(mesh, f, internal::tip(mesh, f, offset));
 }

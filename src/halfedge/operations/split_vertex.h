@@ -156,7 +156,7 @@ template <EditableSurface Mesh>
                                           const std::optional<Point>& position = {},
                                           SplitSides sides = {}) {
   namespace steps = decorator::internal;
-  if (Result<void> can = check_split_vertex(mesh, hl, hr, sides); !can) return can.error();
+  if (Result<void> can = check_split_vertex(mesh, hl, hr, sides); !can) return can;
   if (!steps::make_room(mesh, 1, 3, 2)) {
     return steps::no_memory("a vertex, three edges and two faces");
   }

@@ -77,11 +77,11 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> triangulate(Mesh& mesh, Face f) {
   using namespace decorator::internal;
-  if (Result<void> live = check_live(mesh, f); !live) return live.error();
+  if (Result<void> live = check_live(mesh, f); !live) return live;
   internal::FacePlan plan;
   const Halfedge first = mesh.face_halfedge(f);
   if (Result<void> can = plan.add(mesh.links(), internal::positions_of(mesh), first, false); !can) {
-    return can.error();
+    return can;
   }
   const Index added = Index(plan.ears().size());
   internal::Corners corners;
@@ -113,7 +113,7 @@ template <EditableSurface Mesh>
   internal::FacePlan plan;
   if (Result<void> can = internal::plan_all(mesh.links(), internal::positions_of(mesh), plan);
       !can) {
-    return can.error();
+    return can;
   }
   const std::size_t added = plan.ears().size();
   internal::Corners corners;
