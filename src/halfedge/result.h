@@ -142,6 +142,9 @@ class [[nodiscard]] Result<void> {
   Result(Failure failure) : failure_(std::move(failure)) {}
   Result(Error&& error) : failure_(std::move(error)) {}
   Result(const Error& error) : failure_(error) {}
+  /// Whether another one has a value, or its error, without a copy.
+  template <class Other>
+  Result(Result<Other>&& other) : failure_(std::move(other).failure()) {}
 
   [[nodiscard]] bool ok() const { return !failure_.happened(); }
   explicit operator bool() const { return ok(); }

@@ -85,7 +85,7 @@ template <Storage kStored>
 template <Storage kStored>
 [[nodiscard]] Result<Index> write_ring(const BasicConnectivity<kStored>& mesh, Ring ring,
                                        Direction direction, Index centre, std::span<Index> out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return write_ring(RawLinks(mesh), ring, direction, centre, out);
 }
 

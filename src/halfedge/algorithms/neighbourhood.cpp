@@ -160,7 +160,7 @@ bool list_marked(const Marks& marks, Array<Index>& list) {
 
 Result<Adjacency> k_ring(const RawLinks& links, std::span<const Index> vertices, Index k) {
   if (Result<void> checked = check_items<Vertex>(links, vertices); !checked) {
-    return checked.error();
+    return checked;
   }
   Adjacency rows;
   Marks seen;

@@ -50,7 +50,7 @@ enum class Surroundings : std::uint8_t { kStar, kClosure, kLink };
 template <Storage kStored>
 [[nodiscard]] Result<Adjacency> k_ring(const BasicConnectivity<kStored>& mesh,
                                        std::span<const Index> vertices, Index k) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return k_ring(RawLinks(mesh), vertices, k);
 }
 
@@ -59,14 +59,14 @@ template <Storage kStored>
 /// likewise the next two
 template <Storage kStored>
 [[nodiscard]] Result<ItemSet> star(const BasicConnectivity<kStored>& mesh, const Items& items) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return surroundings(RawLinks(mesh), Surroundings::kStar, items);
 }
 
 /// The items, and all edges and vertices of them: the smallest complex that they are a part of.
 template <Storage kStored>
 [[nodiscard]] Result<ItemSet> closure(const BasicConnectivity<kStored>& mesh, const Items& items) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return surroundings(RawLinks(mesh), Surroundings::kClosure, items);
 }
 
@@ -75,7 +75,7 @@ template <Storage kStored>
 /// triangle mesh the two vertices across from it.
 template <Storage kStored>
 [[nodiscard]] Result<ItemSet> link(const BasicConnectivity<kStored>& mesh, const Items& items) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return surroundings(RawLinks(mesh), Surroundings::kLink, items);
 }
 

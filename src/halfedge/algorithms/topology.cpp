@@ -106,7 +106,7 @@ bool all_faces_have(const BasicConnectivity<kStored>& mesh, int degree) {
 template <Storage kStored>
 requires StoresSurface<BasicConnectivity<kStored>> Result<Array<Halfedge>> boundary_loops(
     const BasicConnectivity<kStored>& mesh) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   const Links& links = mesh.links();
   Array<Halfedge> loops;
   Array<bool> seen;  // stays empty if the mesh is closed
@@ -135,10 +135,10 @@ template <Storage kStored>
 requires StoresSurface<BasicConnectivity<kStored>> Result<Components> connected_components(
     const BasicConnectivity<kStored>& mesh) {
   Result<Array<Halfedge>> loops = boundary_loops(mesh);
-  if (!loops) return loops.error();
+  if (!loops) return loops;
   Components components;
-  if (Result<void> done = label_vertices(mesh, components); !done) return done.error();
-  if (Result<void> done = label_faces(mesh, components); !done) return done.error();
+  if (Result<void> done = label_vertices(mesh, components); !done) return done;
+  if (Result<void> done = label_faces(mesh, components); !done) return done;
   const auto component_of = [&](Halfedge h) -> Component& {
     return components.list[components.of_vertex[mesh.to_vertex(h).index()]];
   };
@@ -153,7 +153,7 @@ template <Storage kStored>
 requires StoresSurface<BasicConnectivity<kStored>> Result<std::int64_t> genus(
     const BasicConnectivity<kStored>& mesh) {
   Result<Components> components = connected_components(mesh);
-  if (!components) return components.error();
+  if (!components) return components;
   std::int64_t sum = 0;
   for (const Component& component : components.value().list) sum += component.genus();
   return sum;

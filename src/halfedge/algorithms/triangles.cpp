@@ -34,7 +34,7 @@ class TriangleLister {
 
   Result<TriangleList> list(std::size_t expected, std::optional<std::span<const Index>> faces) {
     if (!make_room(expected)) return no_room_for_triangles();
-    if (Result<void> added = faces ? add_some(*faces) : add_all(); !added) return added.error();
+    if (Result<void> added = faces ? add_some(*faces) : add_all(); !added) return added;
     return std::move(list_);
   }
 

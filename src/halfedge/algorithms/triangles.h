@@ -44,7 +44,7 @@ struct TriangleList {
 template <Storage kStored>
 [[nodiscard]] Result<TriangleList> to_triangles(const BasicMesh<kStored>& mesh,
                                                 CornersAs corners_as = CornersAs::kVertices) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   const std::size_t halfedges = 2 * std::size_t{mesh.edge_count()};
   const std::size_t faces = mesh.face_count();  // two corners of each make no triangle
   return to_triangles(RawLinks(mesh), mesh.positions(), corners_as,
@@ -57,7 +57,7 @@ template <Storage kStored>
 [[nodiscard]] Result<TriangleList> to_triangles(const BasicMesh<kStored>& mesh,
                                                 std::span<const Index> faces,
                                                 CornersAs corners_as = CornersAs::kVertices) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   return to_triangles(RawLinks(mesh), mesh.positions(), corners_as, faces.size(), faces);
 }
 

@@ -31,7 +31,7 @@ class LinkConversion {
     if (Result<void> done =
             derive(from.links_, from.storage(), to.storage(), vertices, faces, derived);
         !done) {
-      return done.error();
+      return done;
     }
     // So that nothing can fail once links have moved.
     if (kTo.face && !from.attributes_.reserve(ItemKind::kFace, faces)) {

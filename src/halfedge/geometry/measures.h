@@ -106,7 +106,7 @@ template <class Mesh>
 template <HasPositions Mesh>
 requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh>
 [[nodiscard]] Result<double> volume(const Mesh& mesh) {
-  if (Result<void> closed = internal::check_closed(mesh); !closed) return closed.error();
+  if (Result<void> closed = internal::check_closed(mesh); !closed) return closed;
   double sum = 0;
   std::optional<Vector> origin;
   for (const Face f : mesh.faces()) {

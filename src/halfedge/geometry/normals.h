@@ -150,7 +150,7 @@ requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
   if (!normals.resize(mesh.vertex_slots())) {
     return decorator::internal::no_memory("the normals of the vertices");
   }
-  if (Result<void> done = vertex_normals(mesh, normals.span()); !done) return done.error();
+  if (Result<void> done = vertex_normals(mesh, normals.span()); !done) return done;
   return normals;
 }
 

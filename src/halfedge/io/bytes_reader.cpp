@@ -125,7 +125,7 @@ Result<Sections> read_sections(Bytes bytes, const Header& header) {
     const std::size_t begin = offset;
     std::string_view tag;
     Result<Section> section = read_section(bytes, offset, tag);
-    if (!section) return section.error();
+    if (!section) return section;
     if (tag == kAttributeTag) {
       sections.attributes.push_back(section.value());
       continue;
@@ -226,8 +226,8 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
   for (Index i = 0; i < components; ++i) numbers[i] = one.get(0, i);
   options.default_value = {numbers.data(), components};
   const std::string name(reinterpret_cast<const char*>(&content[kAttributeHeaderSize]), name_size);
-  const Result<Attribute*> added = mesh.add_attribute(ItemKind(kind), name, options);
-  if (!added) return added.error();
+  Result<Attribute*> added = mesh.add_attribute(ItemKind(kind), name, options);
+  if (!added) return added;
   if (slots > 0) {
     copy_little_endian(&content[values_at], added.value()->bytes().data(),
                        std::size_t(stride * slots), width);
@@ -237,8 +237,8 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
 
 template <Storage kStored>
 Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMesh<kStored>& mesh) {
-  const Result<Sections> sections = read_sections(bytes, header);
-  if (!sections) return sections.error();
+  Result<Sections> sections = read_sections(bytes, header);
+  if (!sections) return sections;
   const Section* const arrays = sections.value().arrays;
   {
     Links& links = mesh.mutable_links();
@@ -280,16 +280,16 @@ Result<void> read_all(Bytes bytes, const Header& header, BytesFrom from, BasicMe
 }  // namespace
 
 Result<bool> stores_prev(std::span<const std::uint8_t> bytes) {
-  const Result<Header> header = read_header(bytes);
-  if (!header) return header.error();
+  Result<Header> header = read_header(bytes);
+  if (!header) return header;
   return header.value().stores_prev;
 }
 
 template <Storage kStored>
 requires StoresSurface<BasicMesh<kStored>> Result<void> from_bytes(
     std::span<const std::uint8_t> bytes, BasicMesh<kStored>& mesh, BytesFrom from) {
-  const Result<Header> header = read_header(bytes);
-  if (!header) return header.error();
+  Result<Header> header = read_header(bytes);
+  if (!header) return header;
   BasicMesh<kStored> read;
   if constexpr (kStored.prev_at_run_time) {
     read.choose_prev(header.value().stores_prev);

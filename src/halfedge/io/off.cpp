@@ -324,8 +324,8 @@ std::vector<std::string> OffReader::notes() {
 
 Result<ParsedFile> read_off(std::span<const std::uint8_t> bytes, const Request& request) {
   TextScanner text(without_padding(bytes));
-  const Result<OffHeader> header = read_off_header(text);
-  if (!header) return header.error();
+  Result<OffHeader> header = read_off_header(text);
+  if (!header) return header;
   if (header.value().binary) {
     // Of which NULs at the end are a part.
     const std::size_t data = without_padding(bytes).size() - text.rest().size();

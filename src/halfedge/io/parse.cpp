@@ -157,8 +157,8 @@ const char* name_of(Format format) {
 
 Result<ParsedFile> parse(std::span<const std::uint8_t> bytes, std::optional<Format> claimed,
                          const ParseOptions& options) {
-  const Result<Format> format = detect(bytes, claimed);
-  if (!format) return format.error();
+  Result<Format> format = detect(bytes, claimed);
+  if (!format) return format;
   Result<ParsedFile> file = io::read_as(format.value(), bytes, {options});
   if (!file) {
     Error error = file.error();

@@ -24,8 +24,8 @@ Result<ParsedFile> read_rows(std::span<const std::uint8_t> bytes, const PlyHeade
 }  // namespace
 
 Result<ParsedFile> read_ply(std::span<const std::uint8_t> bytes, const Request& request) {
-  const Result<PlyHeader> header = read_ply_header(bytes);
-  if (!header) return header.error();
+  Result<PlyHeader> header = read_ply_header(bytes);
+  if (!header) return header;
   const std::size_t start = header.value().size;
   switch (header.value().encoding) {
     case PlyEncoding::kText:

@@ -66,7 +66,7 @@ template <Storage kStored>
   WriteSource source;
   source.positions = mesh.positions();
   Result<void> rows = adjacency(mesh, Ring::kFaceVertices, Direction::kCcw, source.faces);
-  if (!rows) return rows.error();
+  if (!rows) return rows;
   if (options.attributes) source.attributes = &mesh.attributes();
   if (options.attributes && !mesh.attributes().of(ItemKind::kHalfedge).empty()) {
     rows = adjacency(mesh, Ring::kFaceHalfedges, Direction::kCcw, source.halfedges);

@@ -144,7 +144,7 @@ class Remover {
   }
 
   [[nodiscard]] Result<void> cut_up(Face f) {
-    if (const Result<Index> done = surface_.triangulate(f); !done) return done.error();
+    if (Result<Index> done = surface_.triangulate(f); !done) return done;
     return count(Code::kTriangulatedFace);
   }
 
@@ -191,8 +191,8 @@ class Remover {
                                       faces[1], e));
     }
     if (!work_.reserve_more(2) || !report_.edges.reserve_more(1)) return no_memory();
-    const Result<Edge> done = surface_.flip_edge(e);
-    if (!done) return done.error();
+    Result<Edge> done = surface_.flip_edge(e);
+    if (!done) return done;
     (void)report_.edges.push_back(done.value().index());
     for (const Face f : faces) (void)work_.push_back(f);
     return count(Code::kFlippedEdge);
@@ -201,8 +201,8 @@ class Remover {
   // The face beyond has more corners: it gains the apex.
   [[nodiscard]] Result<void> join(Halfedge longest) {
     if (!work_.reserve_more(1) || !report_.faces.reserve_more(1)) return no_memory();
-    const Result<Face> done = surface_.remove_edge(Surface::edge(longest));
-    if (!done) return done.error();
+    Result<Face> done = surface_.remove_edge(Surface::edge(longest));
+    if (!done) return done;
     (void)report_.faces.push_back(done.value().index());
     (void)work_.push_back(done.value());
     return count(Code::kJoinedFace);
@@ -237,15 +237,15 @@ class Remover {
 }  // namespace
 
 Result<Report> remove_degenerate_faces(Surface& surface, const DegenerateOptions& options) {
-  if (const Result<void> checked = check_option(
+  if (Result<void> checked = check_option(
           "bad-tolerance", "The tolerance of removing degenerate faces", options.tolerance);
       !checked) {
-    return checked.error();
+    return checked;
   }
-  if (Result<void> valid = surface.check_valid(); !valid) return valid.error();
+  if (Result<void> valid = surface.check_valid(); !valid) return valid;
   Report report;
   if (Result<void> done = Remover(surface, options.tolerance, report).run(); !done) {
-    return done.error();
+    return done;
   }
   report.summarize();
   return report;

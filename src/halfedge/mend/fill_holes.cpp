@@ -161,13 +161,13 @@ class Filler {
 }  // namespace
 
 Result<Report> fill_holes(Surface& surface, const FillOptions& options) {
-  if (const Result<void> checked =
+  if (Result<void> checked =
           check_option("bad-angle", "The largest angle of a filling", options.max_angle, 180);
       !checked) {
-    return checked.error();
+    return checked;
   }
-  const Result<Array<Halfedge>> loops = surface.boundary_loops();
-  if (!loops) return loops.error();
+  Result<Array<Halfedge>> loops = surface.boundary_loops();
+  if (!loops) return loops;
   Report report;
   Filler filler(surface, options, report);
   if (!filler.fill(loops.value().span())) {

@@ -173,8 +173,8 @@ class Nesting {
 
 Result<Report> orient_outward(Surface& surface, const OrientOptions& options) {
   const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
-  const Result<Components> labelled = surface.components();
-  if (!labelled) return labelled.error();
+  Result<Components> labelled = surface.components();
+  if (!labelled) return labelled;
   const Components& components = labelled.value();
   Array<Extent> extents;
   Array<bool> reversed;

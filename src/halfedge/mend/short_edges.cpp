@@ -42,8 +42,8 @@ Result<void> ShortEdges::collapse(Halfedge side) {
     if (!list_moved(h) || !report_.vertices.reserve_more(1)) {
       return decorator::internal::no_memory("the faces to be removed");
     }
-    const Result<Vertex> kept = surface_.collapse(h);
-    if (!kept) return kept.error();  // the other way round it would be refused as well
+    Result<Vertex> kept = surface_.collapse(h);
+    if (!kept) return kept;  // the other way round it would be refused as well
     ++count_;
     report_.add(Code::kCollapsedEdge);
     (void)report_.vertices.push_back(kept.value().index());

@@ -12,12 +12,12 @@ Result<Report> drop_small_components(Surface& surface, const DropOptions& option
   for (const auto& [of, share] : {std::pair{"The least share of the area", options.area},
                                   std::pair{"The least share of the diagonal", options.diagonal}}) {
     if (Result<void> checked = check_option("bad-share", of, share, 1); !checked) {
-      return checked.error();
+      return checked;
     }
   }
   const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
-  const Result<Components> labelled = surface.components();
-  if (!labelled) return labelled.error();
+  Result<Components> labelled = surface.components();
+  if (!labelled) return labelled;
   const Components& components = labelled.value();
   Array<Extent> extents;
   Array<bool> dropped;

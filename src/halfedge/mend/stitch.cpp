@@ -110,8 +110,8 @@ class Stitcher {
 
   [[nodiscard]] Result<void> try_pair(const Pair& pair) {
     if (!are_partners(pair.h, pair.g)) return {};  // glued with a neighbour
-    const Result<bool> done = glue_somehow(pair);
-    if (!done) return done.error();
+    Result<bool> done = glue_somehow(pair);
+    if (!done) return done;
     if (done.value()) return {};
     is_refused_[Surface::edge(pair.h).index()] = is_refused_[Surface::edge(pair.g).index()] = true;
     return refused_.push_back(pair) ? Result<void>{} : no_memory();
@@ -125,8 +125,8 @@ class Stitcher {
         const Halfedge g = surface_.next(h);
         if (!partners_.are_in_group(h, g)) break;
         const Halfedge before[] = {surface_.prev(h), surface_.prev(surface_.prev(h))};
-        const Result<bool> done = glue_somehow({h, g});
-        if (!done) return done.error();
+        Result<bool> done = glue_somehow({h, g});
+        if (!done) return done;
         if (!done.value()) break;
         h = surface_.is_live(before[0]) && surface_.is_boundary(before[0]) ? before[0] : before[1];
         if (!surface_.is_live(h)) break;
@@ -203,13 +203,13 @@ class Stitcher {
 
 Result<Report> stitch_boundaries(Surface& surface, const StitchOptions& options) {
   Report report;
-  if (const Result<void> checked =
+  if (Result<void> checked =
           check_option("bad-tolerance", "The tolerance of stitching", options.tolerance);
       !checked) {
-    return checked.error();
+    return checked;
   }
   if (Result<void> done = Stitcher(surface, report).run(options.tolerance); !done) {
-    return done.error();
+    return done;
   }
   report.summarize();
   return report;

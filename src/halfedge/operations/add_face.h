@@ -68,8 +68,8 @@ template <class Mesh>
     if (Result<void> live = check_live(mesh, v); !live) return live;
   }
   if (degree < 3) return degree_below_three(Index(degree), corners);
-  const Result<Vertex> repeated = find_repeated(corners);
-  if (!repeated) return repeated.error();
+  Result<Vertex> repeated = find_repeated(corners);
+  if (!repeated) return repeated;
   if (repeated.value().valid()) return repeated_vertex(repeated.value());
 
   Index new_edges = 0;
@@ -200,8 +200,8 @@ void choose_anchor(Mesh& mesh, Halfedge in, Halfedge out) {
 /// - out-of-memory, of a face with many corners
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_add_face(const Mesh& mesh, std::span<const Vertex> corners) {
-  const Result<Index> new_edges = internal::count_new_edges(mesh, corners);
-  if (!new_edges) return new_edges.error();
+  Result<Index> new_edges = internal::count_new_edges(mesh, corners);
+  if (!new_edges) return new_edges;
   return {};
 }
 /// check_add_face(mesh, {a, b, c})
@@ -230,8 +230,8 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> add_face(Mesh& mesh, std::span<const Vertex> corners) {
   using namespace internal;
-  const Result<Index> new_edges = count_new_edges(mesh, corners);
-  if (!new_edges) return new_edges.error();
+  Result<Index> new_edges = count_new_edges(mesh, corners);
+  if (!new_edges) return new_edges;
   if (!decorator::internal::make_room(mesh, 0, new_edges.value(), 1)) {
     return decorator::internal::no_memory("a face and its edges");
   }

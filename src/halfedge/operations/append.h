@@ -56,7 +56,7 @@ void copy_items(BasicMesh<kStored>& mesh, const MeshView& other, CompactMaps& li
 template <Storage kStored, Storage kOther>
 [[nodiscard]] Result<Counts> count_slots(const BasicMesh<kStored>& mesh,
                                          const BasicMesh<kOther>& other) {
-  if (Result<void> sizes = check_array_sizes(other); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(other); !sizes) return sizes;
   const Result<Counts> added = count_live(RawLinks(other));
   return added ? slots_with(mesh, added.value()) : added;
 }
@@ -71,8 +71,8 @@ template <Storage kStored, Storage kOther>
 requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
 [[nodiscard]] Result<void> check_append(const BasicMesh<kStored>& mesh,
                                         const BasicMesh<kOther>& other) {
-  const Result<appending::Counts> slots = appending::count_slots(mesh, other);
-  if (!slots) return slots.error();
+  Result<appending::Counts> slots = appending::count_slots(mesh, other);
+  if (!slots) return slots;
   return {};
 }
 
@@ -92,8 +92,8 @@ requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
 template <Storage kStored, Storage kOther>
 requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOther>>
 [[nodiscard]] Result<CompactMaps> append(BasicMesh<kStored>& mesh, const BasicMesh<kOther>& other) {
-  const Result<appending::Counts> slots = appending::count_slots(mesh, other);
-  if (!slots) return slots.error();
+  Result<appending::Counts> slots = appending::count_slots(mesh, other);
+  if (!slots) return slots;
   CompactMaps maps;
   if (!appending::list_live(RawLinks(other), maps) || !appending::make_room(mesh, slots.value())) {
     return appending::out_of_memory();

@@ -43,8 +43,8 @@ template <EditableSurface Mesh>
 
   const Index degree = Index(corners.size());
   if (degree < 3) return degree_below_three(degree, corners.span());
-  const Result<Vertex> repeated = internal::find_repeated(corners.span());
-  if (!repeated) return repeated.error();
+  Result<Vertex> repeated = internal::find_repeated(corners.span());
+  if (!repeated) return repeated;
   if (repeated.value().valid()) return repeated_vertex(repeated.value());
   if (on_boundary) {
     const Vertex a = mesh.to_vertex(anchor);

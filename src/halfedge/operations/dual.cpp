@@ -18,10 +18,10 @@ class DualPlanner {
 
   Result<DualPlan> run() {
     // Checks all links that are followed below, which so can't lead out of the arrays.
-    if (Result<void> done = list_rings(); !done) return done.error();
+    if (Result<void> done = list_rings(); !done) return done;
     if (!number_items()) return out_of_memory();
-    if (Result<void> done = list_faces(); !done) return done.error();
-    if (Result<void> done = check_faces(); !done) return done.error();
+    if (Result<void> done = list_faces(); !done) return done;
+    if (Result<void> done = check_faces(); !done) return done;
     if (!place_vertices()) return out_of_memory();
     return std::move(plan_);
   }

@@ -42,9 +42,9 @@ struct DualPlan {
 /// corrupt-connectivity, non-finite-position (of a centroid), out-of-memory
 template <Storage kStored, Storage kOut>
 [[nodiscard]] Result<DualMaps> dual(const BasicMesh<kStored>& mesh, BasicMesh<kOut>& out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   Result<DualPlan> plan = plan_dual(RawLinks(mesh), mesh.positions());
-  if (!plan) return plan.error();
+  if (!plan) return plan;
   BuildReport report;
   if (!build_from_polygons(out, plan.value().polygons.view(), report)) return report.problems[0];
   return std::move(plan.value().maps);
@@ -56,8 +56,8 @@ template <Storage kStored>
 [[nodiscard]] Result<void> check_dual(const BasicMesh<kStored>& mesh) {
   BasicMesh<kPrevAtRunTime> made;
   made.choose_prev(false);
-  const Result<DualMaps> maps = dual(mesh, made);
-  if (!maps) return maps.error();
+  Result<DualMaps> maps = dual(mesh, made);
+  if (!maps) return maps;
   return {};
 }
 

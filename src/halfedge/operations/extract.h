@@ -34,13 +34,13 @@ template <Storage kStored>
       if (column->is_generation()) continue;
       double default_value[Attribute::kMaxComponents];
       for (Index c = 0; c < column->components(); ++c) default_value[c] = column->default_value(c);
-      const Result<Attribute*> added =
+      Result<Attribute*> added =
           part.add_attribute(kind, column->name(),
                              {.type = column->type(),
                               .components = column->components(),
                               .on_split = column->on_split(),
                               .default_value = std::span(default_value, column->components())});
-      if (!added) return added.error();
+      if (!added) return added;
       copy_values(*column, items, *added.value());
     }
   }
@@ -69,15 +69,15 @@ template <Storage kStored, Storage kOut>
 requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOut>>
 [[nodiscard]] Result<ItemSet> extract(const BasicMesh<kStored>& mesh, std::span<const Index> faces,
                                       BasicMesh<kOut>& out) {
-  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes.error();
+  if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   BasicMesh<kOut> part;
   if constexpr (kOut.prev_at_run_time) part.choose_prev(out.stores_prev());
   Result<ItemSet> items =
       extracting::copy_surface(RawLinks(mesh), mesh.positions(), faces, part.stores_prev(),
                                part.mutable_links(), part.mutable_positions());
   if (!items) return items;
-  const Result<void> done = extracting::copy_attributes(mesh.attributes(), items.value(), part);
-  if (!done) return done.error();
+  Result<void> done = extracting::copy_attributes(mesh.attributes(), items.value(), part);
+  if (!done) return done;
   out = std::move(part);
   return items;
 }

@@ -33,8 +33,8 @@ template <class Mesh>
     const Vertex corners[] = {mesh.from_vertex(first), mesh.to_vertex(first)};
     return degree_below_three(sides, {corners, sides});
   }
-  const Result<Vertex> repeated = find_repeated(pinched.span());
-  if (!repeated) return repeated.error();
+  Result<Vertex> repeated = find_repeated(pinched.span());
+  if (!repeated) return repeated;
   if (repeated.value().valid()) return repeated_vertex(repeated.value());
   return {};
 }
@@ -82,8 +82,8 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> fill_hole(Mesh& mesh, Halfedge h) {
   if (Result<void> can = check_fill_hole(mesh, h); !can) return can;
-  const Result<Halfedge> filled = decorator::fill_hole(mesh, h);
-  if (!filled) return filled.error();
+  Result<Halfedge> filled = decorator::fill_hole(mesh, h);
+  if (!filled) return filled;
   return mesh.face(h);
 }
 

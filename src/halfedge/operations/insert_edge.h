@@ -55,10 +55,9 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Edge> insert_edge(Mesh& mesh, Halfedge h, Halfedge g) {
   if (Result<void> can = check_insert_edge(mesh, h, g); !can) return can;
-  const Result<Halfedge> inserted = mesh.is_boundary(h)
-                                        ? decorator::add_face_to_boundary(mesh, h, g)
-                                        : decorator::split_face(mesh, h, g);
-  if (!inserted) return inserted.error();
+  Result<Halfedge> inserted = mesh.is_boundary(h) ? decorator::add_face_to_boundary(mesh, h, g)
+                                                  : decorator::split_face(mesh, h, g);
+  if (!inserted) return inserted;
   return mesh.edge(inserted.value());
 }
 
@@ -127,8 +126,8 @@ template <EditableSurface Mesh>
   if (Result<void> can = check_remove_edge(mesh, e); !can) return can;
   const Halfedge h = mesh.edge_halfedge(e);
   const bool is_turned = mesh.is_boundary(mesh.opposite(h));
-  const Result<Halfedge> joined = decorator::join_face(mesh, is_turned ? mesh.opposite(h) : h);
-  if (!joined) return joined.error();
+  Result<Halfedge> joined = decorator::join_face(mesh, is_turned ? mesh.opposite(h) : h);
+  if (!joined) return joined;
   return mesh.face(joined.value());
 }
 

@@ -36,7 +36,7 @@ class Reordering {
     if (!vertices) return vertices.error();
     Reordering order;
     Result<void> planned = order.plan(mesh, std::move(vertices).value());
-    if (!planned) return planned.error();
+    if (!planned) return planned;
     if (order.moves_anything()) {
       constexpr bool kHasPositions = requires { mesh.mutable_positions(); };
       if constexpr (kHasPositions) {

@@ -32,8 +32,8 @@ template <EditableSurface Mesh>
   if (Result<void> can = check_insert_vertex_on_edge(mesh, e); !can) return can;
   const Halfedge h = mesh.edge_halfedge(e);
   const double t = internal::parameter_on(mesh, h, position, 0.5);
-  const Result<Halfedge> half = decorator::split_edge(mesh, h, t);
-  if (!half) return half.error();
+  Result<Halfedge> half = decorator::split_edge(mesh, h, t);
+  if (!half) return half;
   const Vertex w = mesh.to_vertex(half.value());
   internal::move_to(mesh, w, position);
   return w;

@@ -34,9 +34,8 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_face(
     Mesh& mesh, Face f, [[maybe_unused]] const std::optional<Point>& position = {}) {
   if (Result<void> can = check_split_face(mesh, f); !can) return can;
-  const Result<Halfedge> to_center =
-      decorator::internal::add_center_vertex(mesh, mesh.face_halfedge(f));
-  if (!to_center) return to_center.error();
+  Result<Halfedge> to_center = decorator::internal::add_center_vertex(mesh, mesh.face_halfedge(f));
+  if (!to_center) return to_center;
   const Vertex c = mesh.to_vertex(to_center.value());
   if constexpr (HasPositions<Mesh>) {
     if (position) mesh.set_position(c, *position);

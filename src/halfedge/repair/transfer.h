@@ -57,10 +57,10 @@ template <Storage kStored>
   constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kFace};
   Transfer transfer(mesh.links(), soup, report);
   for (SoupAttribute& from : columns) {
-    const Result<Attribute*> to = mesh.add_attribute(
+    Result<Attribute*> to = mesh.add_attribute(
         kKinds[std::size_t(from.item)], from.name,
         {.type = from.type, .components = from.components, .on_split = from.on_split});
-    if (!to) return to.error();
+    if (!to) return to;
     const bool is_filled = transfer.fill(*to.value(), from);
     from.values.reset();
     from.rows.reset();
