@@ -101,12 +101,11 @@ class Reader {
 
   /** The code of a type. One that is made of a constant, such as `(typeof NAMES)[number]`, is spelled out. */
   #typeCodeOf(node) {
-    if (
-      !(ts.isTypeAliasDeclaration(node) && /\btypeof\b/.test(node.type.getText())) ||
-      node.typeParameters
-    ) {
-      return codeOf(node);
-    }
+    const isOfConstant =
+      ts.isTypeAliasDeclaration(node) &&
+      !node.typeParameters &&
+      /\btypeof\b/.test(node.type.getText());
+    if (!isOfConstant) return codeOf(node);
     const { InTypeAlias, NoTruncation, UseSingleQuotesForStringLiteralType } = ts.TypeFormatFlags;
     const flags = InTypeAlias | NoTruncation | UseSingleQuotesForStringLiteralType;
     const type = this.checker.getTypeAtLocation(node.name);
