@@ -94,7 +94,9 @@ class Reader {
       return { kind: 'function', overloads };
     }
     if (ts.isVariableDeclaration(first)) {
-      return { kind: 'constant', code: `const ${withoutComments(first)}` };
+      const isText = first.initializer && ts.isStringLiteral(first.initializer);
+      const typed = isText ? `${first.name.text}: string` : withoutComments(first);
+      return { kind: 'constant', code: `const ${typed}` };
     }
     return { kind: 'type', code: declarations.map((node) => this.#typeCodeOf(node)).join('\n') };
   }
