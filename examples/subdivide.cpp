@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -64,10 +65,15 @@ Sum midpoint(const Mesh& mesh, Edge e) {
   return sum;
 }
 
-// Of a vertex on the boundary: three quarters of itself, an eighth of either neighbour there.
+// Of a vertex on the boundary: three quarters of itself, an eighth of either neighbour there. One
+// without edges, which counts as such, stays.
 Sum boundary_point(const Mesh& mesh, Vertex v) {
   const Halfedge leaving = mesh.vertex_halfedge(v);  // without a face, as the anchor is there
   Sum sum;
+  if (!leaving.valid()) {
+    sum.add(1, mesh.position(v));
+    return sum;
+  }
   sum.add(3.0 / 4, mesh.position(v));
   sum.add(1.0 / 8, mesh.position(mesh.from_vertex(mesh.prev(leaving))));
   sum.add(1.0 / 8, mesh.position(mesh.to_vertex(leaving)));
@@ -81,12 +87,8 @@ void move_vertices(Mesh& mesh, const std::vector<Point>& points) {
 // ---- Loop -----------------------------------------------------------------------------------
 
 Sum loop_vertex_point(const Mesh& mesh, Vertex v) {
-  Sum sum;
-  if (mesh.is_isolated(v)) {
-    sum.add(1, mesh.position(v));
-    return sum;
-  }
   if (mesh.is_boundary(v)) return boundary_point(mesh, v);
+  Sum sum;
   const double n = mesh.valence(v);
   const double part = 3.0 / 8 + std::cos(2 * std::numbers::pi / n) / 4;
   const double weight = (5.0 / 8 - part * part) / n;
@@ -144,12 +146,8 @@ Sum catmull_clark_edge_point(const Mesh& mesh, Edge e, const std::vector<Sum>& f
 }
 
 Sum catmull_clark_vertex_point(const Mesh& mesh, Vertex v, const std::vector<Sum>& face_points) {
-  Sum sum;
-  if (mesh.is_isolated(v)) {
-    sum.add(1, mesh.position(v));
-    return sum;
-  }
   if (mesh.is_boundary(v)) return boundary_point(mesh, v);
+  Sum sum;
   const double n = mesh.valence(v);
   for (const Face f : mesh.vertex_faces_ccw(v)) sum.add(1 / (n * n), face_points[f.index()]);
   for (const Edge e : mesh.vertex_edges_ccw(v)) sum.add(2 / (n * n), midpoint(mesh, e));
@@ -208,9 +206,9 @@ std::string describe(const Mesh& mesh) {
   char box[100];
   std::snprintf(box, sizeof box, "%.4f %.4f %.4f", double{reach[0]}, double{reach[1]},
                 double{reach[2]});
-  const bool is_valid = validate(mesh, kGeometryLevel).empty();
-  return std::to_string(mesh.face_count()) + " faces; inside " + inside + "; up to " + box +
-         (is_valid ? "; valid" : "; not valid");
+  const std::size_t problems = validate(mesh, kGeometryLevel).size();
+  return std::to_string(mesh.face_count()) + " faces; inside " + inside + "; up to " + box + "; " +
+         (problems == 0 ? "valid" : std::to_string(problems) + " problems");
 }
 
 void show(const char* name, Result<PolygonSoup> polygons, void (*step)(Mesh&)) {

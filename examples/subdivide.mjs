@@ -18,8 +18,12 @@ function weighted(terms) {
 
 const mean = (points) => weighted(points.map((point) => [1 / points.length, point]));
 
-/** Of a vertex on the boundary: three quarters of itself, an eighth of either neighbour there. */
+/**
+ * Of a vertex on the boundary: three quarters of itself, an eighth of either neighbour there. One without edges, which
+ * counts as such, stays.
+ */
 function boundaryPoint(mesh, v) {
+  if (mesh.isIsolatedVertex(v)) return mesh.position(v);
   const leaving = mesh.vertexHalfedge(v); // a boundary halfedge: that is what the anchor of such a vertex is
   const [before, after] = [mesh.fromVertex(mesh.prev(leaving)), mesh.toVertex(leaving)];
   return weighted([
@@ -37,7 +41,6 @@ function loopStep(mesh) {
   const isOld = (v) => v < vertices.length; // new ones come after them, since there are no gaps
 
   const vertexPoints = vertices.map((v) => {
-    if (mesh.isIsolatedVertex(v)) return at(v);
     if (mesh.isBoundaryVertex(v)) return boundaryPoint(mesh, v);
     const ring = Array.from(mesh.vertexVertices(v), at);
     const n = ring.length;
@@ -81,7 +84,6 @@ function catmullClarkStep(mesh) {
     return mean([...ends, ...Array.from(mesh.edgeFaces(e), (f) => facePoints[f])]);
   });
   const vertexPoints = vertices.map((v) => {
-    if (mesh.isIsolatedVertex(v)) return at(v);
     if (mesh.isBoundaryVertex(v)) return boundaryPoint(mesh, v);
     const n = mesh.valence(v);
     const ofFaces = mean(Array.from(mesh.vertexFaces(v), (f) => facePoints[f]));
@@ -117,7 +119,8 @@ function describe(mesh) {
   const inside = sorted.map(([valence, count]) => `${count} of valence ${valence}`).join(', ');
   const { max } = mesh.boundingBox();
   const reach = max.map((x) => x.toFixed(4)).join(' ');
-  const valid = mesh.validate('geometry').length === 0 ? 'valid' : 'not valid';
+  const problems = mesh.validate('geometry').length;
+  const valid = problems === 0 ? 'valid' : `${problems} problems`;
   return `${mesh.faceCount} faces; inside ${inside}; up to ${reach}; ${valid}`;
 }
 
