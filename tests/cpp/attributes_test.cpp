@@ -462,6 +462,12 @@ TEST(Result, PassesTheErrorOfAnotherOneOn) {
   EXPECT_EQ(result.error().code, "a-code");
   EXPECT_EQ(result.error().message, "A sentence.");
   EXPECT_EQ(result.error().witness, (Witness{.vertices = {7}}));
+
+  const auto without_value = [](Result<Index> found) -> Result<void> { return found; };
+  EXPECT_TRUE(without_value(Index{7}));
+  const Result<void> refused = without_value(Error{"a-code", "A sentence.", {}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, "a-code");
 }
 
 }  // namespace
