@@ -35,6 +35,10 @@ class Circulated {
 /// its mesh is edited as well.
 class Contender : public Circulated {
  public:
+  /// Reorders the mesh for locality, if the library can do that. Vertices and faces keep their
+  /// indices: they are in such an order already.
+  virtual void reorder() {}
+
   // ---- geometry ----------------------------------------------------------------------------
 
   /// Moves the mean of the vertices to the origin.

@@ -2,6 +2,7 @@
 #include <halfedge/connectivity/compact.h>
 #include <halfedge/mesh.h>
 #include <halfedge/operations/operations.h>
+#include <halfedge/operations/reorder.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +24,8 @@ class Halfedges final : public Contender {
     std::fprintf(stderr, "halfedge refused the mesh: %s\n", report.problems[0].message.c_str());
     std::abort();
   }
+
+  void reorder() override { require(bool(halfedge::reorder(mesh_))); }
 
   std::int64_t circulate() override { return workloads::circulate(mesh_); }
   std::uint64_t one_ring_sum() override { return workloads::one_ring_sum(mesh_); }

@@ -26,20 +26,21 @@ void scatter_positions(Mesh& mesh, std::mt19937& random) {
   for (float& p : mesh.mutable_positions()) p = float(random() % 1000);
 }
 
-/// Edges grouped by their smaller vertex, faces in the order of their halfedges.
+/// Faces in the order of their smallest vertices, edges in that of the smaller of their faces.
 void expect_grouped(const Mesh& mesh) {
   Index before = 0;
+  for (const Face f : mesh.faces()) {
+    Index smallest = kNone;
+    for (const Vertex v : mesh.face_vertices_ccw(f)) smallest = std::min(smallest, v.index());
+    EXPECT_LE(before, smallest) << "face " << f.index();
+    before = smallest;
+  }
+  before = 0;
   for (const Edge e : mesh.edges()) {
     const Halfedge h = mesh.edge_halfedge(e);
-    const Index low = std::min(mesh.from_vertex(h), mesh.to_vertex(h)).index();
-    EXPECT_LE(before, low) << "edge " << e.index();
-    before = low;
-  }
-  Index faces = 0;
-  for (const Halfedge h : mesh.halfedges()) {
-    if (mesh.is_boundary(h) || mesh.face(h).index() < faces) continue;
-    EXPECT_EQ(mesh.face(h).index(), faces) << "at halfedge " << h.index();
-    ++faces;
+    const Index smaller = std::min(mesh.face(h).index(), mesh.face(mesh.opposite(h)).index());
+    EXPECT_LE(before, smaller) << "edge " << e.index();
+    before = smaller;
   }
 }
 

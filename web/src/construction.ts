@@ -284,7 +284,7 @@ export abstract class Construction extends Geometry {
   /**
    * Renumbers all items so that items that are close together in space are also close together in memory. A
    * mesh whose vertices or faces were in random order is read several times as fast afterwards. Edges are
-   * grouped by their smaller vertex, faces come in the order of their halfedges, and vertices are ordered
+   * ordered by the smaller of their faces, faces by the smallest of their vertices, and vertices
    *
    * - `'morton'`: along a Morton curve (Z-order) through their positions;
    * - `'breadth-first'`: by a breadth-first search over the edges, for meshes without meaningful positions.

@@ -25,6 +25,29 @@ struct Target {
   }
 };
 
+// Sorts by counting: items with the same key stay in their order. `map` holds the key of each item,
+// at most `last`, and its place in `order` then; kNone for items that are left out, in both.
+// `order` has room for all. False when memory is exhausted.
+[[nodiscard]] bool sort_by_key(Array<Index>& map, Index last, Array<Index>& order) {
+  Array<Index> begin;  // of the items with each key, one on
+  if (!begin.resize(std::size_t{last} + 2, 0)) return false;
+  Index count = 0;
+  for (const Index key : map) {
+    if (key == kNone) continue;
+    ++begin[std::size_t{key} + 1];
+    ++count;
+  }
+  for (std::size_t key = 1; key < begin.size(); ++key) begin[key] += begin[key - 1];
+  order.grow_to(count);
+  for (Index item = 0; item < map.size(); ++item) {
+    Index& place = map[item];
+    if (place == kNone) continue;
+    place = begin[place]++;
+    order[place] = item;
+  }
+  return true;
+}
+
 // Whether new slots are old ones, and there are as many.
 bool changes_nothing(const Array<Index>& order, const Array<Index>& map) {
   if (order.size() != map.size()) return false;
@@ -64,10 +87,11 @@ Result<void> Reordering::plan(const Links& links, const Attributes& attributes,
                               std::size_t vertex_slots, std::size_t face_slots,
                               Array<Index>&& vertices) {
   vertices_ = std::move(vertices);
-  if (!reserve(links, attributes, vertex_slots, face_slots) || !number_edges(links)) {
+  const bool is_reserved = reserve(links, attributes, vertex_slots, face_slots);
+  if (is_reserved) number_vertices();
+  if (!is_reserved || !number_faces(links) || !number_edges(links)) {
     return Error{"out-of-memory", "There is not enough memory to reorder the mesh."};
   }
-  number_faces(links);
   return {};
 }
 
@@ -91,51 +115,37 @@ bool Reordering::reserve(const Links& links, const Attributes& attributes, std::
          faces_.reserve(face_slots) && old_.resize(longest);
 }
 
-// By counting; edges with the same smaller vertex keep their order.
-bool Reordering::number_edges(const Links& links) {
+void Reordering::number_vertices() {
   for (Index v = 0; v < vertices_.size(); ++v) maps_.vertices[vertices_[v]] = v;
-
-  const Index nowhere = Index(vertices_.size());  // if both ends are, which breaks the invariants
-  Array<Index> begin;                             // of the groups of vertices, one on
-  if (!begin.resize(vertices_.size() + 2, 0)) return false;
-  Index live = 0;
-  const Target vertex{maps_.vertices};
-  for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
-    if (is_deleted_link(links.next[2 * e])) continue;
-    const Index low =
-        std::min({vertex(links.to_vertex[2 * e]), vertex(links.to_vertex[2 * e + 1]), nowhere});
-    maps_.edges[e] = low;
-    ++begin[low + 1];
-    ++live;
-  }
-  for (std::size_t group = 1; group < begin.size(); ++group) begin[group] += begin[group - 1];
-  edges_.grow_to(live);
-  for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
-    Index& place = maps_.edges[e];
-    if (place == kNone) continue;
-    place = begin[place]++;
-    edges_[place] = Index(e);
-  }
-  return true;
 }
 
-void Reordering::number_faces(const Links& links) {
-  const auto list = [this](Index f) {
-    if (f >= maps_.faces.size() || maps_.faces[f] != kNone) return;
-    const Index place = Index(faces_.size());
-    maps_.faces[f] = place;
-    faces_.grow_to(place + 1);
-    faces_[place] = f;
-  };
-  if (!links.face.empty()) {
-    for (const std::size_t e : edges_) {
-      list(links.face[2 * e]);
-      list(links.face[2 * e + 1]);
-    }
+// By the smallest of their vertices. Where halfedges store no faces, all stay in their order.
+bool Reordering::number_faces(const Links& links) {
+  const Index nowhere = Index(vertices_.size());  // after all others
+  for (Index f = 0; f < maps_.faces.size(); ++f) {
+    const bool is_live = links.face_halfedge.empty() || !is_deleted_link(links.face_halfedge[f]);
+    if (is_live) maps_.faces[f] = nowhere;
   }
-  for (Index f = 0; f < maps_.faces.size(); ++f) {  // those that no halfedge names
-    if (links.face_halfedge.empty() || !is_deleted_link(links.face_halfedge[f])) list(f);
+  const Target vertex{maps_.vertices};
+  for (std::size_t h = 0; h < links.face.size(); ++h) {
+    const Index f = links.face[h];  // out of the arrays if `h` is deleted
+    if (f >= maps_.faces.size() || maps_.faces[f] == kNone) continue;
+    maps_.faces[f] = std::min(maps_.faces[f], vertex(links.to_vertex[h]));
   }
+  return sort_by_key(maps_.faces, nowhere, faces_);
+}
+
+// By the smaller of their faces; by the smaller of their vertices where that isn't known.
+bool Reordering::number_edges(const Links& links) {
+  const bool has_faces = !links.face.empty() && !faces_.empty();
+  const Array<Index>& items = has_faces ? links.face : links.to_vertex;
+  const Target number{has_faces ? maps_.faces : maps_.vertices};
+  const Index nowhere = Index((has_faces ? faces_ : vertices_).size());
+  for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
+    if (is_deleted_link(links.next[2 * e])) continue;
+    maps_.edges[e] = std::min({number(items[2 * e]), number(items[2 * e + 1]), nowhere});
+  }
+  return sort_by_key(maps_.edges, nowhere, edges_);
 }
 
 void Reordering::move_links(Links& links) {

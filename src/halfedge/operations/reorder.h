@@ -57,8 +57,9 @@ class Reordering {
                                   Array<Index>&& vertices);
   [[nodiscard]] bool reserve(const Links& links, const Attributes& attributes,
                              std::size_t vertex_slots, std::size_t face_slots);
+  void number_vertices();
+  [[nodiscard]] bool number_faces(const Links& links);
   [[nodiscard]] bool number_edges(const Links& links);
-  void number_faces(const Links& links);
 
   CompactMaps maps_;  // by old slot
   // By new slot, the old one.
@@ -69,10 +70,14 @@ class Reordering {
 };
 
 /// Renumbers all items for locality: vertices along a Morton curve through their positions (see
-/// morton_order), edges grouped by their smaller vertex, as the builder does, faces in the order of
-/// their halfedges. What lies close together in space then lies close together in memory: a mesh
-/// in random order is circulated several times as fast afterwards. Deleted slots are left out, as
-/// by `compact`.
+/// morton_order), faces by the smallest of their vertices, edges by the smaller of their faces (by
+/// the smaller of their vertices, if there are no faces). Those for which that is the same stay in
+/// their order; edges without a face come last. What lies close together in space then lies close
+/// together in memory: a mesh in random order is circulated several times as fast afterwards.
+/// Deleted slots are left out, as by `compact`.
+///
+/// The builder can't number edges by face, as it has no say in the order of faces: groups of edges
+/// by vertex are better unless faces come in an order that follows the vertices, as here.
 ///
 /// It stays the same mesh: edges keep their sides, vertices their anchors, faces their first
 /// halfedge, all items their attributes and positions. The maps say where each item went, as those
