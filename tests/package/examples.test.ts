@@ -115,6 +115,32 @@ describe('subdivide.mjs', () => {
   });
 });
 
+describe('flatten.mjs', () => {
+  test('flattens half a sphere, with less distortion by cotangent weights', async () => {
+    expect(await node(folder, 'examples/flatten.mjs')).toBe(
+      `2592 triangles, 96 edges around them
+equal weights: 0 triangles turned over; angles change by 5.0 degrees on average
+cotangent weights: 0 triangles turned over; angles change by 2.3 degrees on average`,
+    );
+  });
+
+  test('writes places in the plane as texture coordinates', async () => {
+    const told = await node(folder, 'examples/flatten.mjs', 'pyramid.obj', 'flat.obj');
+    expect(told).toMatch(/^4 triangles, 4 edges around them\n.* 0 triangles .*\n.* 0 triangles /);
+    const lines = readFileSync(join(folder, 'flat.obj'), 'utf8').split('\n');
+    const places = lines.filter((line) => line.startsWith('vt ')).map((line) => line.split(' '));
+    const radii = places.map(([, u, v]) => Math.hypot(Number(u), Number(v)).toFixed(6));
+    expect(radii.sort()).toEqual(['0.000000', ...Array(4).fill('1.000000')]);
+  });
+
+  test('says why a surface is no disk', async () => {
+    writeFileSync(join(folder, 'closed.obj'), `${PYRAMID}f 2 5 4 3\n`);
+    const { ok, output } = await tryNode(folder, 'examples/flatten.mjs', 'closed.obj');
+    expect(ok).toBe(false);
+    expect(output).toMatch(/^The surface can't be flattened: it has no boundary: .*\.\s*$/);
+  });
+});
+
 describe('load_file.mjs', () => {
   test('tells counts, topology and validity', async () => {
     expect(await node(folder, 'examples/load_file.mjs', 'pyramid.obj')).toBe(
