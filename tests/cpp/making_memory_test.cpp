@@ -74,6 +74,28 @@ TEST(MakingDeathTest, TrianglesComeWholeOrNotAtAll) {
   EXPECT_EXIT(cut_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
 }
 
+// Faces that the new type derives need room in the attributes of faces, too.
+[[noreturn]] void derive_faces_with_more_and_more_memory() {
+  constexpr Index kLoops = 5000;
+  constexpr std::size_t kStep = std::size_t{16} << 10U;
+  for (int failures = 0;; ++failures) {
+    BasicConnectivity<kWithoutFaces> from;
+    for (Index i = 0; i < kLoops; ++i) (void)decorator::make_loop(from);
+    if (!from.add_attribute(ItemKind::kFace, "color", {.components = 16})) std::_Exit(3);
+    BasicConnectivity<Storage{.face = false}> to;
+    leave_memory(kStep * std::size_t(failures));
+    const Result<void> converted = convert(std::move(from), to);
+    stop_limiting_memory();
+    if (is_out_of_memory(converted) && from.edge_count() == kLoops) continue;
+    leave(converted.ok() && to.face_slots() == 2 * kLoops && failures > 8 &&
+          to.find_attribute(ItemKind::kFace, "color")->slots() == 2 * kLoops);
+  }
+}
+
+TEST(MakingDeathTest, DerivedFacesComeWithTheirAttributesOrNotAtAll) {
+  EXPECT_EXIT(derive_faces_with_more_and_more_memory(), testing::ExitedWithCode(0), "");
+}
+
 #endif
 
 }  // namespace

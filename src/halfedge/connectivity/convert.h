@@ -34,7 +34,7 @@ class LinkConversion {
       return done;
     }
     // So that nothing can fail once links have moved.
-    if (kTo.face && !from.attributes_.reserve(ItemKind::kFace, faces)) {
+    if ((kTo.face || kTo.face_halfedge) && !from.attributes_.reserve(ItemKind::kFace, faces)) {
       return Error{"out-of-memory", "There is not enough memory for attributes of faces."};
     }
     const auto take = [](bool wanted, bool stored, Array<Index>& link, Array<Index>& made) {
