@@ -49,6 +49,7 @@ class PolyMesh {
   [[nodiscard]] static HalfedgeHandle halfedge_handle(unsigned i) { return Halfedge(i); }
   [[nodiscard]] static EdgeHandle edge_handle(unsigned i) { return Edge(i); }
   [[nodiscard]] static FaceHandle face_handle(unsigned i) { return Face(i); }
+  /// False also of a deleted item, which OpenMesh takes for valid before garbage_collection().
   template <class Item>
   [[nodiscard]] bool is_valid_handle(NamedHandle<Item> handle) const {
     return mesh_->is_live(static_cast<Item>(handle));

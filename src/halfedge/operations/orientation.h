@@ -28,7 +28,8 @@ void reverse_edges(Mesh& mesh, const Edges& edges, Array<bool>& seen) {
     for (const Index side : {0U, 1U}) {
       const Halfedge anchor = mesh.edge_halfedge(e, side);
       const Vertex v = mesh.from_vertex(anchor);
-      // As in inside_out. What arrives leaves another vertex, so no anchor is moved twice.
+      // As in inside_out. What arrives leaves another vertex where no edge is a loop, so no anchor
+      // is moved twice; with loop edges one may be, and is still an anchor.
       if (mesh.vertex_halfedge(v) == anchor) mesh.set_vertex_halfedge(v, mesh.prev(anchor));
     }
   }
