@@ -50,7 +50,7 @@ struct WriteSource {
 /// The bytes of a file of this mesh: its live vertices and faces, each in the order of their
 /// indices, a face from the vertex on that it was built from. Reading it gives the same polygons,
 /// and the same bits of each position, also from text; and the same attributes, where the format
-/// has a place for them.
+/// has a place for them. For meshes that store all links but, perhaps, prev.
 ///
 /// Polygons stay polygons, but in STL, which has only triangles: there they are cut as
 /// operations::triangulate does, also concave ones, and isolated vertices are left out. A face that
@@ -72,12 +72,10 @@ template <Storage kStored>
     rows = adjacency(mesh, Ring::kFaceHalfedges, Direction::kCcw, source.halfedges);
     if (!rows) return rows.error();
   }
-  if constexpr (kStored.vertex_halfedge) {
-    if (format == Format::kStl && has_polygons(source.faces)) {
-      rows = adjacency(mesh, Ring::kVertexVertices, Direction::kCcw, source.neighbours);
-      // Without neighbours faces are cut each for itself.
-      if (!rows && rows.error().code == "out-of-memory") return rows.error();
-    }
+  if (format == Format::kStl && has_polygons(source.faces)) {
+    rows = adjacency(mesh, Ring::kVertexVertices, Direction::kCcw, source.neighbours);
+    // Without neighbours faces are cut each for itself.
+    if (!rows && rows.error().code == "out-of-memory") return rows.error();
   }
   if (mesh.vertex_count() < mesh.vertex_slots()) {
     if (!source.is_deleted.resize(mesh.vertex_slots())) {
