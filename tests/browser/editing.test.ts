@@ -367,6 +367,25 @@ describe('History', () => {
   });
 });
 
+test('Undo and redo name the item of their step, and are not cut off before it', async () => {
+  const named = await ExplorerPage.open({
+    link: 'sample=icosphere&select=h131',
+    mesh: 'Icosphere',
+  });
+  const { page } = named;
+  const isCut = (label: Element) => label.scrollWidth > label.clientWidth;
+  await named.press('Shift+C');
+  await named.until('undo', '1');
+  expect(await page.textContent('[data-history=undo]')).toBe('Undo collapse h131');
+  expect(await page.$eval('[data-history=undo] span', isCut)).toBe(false);
+  await named.press('Control+z');
+  await named.until('redo', '1');
+  expect(await page.textContent('[data-history=redo]')).toBe('Redo collapse h131');
+  expect(await page.$eval('[data-history=redo] span', isCut)).toBe(false);
+  expect(named.complaints).toEqual([]);
+  await named.close();
+});
+
 test('Leaving the page asks, as long as there are edits that no file has', async () => {
   const leaving = await ExplorerPage.open({ link: 'sample=cube&select=e3', mesh: 'Cube' });
   const { page } = leaving;
