@@ -84,6 +84,14 @@ describe('A file', () => {
     expect(await explorer.state('mesh')).toBe('Icosahedron');
   });
 
+  test('of another kind is told what the page reads, glTF included', async () => {
+    await explorer.drop('empty.off', '');
+    await notice();
+    expect(await message()).toBe(
+      'The file is empty (0 bytes), expected an OBJ, OFF, PLY, STL, GLB or glTF file.',
+    );
+  });
+
   test('without faces opens as vertices alone', async () => {
     await explorer.drop('points.off', 'OFF\n2 0 0\n0 0 0\n1 0 0\n');
     await explorer.ready('points.off');

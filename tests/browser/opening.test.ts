@@ -123,6 +123,17 @@ describe('glTF', () => {
     expect(await faces()).toBe('20');
   });
 
+  test('opens under another name, too', async () => {
+    const glb = await writeGltf(HalfedgeMesh.cube());
+    await choose({ name: 'model.vrm', buffer: Buffer.from(glb) });
+    await explorer.ready('model.vrm');
+    expect(await faces()).toBe('12');
+    const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
+    await choose({ name: 'model.json', buffer: Buffer.from(text) });
+    await explorer.ready('model.json');
+    expect(await faces()).toBe('20');
+  });
+
   test('opens where Draco has compressed it', async () => {
     const text = await dracoGltf(HalfedgeMesh.icoSphere(3));
     await choose({ name: 'packed.gltf', buffer: Buffer.from(text) });

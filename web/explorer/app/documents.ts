@@ -1,4 +1,4 @@
-import { type AttributeNames, HalfedgeMesh, type ProgressOptions } from 'halfedge';
+import { type AttributeNames, HalfedgeError, HalfedgeMesh, type ProgressOptions } from 'halfedge';
 import type { BrokenSample } from '../samples/broken.js';
 import type { Sample } from '../samples/index.js';
 import { type Diagnosis, diagnose } from './diagnosis.js';
@@ -89,8 +89,18 @@ function openBrokenSample({ id, name, view, lesson, file }: BrokenSample): MeshD
 /** Reads a file; throws what the readers of the package throw, or the reason of the signal. */
 async function openFile(file: File, options: OpenOptions): Promise<MeshDocument> {
   if (/\.(glb|gltf)$/i.test(file.name)) return openGltf(file, options);
-  if (file.size >= LARGE_FILE) return openElsewhere(file, options);
-  return openContent(file.name, new Uint8Array(await file.arrayBuffer()));
+  try {
+    if (file.size >= LARGE_FILE) return await openElsewhere(file, options);
+    return openContent(file.name, new Uint8Array(await file.arrayBuffer()));
+  } catch (error) {
+    if (isOfGltf(error)) return openGltf(file, options);
+    throw error;
+  }
+}
+
+/** Whether the readers of the other formats found glTF, which had another name. */
+function isOfGltf(error: unknown): boolean {
+  return error instanceof HalfedgeError && error.message.includes('readGltf');
 }
 
 /** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
@@ -193,8 +203,13 @@ export function failureOf(
   source: Source | { readonly name: string },
 ): OpenFailure {
   const error = ofPage(thrown);
-  const message = error instanceof Error ? error.message : String(error);
+  const message = ofAllFormats(error instanceof Error ? error.message : String(error));
   const lesson = 'lesson' in source ? source.lesson : null;
   const title = `“${source.name}” was not opened`;
   return { title, message, lesson, advice: adviceFor(error) };
+}
+
+/** A sentence of the readers of text formats and STL, with glTF, which the page reads as well. */
+function ofAllFormats(message: string): string {
+  return message.replace('an OBJ, OFF, PLY or STL file', 'an OBJ, OFF, PLY, STL, GLB or glTF file');
 }
