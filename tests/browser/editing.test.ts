@@ -196,6 +196,23 @@ describe('An operation with two items', () => {
     await shows(mesh);
   });
 
+  test('is refused before it asks for the second where none would do', async () => {
+    const mesh = await show('grid', 'Open grid', openGrid(6));
+    const inner = mesh.faceHalfedge(14);
+    await explorer.goTo(`h${inner}`);
+    const glue = explorer.page.locator('[data-operation=glue]');
+    expect(await glue.getAttribute('data-refused')).toBe('not-a-boundary-halfedge');
+    await glue.click();
+    expect(await explorer.state('pending')).toBeNull();
+    expect(await explorer.state('refusal')).toBe('not-a-boundary-halfedge');
+    expect(await explorer.state('witness')).toContain(`h${inner}`);
+    await explorer.goTo(`h${mesh.boundaryLoops()[0]}`);
+    expect(await glue.getAttribute('data-refused')).toBeNull();
+    await glue.click();
+    expect(await explorer.state('pending')).toBe('glue');
+    await explorer.press('Escape');
+  });
+
   test('is begun and completed by keys, from its button', async () => {
     const mesh = await show('grid', 'Open grid', openGrid(6));
     const first = mesh.faceHalfedge(14);

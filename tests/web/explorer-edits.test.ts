@@ -314,4 +314,17 @@ describe('the paths of operations with two halfedges', () => {
       expect(refusal?.message).toMatch(/\.$/);
     }
   });
+
+  test('are refused before the second where none would do', () => {
+    const mesh = HalfedgeMesh.grid(2, 2);
+    const [boundary] = mesh.boundaryLoops();
+    for (const stem of ['glue', 'gluePath']) {
+      const check = (h: number) =>
+        checkOperation(operation(stem), { mesh, item: half(h), second: null });
+      expect(check(boundary)).toBeNull();
+      const refusal = check(mesh.opposite(boundary));
+      expect(refusal?.code).toBe('not-a-boundary-halfedge');
+      expect(refusal?.witness.halfedges).toEqual([mesh.opposite(boundary)]);
+    }
+  });
 });

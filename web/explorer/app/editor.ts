@@ -177,12 +177,22 @@ export class Editor {
     const selected = this.#explorer.selected.value;
     if (operation.on !== 'mesh' && selected?.kind !== operation.on) return;
     if (operation.second && selected) {
+      if (this.#refuseFirst(operation, selected)) return;
       this.refused.value = null;
       this.#wait({ operation, first: selected });
       this.outcome.value = `${operation.label}: pick ${operation.second.ask}.`;
       return;
     }
     this.#apply(operation, selected, null);
+  }
+
+  /** Whether no second item would do, which is told before one is asked for. */
+  #refuseFirst(operation: Operation, first: Item): boolean {
+    const mesh = this.#mesh;
+    const deed: Deed = { operation, first, second: null };
+    const refusal = mesh ? checkOperation(operation, operandsOf(mesh, deed)) : null;
+    if (refusal) this.#refuse(deedTitle(deed), refusal);
+    return refusal !== null;
   }
 
   /** The operation on the selection with that key. False if there is none. */

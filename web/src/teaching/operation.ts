@@ -25,6 +25,8 @@ export interface Operation {
   readonly key?: string;
   /** The kind of the second item, and how to ask for it. */
   readonly second?: { readonly kind: ItemKind; readonly ask: string };
+  /** For one that takes two: why the first item alone makes it impossible, or null. */
+  checkFirst?(operands: Operands): Refusal | null;
   /** The arguments of the method; the indices of the items if left out. */
   arguments?(operands: Operands): readonly unknown[];
   /** For an operation that gives items other indices: the new one of an item, or NONE. */
@@ -63,11 +65,12 @@ function argumentsOf(operation: Operation, operands: Operands): readonly unknown
 }
 
 /**
- * Why the operation is refused, or null. Changes nothing. One that leaves the mesh as it is tells when it is run: its
- * check would take as long.
+ * Why the operation is refused, or null; without the second item, why it is whatever that will be. Changes nothing. One
+ * that leaves the mesh as it is tells when it is run: its check would take as long.
  */
 export function checkOperation(operation: Operation, operands: Operands): Refusal | null {
-  if (operation.opens || (operation.second && !operands.second)) return null;
+  if (operation.opens) return null;
+  if (operation.second && !operands.second) return operation.checkFirst?.(operands) ?? null;
   const name = `check${operation.stem[0].toUpperCase()}${operation.stem.slice(1)}`;
   const check = method(operands.mesh, name);
   if (!check) return null;

@@ -1,5 +1,5 @@
 import { cycleThrough, gluable, pathThrough } from './edge-paths.js';
-import type { Operation } from './operation.js';
+import type { Operands, Operation, Refusal } from './operation.js';
 
 /** The operations on a halfedge; most of them take a second one. */
 export const onHalfedges: readonly Operation[] = [
@@ -47,6 +47,7 @@ export const onHalfedges: readonly Operation[] = [
     key: 'G',
     returns: 'edge',
     second: { kind: 'halfedge', ask: 'another boundary halfedge' },
+    checkFirst: checkBoundary,
   },
   {
     stem: 'gluePath',
@@ -55,6 +56,7 @@ export const onHalfedges: readonly Operation[] = [
     meaning: 'boundary edges, as many as fit',
     returns: 'edge',
     second: { kind: 'halfedge', ask: 'another boundary halfedge' },
+    checkFirst: checkBoundary,
     arguments: ({ mesh, item, second }) => {
       const g = second?.index ?? item.index;
       return [item.index, g, gluable(mesh, item.index, g)];
@@ -116,3 +118,8 @@ export const onHalfedges: readonly Operation[] = [
     key: 'I',
   },
 ];
+
+/** An interior halfedge can't be glued to any. */
+function checkBoundary({ mesh, item: { index } }: Operands): Refusal | null {
+  return mesh.isBoundaryHalfedge(index) ? null : mesh.checkGlue(index, index);
+}
