@@ -285,7 +285,10 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     return this.vertexCount - this.edgeCount + this.faceCount;
   }
 
-  /** Checks the invariants, as {@link HalfedgeMesh.validate} does: an empty list means valid. */
+  /**
+   * Checks the invariants of `level` (0 to 4) and below, as {@link HalfedgeMesh.validate} does: an empty list
+   * means valid. For `'geometry'`, ask the mesh that {@link toMesh} makes.
+   */
   validate(level = 4): Problem[] {
     const { core, address } = directedLinksOf(this);
     return findings(core.validateDirectedEdges(address, checkLevel(level)));
