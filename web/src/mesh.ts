@@ -143,7 +143,9 @@ export class HalfedgeMesh extends Shapes {
    *
    * Invalid faces are left out, and of duplicates one is kept. Faces are turned over to agree with the
    * majority of their component, and one-sided surfaces are cut. Edges with more than two faces are split
-   * into copies, and so are pinched vertices. Vertices are welded on request.
+   * into copies, and so are vertices at which a closed fan of faces meets others. A vertex at which only open
+   * fans meet stays pinched, as in `fromPolygons`; {@link splitPinchedVertices} splits it. Vertices are welded
+   * on request.
    *
    * ```ts
    * const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces, { weld: true });
