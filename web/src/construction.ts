@@ -289,6 +289,9 @@ export abstract class Construction extends Geometry {
    * - `'morton'`: along a Morton curve (Z-order) through their positions;
    * - `'breadth-first'`: by a breadth-first search over the edges, for meshes without meaningful positions.
    *
+   * Items for which that is the same stay in their order. Edges without a face come last; in a mesh without
+   * faces, edges are ordered by the smaller of their vertices.
+   *
    * It stays the same mesh: edges keep their sides, vertices and faces keep the halfedge that they store, and
    * all items keep their attributes. As with {@link compact}, gaps are closed and history records everything.
    * A mesh that is in this order already isn't changed. O(slots).
