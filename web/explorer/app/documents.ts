@@ -100,7 +100,8 @@ async function openFile(file: File, options: OpenOptions): Promise<MeshDocument>
 
 /** Whether the readers of the other formats found glTF, which had another name. */
 function isOfGltf(error: unknown): boolean {
-  return error instanceof HalfedgeError && error.message.includes('readGltf');
+  if (!(error instanceof HalfedgeError)) return false;
+  return error.code === 'unsupported-format' && /GLB|glTF/.test(error.message);
 }
 
 /** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
