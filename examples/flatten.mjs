@@ -52,60 +52,55 @@ function circle(mesh, boundary) {
   return [x, y];
 }
 
-function dot(a, b) {
-  let sum = 0;
-  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
-  return sum;
-}
-
-/** Moves all vertices inside to the weighted means of their neighbours, in one coordinate: by conjugate gradients. */
-function relax(mesh, weights, x) {
+/** By vertex, x and y in the plane: of those inside, the weighted means of their neighbours. */
+function flattened(mesh, boundary, weights) {
   const { offsets, items: leaving } = mesh.allVertexOutgoingHalfedges();
   const { toVertex } = mesh.connectivity;
   const inside = mesh
     .vertices()
     .toArray()
     .filter((v) => !mesh.isBoundaryVertex(v));
-  const total = new Float64Array(x.length).fill(1); // of the weights around a vertex
+  const total = new Float64Array(mesh.vertexSlots).fill(1); // of the weights around a vertex
   for (const v of inside) {
     total[v] = 0;
     for (let i = offsets[v]; i < offsets[v + 1]; i++) total[v] += weights[leaving[i] >> 1];
   }
-  /** The sum of what the weights draw each vertex towards its neighbours; 0 on the boundary. */
-  const pull = (at, result) => {
+  /** How much the weights draw each vertex towards its neighbours; 0 on the boundary. */
+  const pull = (x, result) => {
     for (const v of inside) {
       let sum = 0;
       for (let i = offsets[v]; i < offsets[v + 1]; i++) {
         const h = leaving[i];
-        sum += weights[h >> 1] * (at[toVertex[h]] - at[v]);
+        sum += weights[h >> 1] * (x[toVertex[h]] - x[v]);
       }
       result[v] = sum;
     }
     return result;
   };
 
-  const left = pull(x, new Float64Array(x.length));
-  const step = left.map((force, v) => force / total[v]);
-  const change = new Float64Array(x.length);
-  const error = () => left.reduce((sum, force, v) => sum + force ** 2 / total[v], 0);
-  const enough = 1e-20 * error();
-  for (let rounds = 0, now = error(); now > enough && rounds < 5000; rounds++) {
-    pull(step, change);
-    const size = -now / dot(step, change);
-    for (const v of inside) {
-      x[v] += size * step[v];
-      left[v] += size * change[v];
+  /** Moves all vertices inside until nothing draws them, in one coordinate: by conjugate gradients. */
+  const relax = (x) => {
+    const left = pull(x, new Float64Array(x.length));
+    const step = left.map((force, v) => force / total[v]);
+    const change = new Float64Array(x.length);
+    const error = () => left.reduce((sum, force, v) => sum + force ** 2 / total[v], 0);
+    let now = error();
+    const enough = 1e-20 * now;
+    for (let rounds = 0; now > enough && rounds < 5000; rounds++) {
+      pull(step, change);
+      const size = -now / step.reduce((sum, along, v) => sum + along * change[v], 0);
+      for (const v of inside) {
+        x[v] += size * step[v];
+        left[v] += size * change[v];
+      }
+      const before = now;
+      now = error();
+      for (const v of inside) step[v] = left[v] / total[v] + (now / before) * step[v];
     }
-    const before = now;
-    now = error();
-    for (const v of inside) step[v] = left[v] / total[v] + (now / before) * step[v];
-  }
-}
+  };
 
-/** By vertex, x and y in the plane. */
-function flattened(mesh, boundary, weights) {
   const places = circle(mesh, boundary);
-  for (const coordinates of places) relax(mesh, weights, coordinates);
+  places.forEach(relax);
   return places;
 }
 
