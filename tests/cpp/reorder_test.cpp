@@ -180,6 +180,25 @@ TEST(Reorder, OfFewOrNoItemsIsNothingSpecial) {
   EXPECT_TRUE(mesh.positions().empty());
 }
 
+TEST(Reorder, NumbersEdgesByTheirVerticesWhereThereAreNoFaces) {
+  Mesh mesh;
+  for (Index i = 0; i < 20; ++i) ASSERT_TRUE(decorator::make_segment(mesh));
+  for (Index f = 0; f < mesh.face_slots(); ++f) {
+    if (!mesh.is_deleted(Face(f))) mesh.release(Face(f));
+  }
+  for (const Halfedge h : mesh.halfedges()) mesh.set_face(h, Face());
+  std::mt19937 random(1);
+  scatter_positions(mesh, random);
+  ASSERT_TRUE(reorder(mesh));
+  Index before = 0;
+  for (const Edge e : mesh.edges()) {
+    const Halfedge h = mesh.edge_halfedge(e);
+    const Index low = std::min(mesh.from_vertex(h), mesh.to_vertex(h)).index();
+    EXPECT_LE(before, low) << "edge " << e.index();
+    before = low;
+  }
+}
+
 TEST(Reorder, KeepsPositionsThatAreNoNumbers) {
   Mesh mesh = reference_build(torus(4, 3));
   const float values[] = {std::numeric_limits<float>::quiet_NaN(),
