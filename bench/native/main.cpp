@@ -109,7 +109,8 @@ std::vector<float> geometry_of(Contender& contender) {
   return contender.geometry();
 }
 
-// A mesh in the order of `input`; with `locality`, in all that the library can reorder.
+// With `locality`, `input` is in such an order, and what else the library numbers gets into it,
+// too.
 std::unique_ptr<Contender> made_by(const Entry& entry, const TriangleMesh& input, bool locality) {
   std::unique_ptr<Contender> contender = entry.make();
   contender->build(input);
