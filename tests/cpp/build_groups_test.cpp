@@ -97,7 +97,7 @@ TEST(BuildGroups, HoldTheEdgesOfHubsAndOfLooseTriangles) {
 /// A grid of more vertices than 16 bits count, with holes and pinched vertices. Memory is fetched
 /// ahead for nearly all of it.
 Shape large_grid() {
-  Shape shape = triangle_grid(300, 300);
+  Shape shape = triangle_grid(330, 330);
   std::mt19937 random(7);
   std::erase_if(shape.faces, [&](const std::vector<Index>&) { return random() % 50 == 0; });
   return in_random_order(with_random_names(shape));

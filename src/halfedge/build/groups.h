@@ -54,6 +54,10 @@ class Groups {
     return next_[2 * side.low - side.down];
   }
 
+  /// Where the next places of a group lie: of its sides that run up, and behind it of those that
+  /// run down.
+  [[nodiscard]] const Index* next_places_of(Index low) const { return &next_[2 * low]; }
+
   /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
   /// one entry for each vertex. False if two sides run the same way along an edge.
   ///
@@ -66,7 +70,7 @@ class Groups {
   ///   add(side, low, high, place)   this one is the only side of its edge; `place` is the first of
   ///                              two in its group that no other edge has, or kNone
   ///   close(up, low, is_single)  called for all sides of a group that run up, if some of them are
-  ///                              the only sides of their edges
+  ///                              the only sides of their edges, or repeat another one
   template <class Places>
   [[nodiscard]] bool match(Array<Index>& edge_to, Places places) const;
 
@@ -146,16 +150,16 @@ bool Groups::match(Array<Index>& edge_to, Places places) const {
 // `edge_to` holds for each vertex the place of the edge of this group that leads there: the even
 // one as long as a side that runs down can match it, the odd one then. What it holds of other
 // groups counts for nothing.
+//
+// Where two sides run up along an edge, only the second can be matched. So there are none if as
+// many are matched as run up, and where fewer are, it takes another look at each.
 template <class Places>
 Index Groups::match_group(const Group& group, Index* edge_to, const Places& places) const {
-  Index clashes = 0;
   for (Index up = group.begin; up != group.up_end; up += 2) {
     if constexpr (kCanPrefetch) {
       if (up + kAhead < end_) places.fetch(up + kAhead, edge_to);
     }
-    Index& edge = edge_to[places.high_up(up)];
-    clashes |= Index{group.has(edge)};
-    edge = up;
+    edge_to[places.high_up(up)] = up;
   }
   Index free = group.up_end;
   Index added = 0;
@@ -176,9 +180,12 @@ Index Groups::match_group(const Group& group, Index* edge_to, const Places& plac
       ++added;
     }
   }
+  Index clashes = 0;
   if (group.up_end + 2 * added != group.down_end) {
     for (Index up = group.begin; up != group.up_end; up += 2) {
-      places.close(up, group.low, edge_to[places.high_up(up)] == up);
+      const Index edge = edge_to[places.high_up(up)];
+      clashes |= Index{edge != up && edge != up + 1};
+      places.close(up, group.low, edge == up);
     }
   }
   return clashes;
