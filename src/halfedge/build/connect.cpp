@@ -22,6 +22,18 @@ namespace {
 constexpr Index kAhead = 96;
 constexpr std::size_t kTooManyForCache = 100'000;
 
+// Touches what is needed for these places of groups, if their sides are scattered. Where no side
+// lies, there is anything.
+HALFEDGE_NOINLINE void touch_places(std::span<const Index> places, std::span<const Index> edge_to,
+                                    std::span<const Index> halfedge_of) {
+  const Index sides = Index(halfedge_of.size());
+  if (!are_scattered(places[1], places.back(), sides)) return;
+  for (std::size_t i = 0; i < places.size(); i += 2) {
+    touch(&edge_to[std::min(places[i], Index(edge_to.size() - 1))]);
+    touch(&halfedge_of[std::min(places[i + 1], sides - 1)]);
+  }
+}
+
 // Finds the halfedge of each side by matching sides in groups (groups.h), and links faces then. The
 // halfedge of a side that runs up is its place. One that runs down takes the opposite of the one
 // that it matches. If it matches none, no face is on the other side of its edge, for which there
@@ -62,6 +74,9 @@ class SideConnector {
     [[gnu::always_inline]] void fetch(Index place, const Index* edge_to) const {
       prefetch(edge_to + to[place]);
       prefetch(halfedge_of + to[place + 1]);
+    }
+    void touch(Index begin, Index end, std::span<const Index> edge_to) const {
+      touch_places({to + begin, end - begin}, edge_to, {halfedge_of, connector.sides()});
     }
     [[nodiscard]] Index high_up(Index place) const { return to[place]; }
     // The place, odd as it is, will be a halfedge that leads to `low`, of one edge or another.
@@ -153,11 +168,12 @@ class SideConnector {
     }
   }
 
+  [[nodiscard]] std::size_t sides() const { return polygons_.corners.size(); }
   [[nodiscard]] bool is_large() const { return polygons_.vertex_count() >= kTooManyForCache; }
 
   // How many corners there are before the last ones, so many of them.
   [[nodiscard]] Index corners_before_last(std::size_t count) const {
-    return Index(polygons_.corners.size() - std::min(polygons_.corners.size(), count));
+    return Index(sides() - std::min(sides(), count));
   }
 
   // The edge of a side that runs down and is alone.

@@ -1,11 +1,13 @@
 #include <halfedge/build/groups.h>
 #include <halfedge/directed_edges/connect.h>
+#include <halfedge/inlining.h>
 #include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace halfedge {
 
@@ -51,6 +53,9 @@ class TriangleConnector {
         prefetch(opposite + side);
       }
     }
+    void touch(Index begin, Index end, std::span<const Index>) const {
+      connector.touch_places(begin, end);
+    }
     [[nodiscard]] Index high_up(Index place) const { return corners[side_at[place]]; }
     [[nodiscard]] Index take_down(Index place, Index) const { return side_at[place]; }
     [[nodiscard]] Index high_down(Index side) const { return corners[before(side)]; }
@@ -66,6 +71,17 @@ class TriangleConnector {
 
   // Of the halfedges of its face the one before it, whose corner is the one that it leaves.
   [[nodiscard]] static Index before(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
+
+  // Touches what is needed for these places of groups, if their sides are scattered. Where no side
+  // lies, there is anything.
+  HALFEDGE_NOINLINE void touch_places(Index begin, Index end) const {
+    if (!are_scattered(side_at_[begin + 1], side_at_[end - 1], sides_)) return;
+    for (Index place = begin; place < end; ++place) {
+      const Index side = std::min(side_at_[place], sides_ - 1);
+      touch(corners_ + side);
+      touch(opposite_ + side);
+    }
+  }
 
   // A side that has no other one.
   void leave(Index side) {
