@@ -1,5 +1,5 @@
 import { runInNewContext } from 'node:vm';
-import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { DirectedEdgesMesh, HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { quadGrid, randomPolygons, tetrahedron } from './support/meshes.js';
 import { random, shuffle } from './support/random.js';
 
@@ -93,6 +93,26 @@ describe('A mesh from triangles', () => {
     }
     for (const mesh of meshes) mesh.dispose();
   });
+});
+
+// A build of scattered sides touches what it needs next, also where it has put nothing yet.
+test.each([
+  ['HalfedgeMesh', HalfedgeMesh],
+  ['DirectedEdgesMesh', DirectedEdgesMesh],
+])('Scattered triangles are built in memory that holds anything: %s', (_, Mesh) => {
+  const count = 4_000;
+  const numbers = Array.from({ length: count }, (_, v) => v);
+  const vertices = shuffle(numbers, random(3));
+  const pairs = Array.from({ length: count / 4 }, (_, i) => vertices.slice(4 * i, 4 * i + 4));
+  const triangles = pairs.flatMap(([a, b, c, d]) => [a, b, c, c, b, d]);
+  const far = new Float32Array(3 * count).fill(1e-9); // as indices, outside of the memory
+  for (let round = 0; round < 10; round++) {
+    const left = Array.from({ length: 8 }, () => HalfedgeMesh.fromTriangles(far, []));
+    for (const mesh of left) mesh.dispose();
+    using mesh = Mesh.fromTriangles(far, triangles);
+    expect([mesh.vertexCount, mesh.edgeCount]).toEqual([count, (5 * count) / 4]);
+    expect(mesh.validate()).toEqual([]);
+  }
 });
 
 test('Arrays of another realm, such as a frame, are as good as any', () => {
