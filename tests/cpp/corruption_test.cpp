@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/topology.h>
+#include <halfedge/connectivity/compact.h>
 #include <halfedge/validate/validate.h>
 
+#include <algorithm>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "support/copies.h"
 #include "support/invariants.h"
 #include "support/random_polygons.h"
 #include "support/reference_build.h"
@@ -131,6 +134,32 @@ TEST(Corruption, ExchangedLinksAreFoundIfAndOnlyIfTheyBreakAnInvariant) {
     const bool valid = Invariants(mesh).hold();
     EXPECT_EQ(!has_errors(validate(mesh)), valid);
     run_everything(mesh, valid);
+  }
+}
+
+// With gaps of all kinds to close, and some more or fewer of them by what is written.
+TEST(Corruption, CompactDoesNotFollowLinksOutOfTheArrays) {
+  for (std::uint32_t seed = 0; seed < 500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    Mesh mesh = with_gaps(random_polygons(seed), seed);
+    const Index slots = mesh.vertex_slots();
+    Links& links = mesh.mutable_links();
+    for (Index writes = 1 + below(random, 6); writes > 0; --writes) {
+      Array<Index>& array = *arrays_of(links)[below(random, 6)];
+      if (!array.empty()) array[below(random, array.size())] = any_link(random, array.size());
+    }
+    EXPECT_EQ(compact(mesh).value().vertices.size(), slots);
+    const auto all_lead = [](const Array<Index>& array, Index end) {
+      return std::ranges::all_of(array, [&](Index link) { return link == kNone || link < end; });
+    };
+    EXPECT_TRUE(all_lead(links.next, mesh.halfedge_slots()));
+    EXPECT_TRUE(all_lead(links.prev, mesh.halfedge_slots()));
+    EXPECT_TRUE(all_lead(links.to_vertex, mesh.vertex_slots()));
+    EXPECT_TRUE(all_lead(links.face, mesh.face_slots()));
+    EXPECT_TRUE(all_lead(links.vertex_halfedge, mesh.halfedge_slots()));
+    EXPECT_TRUE(all_lead(links.face_halfedge, mesh.halfedge_slots()));
+    run_everything(mesh, false);
   }
 }
 

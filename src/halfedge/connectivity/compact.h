@@ -33,6 +33,21 @@ struct CompactMaps {
   }
 };
 
+/// Where the links to items of one kind lead afterwards, by where the items went. Those that lead
+/// out of the arrays, as an empty one does, or to a deleted item, lead nowhere then. The lowest
+/// bits of a link stay: that of a halfedge is its side.
+template <unsigned kKeptBits = 0>
+struct MovedLink {
+  const Array<Index>& map;
+
+  [[nodiscard]] Index operator()(Index old) const {
+    const Index item = old >> kKeptBits;
+    const Index now = item < map.size() ? map[item] : kNone;
+    return now == kNone ? kNone : (now << kKeptBits) + (old - (item << kKeptBits));
+  }
+};
+using MovedHalfedge = MovedLink<1>;
+
 /// The parts of `compact` and of `reorder`, which write the links of a mesh.
 class Compaction {
  public:
@@ -55,9 +70,9 @@ class Compaction {
   template <Storage kStored>
   static void run(BasicConnectivity<kStored>& mesh, const CompactMaps& maps) {
     rewrite(mesh, [&](Links& links, Attributes& attributes) {
-      const auto halfedge = [&](Index h) { return h == kNone ? kNone : maps(Halfedge(h)).index(); };
-      const auto vertex = [&](Index v) { return maps.vertices[v]; };
-      const auto face = [&](Index f) { return f == kNone ? kNone : maps.faces[f]; };
+      const MovedLink<> vertex{maps.vertices};
+      const MovedHalfedge halfedge{maps.edges};
+      const MovedLink<> face{maps.faces};
       move_down<1>(maps.vertices, links.vertex_halfedge, halfedge);
       move_down<1>(maps.faces, links.face_halfedge, halfedge);
       move_down<2>(maps.edges, links.to_vertex, vertex);
@@ -140,7 +155,8 @@ class Compaction {
 /// the maps say where each went. The memory stays reserved. After an error nothing has changed,
 /// and nothing does where no slot is deleted: that is no step of history then.
 ///
-/// pre: no live item refers to a deleted one (invariant 7)
+/// pre: no live item refers to a deleted one (invariant 7); links that lead out of the arrays are
+/// not followed, and empty afterwards
 /// cost: O(slots), and 4 bytes a vertex, edge and face for the maps
 /// errors: out-of-memory
 template <Storage kStored>

@@ -12,19 +12,6 @@ namespace {
 constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge,
                                ItemKind::kFace};
 
-// Where links lead to afterwards; out of the arrays to nothing.
-struct Target {
-  const Array<Index>& map;
-  // The lowest bits of a link stay: that of a halfedge is its side.
-  Index kept_bits = 0;
-
-  [[nodiscard]] Index operator()(Index old) const {
-    const Index item = old >> kept_bits;
-    const Index now = item < map.size() ? map[item] : kNone;
-    return now == kNone ? kNone : (now << kept_bits) + (old - (item << kept_bits));
-  }
-};
-
 // Sorts by counting: items with the same key stay in their order. `map` holds the key of each item,
 // at most `last`, and its place in `order` then; kNone for items that are left out, in both.
 // `order` has room for all. False when memory is exhausted.
@@ -57,14 +44,15 @@ bool changes_nothing(const Array<Index>& order, const Array<Index>& map) {
 }
 
 // Writes in order and reads from all over a copy: of reads, more can be underway at a time.
-void move_rows(const Array<Index>& order, std::size_t width, Target target, Array<Index>& links,
-               Array<std::byte>& copy) {
+template <unsigned kKeptBits>
+void move_rows(const Array<Index>& order, std::size_t width, MovedLink<kKeptBits> moved,
+               Array<Index>& links, Array<std::byte>& copy) {
   if (links.empty()) return;
   std::memcpy(copy.data(), links.data(), links.size() * sizeof(Index));
   const auto* const old = reinterpret_cast<const Index*>(copy.data());
   Index* to = links.data();
   for (const Index row : order) {
-    for (std::size_t i = 0; i < width; ++i) *to++ = target(old[width * row + i]);
+    for (std::size_t i = 0; i < width; ++i) *to++ = moved(old[width * row + i]);
   }
   links.grow_to(width * order.size());  // no larger than it is
 }
@@ -126,7 +114,7 @@ bool Reordering::number_faces(const Links& links) {
     const bool is_live = links.face_halfedge.empty() || !is_deleted_link(links.face_halfedge[f]);
     if (is_live) maps_.faces[f] = nowhere;
   }
-  const Target vertex{maps_.vertices};
+  const MovedLink<> vertex{maps_.vertices};
   for (std::size_t h = 0; h < links.face.size(); ++h) {
     const Index f = links.face[h];  // out of the arrays if `h` is deleted
     if (f >= maps_.faces.size() || maps_.faces[f] == kNone) continue;
@@ -139,7 +127,7 @@ bool Reordering::number_faces(const Links& links) {
 bool Reordering::number_edges(const Links& links) {
   const bool has_faces = !links.face.empty() && !faces_.empty();
   const Array<Index>& items = has_faces ? links.face : links.to_vertex;
-  const Target number{has_faces ? maps_.faces : maps_.vertices};
+  const MovedLink<> number{has_faces ? maps_.faces : maps_.vertices};
   const Index nowhere = Index((has_faces ? faces_ : vertices_).size());
   for (std::size_t e = 0; e < maps_.edges.size(); ++e) {
     if (is_deleted_link(links.next[2 * e])) continue;
@@ -149,11 +137,11 @@ bool Reordering::number_edges(const Links& links) {
 }
 
 void Reordering::move_links(Links& links) {
-  const Target halfedge{maps_.edges, 1};
+  const MovedHalfedge halfedge{maps_.edges};
   move_rows(vertices_, 1, halfedge, links.vertex_halfedge, old_);
   move_rows(faces_, 1, halfedge, links.face_halfedge, old_);
-  move_rows(edges_, 2, Target{maps_.vertices}, links.to_vertex, old_);
-  move_rows(edges_, 2, Target{maps_.faces}, links.face, old_);
+  move_rows(edges_, 2, MovedLink<>{maps_.vertices}, links.to_vertex, old_);
+  move_rows(edges_, 2, MovedLink<>{maps_.faces}, links.face, old_);
   move_rows(edges_, 2, halfedge, links.prev, old_);
   move_rows(edges_, 2, halfedge, links.next, old_);
 }
