@@ -115,6 +115,37 @@ test.each([
   }
 });
 
+// Sides of many triangles are divided among buckets before they are matched, if they come in random order
+// and the mesh stores prev, whose array that takes.
+test('Many triangles in random order become the same mesh as without prev', () => {
+  const size = 460;
+  const next = random(5);
+  const names = shuffle(
+    Array.from({ length: size * size }, (_, v) => v),
+    next,
+  );
+  const at = (x: number, y: number) => names[y * size + x];
+  const squares = Array.from({ length: (size - 1) * (size - 1) }, (_, i) => {
+    const [x, y] = [i % (size - 1), Math.floor(i / (size - 1))];
+    return [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+  });
+  const triangles = squares
+    .filter((_, i) => i % 777 !== 0)
+    .flatMap(([a, b, c, d]) => [
+      [a, b, c],
+      [c, d, a],
+    ]);
+  const corners = Uint32Array.from(shuffle(triangles, next).flat());
+  const points = new Float32Array(3 * size * size);
+  using mesh = HalfedgeMesh.fromTriangles(points, corners);
+  using without = HalfedgeMesh.fromTriangles(points, corners, { storePrev: false });
+  const { prev, ...links } = mesh.connectivity;
+  const { prev: none, ...others } = without.connectivity;
+  expect(links).toEqual(others);
+  expect(prev?.every((h, i) => links.next[h] === i)).toBe(true);
+  expect(mesh.validate(3)).toEqual([]);
+});
+
 test('Arrays of another realm, such as a frame, are as good as any', () => {
   const foreign = (code: string) => runInNewContext(code);
   using mesh = HalfedgeMesh.fromTriangles(

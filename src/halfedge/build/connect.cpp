@@ -1,3 +1,4 @@
+#include <halfedge/build/buckets.h>
 #include <halfedge/build/connect.h>
 #include <halfedge/build/each_face.h>
 #include <halfedge/build/fans.h>
@@ -53,12 +54,18 @@ class SideConnector {
     if (repeated) return ConnectResult::kNotManifold;
     if (groups_.end() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!make_room()) return ConnectResult::kOutOfMemory;
-    place_sides();
+    const bool is_divided = kTriangles && kPrev && Buckets::pay(polygons_);
+    if (is_divided) {
+      place_divided_sides();
+    } else {
+      place_sides();
+    }
     const bool is_manifold = groups_.match(scratch, Places{to_, halfedge_of_, *this});
     if (is_out_of_memory_) return ConnectResult::kOutOfMemory;
     if (!is_manifold) return ConnectResult::kNotManifold;
     const ConnectResult added = add_unforeseen_edges();
     if (added != ConnectResult::kDone) return added;
+    if (is_divided) collect_halfedges();
     link_faces();
     if constexpr (!kPrev) write_faces();
     return ConnectResult::kDone;
@@ -142,18 +149,36 @@ class SideConnector {
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
       if (kCanPrefetch && first < fetching) fetch_places(corners);
       for (Index i = 0; i < size; ++i) {
-        const Index side = first + i;
-        const Index from = corners[i];
-        const Index to = corners[i + 1 == size ? 0 : i + 1];
-        const DirectedSide direction(from, to);
-        Index& next_place = groups_.next_place(direction);
-        const Index place = next_place;
-        next_place = place + 2;
-        to_[place] = direction.pick(to, side);
-        halfedge_of_[side] = direction.pick(place, from);
+        place_side(first + i, corners[i], corners[i + 1 == size ? 0 : i + 1]);
       }
       first += size;
     });
+  }
+
+  [[gnu::always_inline]] void place_side(Index side, Index from, Index to) {
+    const DirectedSide direction(from, to);
+    Index& next_place = groups_.next_place(direction);
+    const Index place = next_place;
+    next_place = place + 2;
+    to_[place] = direction.pick(to, side);
+    halfedge_of_[side] = direction.pick(place, from);
+  }
+
+  // The same where sides are numbered bucket by bucket, until they have their halfedges. Their
+  // vertices lie in arrays that are written last.
+  HALFEDGE_NOINLINE void place_divided_sides() {
+    buckets_.divide(polygons_, next_, face_);
+    const Index count = Index(sides());
+    for (Index side = 0; side < count; ++side) place_side(side, next_[side], face_[side]);
+  }
+
+  // By side again: in the array of faces, so that the two arrays change their names. Their length
+  // tells whether there are boundary halfedges, whose marks are lost.
+  void collect_halfedges() {
+    buckets_.collect(polygons_, halfedge_of_, face_);
+    std::swap(links_.face, links_.prev);
+    use_arrays();
+    if (links_.face.size() != sides()) std::fill(links_.face.begin(), links_.face.end(), kNone);
   }
 
   // What is needed for three corners that come later, if it is far from what is needed now. Which
@@ -267,6 +292,7 @@ class SideConnector {
   const Polygons& polygons_;
   Links& links_;
   Groups groups_;
+  Buckets buckets_;
   Array<Unforeseen> unforeseen_;
   bool is_out_of_memory_ = false;
   bool is_fresh_ = false;

@@ -2,6 +2,7 @@
 
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
+#include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -90,12 +91,16 @@ class LongWalks {
 /// The same, however the links are stored: `anchors` by vertex, and `rotate_cw(h)` is the next
 /// halfedge that leaves the vertex of `h`.
 ///
-/// Walks around several vertices in step, as the end of one walk can't be predicted.
+/// Walks around many vertices in step, as the end of one walk can't be predicted. When only a few
+/// of them go on, these do by themselves.
 template <class Rotate>
 [[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
                                              const Rotate& rotate_cw) {
-  constexpr std::size_t kLanes = 8;
-  constexpr int kStepsTogether = 64;
+  // In WebAssembly, to look for more than that takes longer than it gains.
+  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 8;
+  constexpr Index kFew = kCanPrefetch ? 4 : 0;
+  constexpr int kUsualSteps = 10;
+  constexpr int kMostSteps = 64;
   if (halfedges == 0) return true;
   LongWalks<Rotate> long_walks(rotate_cw);  // around vertices of higher valence
   std::size_t reached = 0;
@@ -108,17 +113,17 @@ template <class Rotate>
       walking[i] = anchor[i] != kNone ? 1 : 0;
       at[i] = walking[i] != 0 ? anchor[i] : 0;
     }
-    Index any = 1;
-    for (int steps = 0; any != 0 && steps < kStepsTogether; ++steps) {
-      any = 0;
+    Index left = kLanes;
+    for (int steps = 0; steps < kMostSteps && left > (steps < kUsualSteps ? 0 : kFew); ++steps) {
+      left = 0;
       for (std::size_t i = 0; i < kLanes; ++i) {
         reached += walking[i];
         at[i] = rotate_cw(at[i]);
         walking[i] &= Index{at[i] != anchor[i]};
-        any |= walking[i];
+        left += walking[i];
       }
     }
-    for (std::size_t i = 0; any != 0 && i < kLanes; ++i) {
+    for (std::size_t i = 0; left != 0 && i < kLanes; ++i) {
       if (walking[i] != 0) reached += long_walks.take(anchor[i], at[i]);
     }
   }
