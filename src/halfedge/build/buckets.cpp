@@ -2,8 +2,6 @@
 #include <halfedge/build/each_face.h>
 #include <halfedge/build/groups.h>
 
-#include <span>
-
 namespace halfedge {
 
 namespace {

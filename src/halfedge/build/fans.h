@@ -96,7 +96,7 @@ class LongWalks {
 template <class Rotate>
 [[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
                                              const Rotate& rotate_cw) {
-  // In WebAssembly, to look for more than that takes longer than it gains.
+  // More walks at a time, and looking for the last few, take longer as WebAssembly.
   constexpr std::size_t kLanes = kCanPrefetch ? 32 : 8;
   constexpr Index kFew = kCanPrefetch ? 4 : 0;
   constexpr int kUsualSteps = 10;
