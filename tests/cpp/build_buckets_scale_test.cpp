@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "support/large_torus.h"
+#include "support/same_links.h"
 
 // Meshes whose sides are divided among buckets: it takes a million vertices.
 
@@ -20,16 +21,9 @@ TEST(BuildBuckets, LeadToTheSameMeshAsWithoutThem) {
   BasicMesh<kWithoutPrev> without;
   BuildReport report;
   ASSERT_TRUE(build_from_polygons(without, torus.polygons(), report));
-  const auto same = [](const Array<Index>& a, const Array<Index>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  };
   for (int build = 0; build < 2; ++build) {  // into fresh memory, and into that of before
     ASSERT_TRUE(build_from_polygons(mesh, torus.polygons(), report));
-    EXPECT_TRUE(same(mesh.links().next, without.links().next));
-    EXPECT_TRUE(same(mesh.links().to_vertex, without.links().to_vertex));
-    EXPECT_TRUE(same(mesh.links().face, without.links().face));
-    EXPECT_TRUE(same(mesh.links().vertex_halfedge, without.links().vertex_halfedge));
-    EXPECT_TRUE(same(mesh.links().face_halfedge, without.links().face_halfedge));
+    expect_same_links_but_prev(mesh.links(), without.links(), "torus");
     for (const Halfedge h : mesh.halfedges()) ASSERT_EQ(mesh.prev(mesh.next(h)), h);
   }
 }

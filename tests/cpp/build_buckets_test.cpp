@@ -14,37 +14,44 @@
 namespace halfedge::test {
 namespace {
 
-TEST(BuildBuckets, TellTheNumberOfEachSideInTheOrderOfTheFaces) {
-  for (const Index size : {1U, 2U, 3U, 20U, 301U}) {
-    const Triangles mesh = shuffled(large_torus(size), size);
-    const std::size_t sides = mesh.corners.size();
-    std::vector<Index> from(sides), to(sides), numbers(sides), by_side(sides);
+/// The sides of a mesh after division, and where each of them went.
+struct Divided {
+  std::vector<Index> from;
+  std::vector<Index> to;
+  std::vector<Index> place_of;  // by side, in the order of the faces
+
+  explicit Divided(const Triangles& mesh)
+      : from(mesh.corners.size()), to(mesh.corners.size()), place_of(mesh.corners.size()) {
     Buckets buckets;
     buckets.divide(mesh.polygons(), from.data(), to.data());
-    std::iota(numbers.begin(), numbers.end(), 0U);
-    buckets.collect(mesh.polygons(), numbers.data(), by_side.data());
-    for (std::size_t side = 0; side < sides; ++side) {
+    std::vector<Index> places(mesh.corners.size());
+    std::iota(places.begin(), places.end(), 0U);
+    buckets.collect(mesh.polygons(), places.data(), place_of.data());
+  }
+};
+
+TEST(BuildBuckets, TellTheNumberOfEachSideInTheOrderOfTheFaces) {
+  for (const Index size : {3U, 4U, 20U, 301U}) {
+    const Triangles mesh = shuffled(large_torus(size), size);
+    Divided divided(mesh);
+    for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
       const std::size_t next = side % 3 == 2 ? side - 2 : side + 1;
-      ASSERT_EQ(from[by_side[side]], mesh.corners[side]);
-      ASSERT_EQ(to[by_side[side]], mesh.corners[next]);
+      ASSERT_EQ(divided.from[divided.place_of[side]], mesh.corners[side]);
+      ASSERT_EQ(divided.to[divided.place_of[side]], mesh.corners[next]);
     }
-    std::sort(by_side.begin(), by_side.end());
-    EXPECT_EQ(by_side, numbers);
+    std::sort(divided.place_of.begin(), divided.place_of.end());
+    std::vector<Index> places(mesh.corners.size());
+    std::iota(places.begin(), places.end(), 0U);
+    EXPECT_EQ(divided.place_of, places);
   }
 }
 
 TEST(BuildBuckets, KeepTheOrderOfTheSidesOfAVertex) {
   const Triangles mesh = shuffled(large_torus(100), 5);
-  const std::size_t sides = mesh.corners.size();
-  std::vector<Index> from(sides), to(sides), numbers(sides), side_of(sides);
-  Buckets buckets;
-  buckets.divide(mesh.polygons(), from.data(), to.data());
-  std::iota(numbers.begin(), numbers.end(), 0U);
-  buckets.collect(mesh.polygons(), numbers.data(), side_of.data());
+  const Divided divided(mesh);
   std::vector<Index> last(mesh.positions.size() / 3, 0);  // one on
-  for (std::size_t side = 0; side < sides; ++side) {
-    const Index place = side_of[side];
-    Index& before = last[std::min(from[place], to[place])];
+  for (const Index place : divided.place_of) {
+    Index& before = last[std::min(divided.from[place], divided.to[place])];
     EXPECT_GT(place + 1, before);
     before = place + 1;
   }

@@ -14,6 +14,7 @@
 #include "support/canonical.h"
 #include "support/random_polygons.h"
 #include "support/reference_build.h"
+#include "support/same_links.h"
 #include "support/shapes.h"
 
 // Where edges find their places: whether a vertex has more sides that run up or more that run down,
@@ -33,16 +34,8 @@ bool expect_as_described(const Shape& shape) {
 
   BasicMesh<kWithoutPrev> without;
   EXPECT_TRUE(build_from_polygons(without, shape.polygons(), report)) << shape.name;
-  const auto same = [](const Array<Index>& a, const Array<Index>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end());
-  };
-  const Links& links = mesh.links();
   EXPECT_TRUE(without.links().prev.empty());
-  EXPECT_TRUE(same(without.links().next, links.next)) << shape.name;
-  EXPECT_TRUE(same(without.links().to_vertex, links.to_vertex)) << shape.name;
-  EXPECT_TRUE(same(without.links().face, links.face)) << shape.name;
-  EXPECT_TRUE(same(without.links().vertex_halfedge, links.vertex_halfedge)) << shape.name;
-  EXPECT_TRUE(same(without.links().face_halfedge, links.face_halfedge)) << shape.name;
+  expect_same_links_but_prev(without.links(), mesh.links(), shape.name);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+#include "support/same_links.h"
 #include "support/shapes.h"
 
 namespace halfedge::test {
@@ -74,9 +75,6 @@ Mesh open_cube() {
 }
 
 bool same_links(const Mesh& a, const Mesh& b) {
-  const auto same = [](const Array<Index>& x, const Array<Index>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end());
-  };
   const Links& x = a.links();
   const Links& y = b.links();
   return same(x.next, y.next) && same(x.prev, y.prev) && same(x.to_vertex, y.to_vertex) &&

@@ -2,7 +2,6 @@
 
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
-#include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -91,14 +90,12 @@ class LongWalks {
 /// The same, however the links are stored: `anchors` by vertex, and `rotate_cw(h)` is the next
 /// halfedge that leaves the vertex of `h`.
 ///
-/// Walks around many vertices in step, as the end of one walk can't be predicted. When only a few
-/// of them go on, these do by themselves.
-template <class Rotate>
+/// Walks around `kLanes` vertices in step, as the end of one walk can't be predicted. Where these
+/// are many, and only a few of them go on, these do by themselves.
+template <std::size_t kLanes, class Rotate>
 [[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
                                              const Rotate& rotate_cw) {
-  // More walks at a time, and looking for the last few, take longer as WebAssembly.
-  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 8;
-  constexpr Index kFew = kCanPrefetch ? 4 : 0;
+  constexpr Index kFew = kLanes > 8 ? kLanes / 8 : 0;
   constexpr int kUsualSteps = 10;
   constexpr int kMostSteps = 64;
   if (halfedges == 0) return true;

@@ -70,9 +70,11 @@ ConnectResult join_open_fans(DirectedLinks& links) {
 }
 
 bool each_vertex_has_one_cycle(const DirectedLinks& links) {
+  constexpr std::size_t kLanes = 8;  // more take longer, as it does to find the next halfedge
   const Index* const opposite = links.opposite.data();
-  return each_vertex_has_one_cycle(links.vertex_halfedge.span(), links.opposite.size(),
-                                   [&links, opposite](Index h) { return links.next(opposite[h]); });
+  return each_vertex_has_one_cycle<kLanes>(
+      links.vertex_halfedge.span(), links.opposite.size(),
+      [&links, opposite](Index h) { return links.next(opposite[h]); });
 }
 
 }  // namespace halfedge

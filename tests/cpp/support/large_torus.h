@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/build/build.h>
+#include <halfedge/shapes/shapes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,17 +19,14 @@ struct Triangles {
   [[nodiscard]] Polygons polygons() const { return {positions, {}, corners}; }
 };
 
-/// A torus of `size` times `size` squares that are cut in two, with a hole here and there.
+/// A torus of `size` times `size` squares that are cut in two, without every 1001st triangle.
 inline Triangles large_torus(Index size) {
-  Triangles torus{std::vector<float>(3 * std::size_t{size} * size), {}};
-  for (Index y = 0; y < size; ++y) {
-    for (Index x = 0; x < size; ++x) {
-      const auto at = [size](Index i, Index j) { return j % size * size + i % size; };
-      const Index square[] = {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)};
-      torus.corners.insert(torus.corners.end(), {square[0], square[1], square[2]});
-      if (torus.corners.size() % 3003 == 0) torus.corners.resize(torus.corners.size() - 3);
-      torus.corners.insert(torus.corners.end(), {square[2], square[3], square[0]});
-    }
+  const PolygonSoup whole = shapes::torus(size, size, shapes::Faces::kTriangles).value();
+  Triangles torus{{whole.positions.begin(), whole.positions.end()}, {}};
+  for (std::size_t f = 0; 3 * f < whole.corners.size(); ++f) {
+    if (f % 1001 == 500) continue;
+    const Index* const corners = &whole.corners[3 * f];
+    torus.corners.insert(torus.corners.end(), corners, corners + 3);
   }
   return torus;
 }
