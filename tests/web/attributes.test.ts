@@ -365,6 +365,33 @@ describe('Generations', () => {
     expect(mesh.generations.isCurrent(reference)).toBe(true);
   });
 
+  test('tell an item from one that takes its slot after it was undone', () => {
+    using mesh = HalfedgeMesh.icoSphere(1);
+    mesh.history.enabled = true;
+    mesh.generations.enabled = true;
+    mesh.collapse(0);
+    const v = mesh.splitEdge(6);
+    const undone = mesh.generations.reference('vertex', v);
+    mesh.history.undo();
+    expect(mesh.generations.isCurrent(undone)).toBe(false);
+    mesh.history.redo();
+    expect(mesh.generations.isCurrent(undone)).toBe(true);
+    mesh.history.undo();
+    expect(mesh.splitFace(mesh.faces().toArray()[3])).toBe(v); // in the same slot
+    expect(mesh.generations.isCurrent(undone)).toBe(false);
+  });
+
+  test('forget what was done before they were switched on', () => {
+    using mesh = HalfedgeMesh.cube();
+    mesh.history.enabled = true;
+    mesh.deleteVertex(0);
+    mesh.compact();
+    mesh.generations.enabled = true;
+    expect([mesh.history.canUndo, mesh.history.undoCount]).toEqual([false, 0]);
+    mesh.deleteVertex(1);
+    expect(mesh.history.undoCount).toBe(1);
+  });
+
   test('end with compact, and are not among the attributes', () => {
     using mesh = grid();
     mesh.generations.enabled = true;

@@ -36,7 +36,7 @@ export class Generations {
     this.#links = links;
   }
 
-  /** Whether items are stamped. Switching it off ends all references. */
+  /** Whether items are stamped. Switching it off ends all references; switching it on forgets all steps of history. */
   get enabled(): boolean {
     const { core, address } = this.#links;
     this.#enabled ??= core._has_generations(address) !== 0; // a clone has those of its original

@@ -74,7 +74,8 @@ class Attributes {
   /// were given here before: then they have new ones. False when memory is exhausted; then it has
   /// no columns.
   [[nodiscard]] bool assign(const Attributes& other);
-  /// Of an item whose slot is used again. Its generation stays.
+  /// Of an item that takes the slot of a deleted one. Its generation is that of the slot since, or
+  /// another, as undo may have taken away an item that had it.
   void set_default(ItemKind kind, Index item, Journal* journal) {
     if (has_any()) set_defaults(kind, item, journal);
   }

@@ -31,8 +31,7 @@ Result<Attribute*> BasicConnectivity<kStored>::add_column(ItemKind kind, std::st
 
 template <Storage kStored>
 bool BasicConnectivity<kStored>::fit_attributes() {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+  for (const ItemKind kind : kItemKinds) {
     if (!attributes_.reserve(kind, slots(kind))) return false;
     attributes_.resize(kind, slots(kind));
   }
@@ -53,7 +52,8 @@ Result<void> BasicConnectivity<kStored>::enable_generations() {
     }
   }
   attributes_.end_all_generations();  // those that were enabled before, if any
-  forget_redo();
+  // Steps from before have no stamps. Undone, they could bring back other items.
+  if (journal_ != nullptr) journal_->forget_steps();
   return {};
 }
 

@@ -116,12 +116,22 @@ void Journal::limit(HistoryLimits limits) {
 }
 
 void Journal::forget_beyond_limits() {
-  if (limits_.is_none()) return;
+  if (limits_.are_infinite()) return;
   const std::size_t first = first_;
   while (done_ - first_ > 1 && (done_ - first_ > limits_.steps || bytes() > limits_.bytes)) {
     ++first_;
   }
-  if (first_ == first) return;
+  if (first_ != first) drop_forgotten();
+}
+
+void Journal::forget_steps() {
+  forget_redo();
+  if (first_ == done_) return;
+  first_ = done_;
+  drop_forgotten();
+}
+
+void Journal::drop_forgotten() {
   writes_.drop_before(begin_of(first_));
   ends_.drop_before(first_);
 }

@@ -45,7 +45,7 @@ struct HistoryLimits {
   std::size_t steps = std::numeric_limits<std::size_t>::max();
   std::size_t bytes = std::numeric_limits<std::size_t>::max();
 
-  [[nodiscard]] bool is_none() const {
+  [[nodiscard]] bool are_infinite() const {
     return steps == HistoryLimits().steps && bytes == HistoryLimits().bytes;
   }
 };
@@ -166,6 +166,8 @@ class Journal {
 
   /// Forgets all steps, as when the whole mesh is replaced.
   void forget();
+  /// Forgets all steps but the one underway.
+  void forget_steps();
   /// Forgets the steps that were undone.
   void forget_redo() {
     if (has_undone_) forget_undone();
@@ -184,6 +186,7 @@ class Journal {
   bool close_step();
   void forget_undone();
   void forget_beyond_limits();
+  void drop_forgotten();
   void lose();
 
   HistoryLimits limits_;
