@@ -383,6 +383,22 @@ TEST(Generations, OfItemsThatAreMadeAgainAreTheirOwn) {
   EXPECT_EQ(mesh.generation(f), of_face);
 }
 
+TEST(Attributes, AreRemovedByTheirOwnNames) {
+  Mesh mesh = reference_build(tetrahedron());
+  const std::string long_name(40, 'x');  // on the heap
+  for (const char last : {'a', 'b', 'c', 'd'}) add(mesh, ItemKind::kVertex, long_name + last);
+  const auto name_of_column = [&](std::size_t i) -> const std::string& {
+    return mesh.attributes().of(ItemKind::kVertex)[i]->name();
+  };
+  EXPECT_TRUE(mesh.remove_attribute(ItemKind::kVertex, name_of_column(1)));
+  EXPECT_TRUE(mesh.remove_attribute(ItemKind::kVertex, name_of_column(0)));
+  ASSERT_EQ(mesh.attributes().of(ItemKind::kVertex).size(), 2U);
+  EXPECT_EQ(name_of_column(0), long_name + 'c');
+  EXPECT_EQ(name_of_column(1), long_name + 'd');
+  EXPECT_FALSE(mesh.remove_attribute(ItemKind::kVertex, "none"));
+  EXPECT_FALSE(mesh.remove_attribute(ItemKind::kFace, long_name + 'c'));
+}
+
 TEST(Generations, TellApartWhatTookThePlaceOfSomethingUndone) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_history());
@@ -393,6 +409,54 @@ TEST(Generations, TellApartWhatTookThePlaceOfSomethingUndone) {
   ASSERT_TRUE(mesh.undo());
   ASSERT_EQ(mesh.add_vertex({}), v);
   EXPECT_NE(mesh.generation(v), undone);
+}
+
+TEST(Generations, TellApartWhatTookTheSlotOfSomethingUndone) {
+  Mesh mesh = reference_build(triangle_grid(1, 1));
+  ASSERT_TRUE(mesh.enable_history());
+  ASSERT_TRUE(mesh.enable_generations());
+  ASSERT_TRUE(operations::delete_face(mesh, Face(1)));
+  mesh.end_step();
+
+  // A vertex, an edge and a face, each in the slot of a deleted one. Returns their stamps.
+  const auto make = [&] {
+    const Vertex v = mesh.add_vertex({});
+    const Halfedge h = mesh.opposite(mesh.face_halfedge(Face(0)));
+    const Result<Face> f = operations::add_face(mesh, {mesh.from_vertex(h), mesh.to_vertex(h), v});
+    EXPECT_TRUE(f);
+    EXPECT_EQ(f.value(), Face(1));
+    EXPECT_EQ(mesh.vertex_slots(), 4U);
+    EXPECT_EQ(mesh.edge_slots(), 5U);
+    mesh.end_step();
+    return std::vector<Index>{mesh.generation(v), mesh.generation(mesh.vertex_halfedge(v)),
+                              mesh.generation(f.value())};
+  };
+  const std::vector<Index> undone = make();
+  ASSERT_TRUE(mesh.undo());
+  const std::vector<Index> next = make();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(next[i], undone[i]) << i;
+}
+
+TEST(Generations, ForgetTheStepsFromBeforeTheyWereEnabled) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  ASSERT_TRUE(operations::delete_vertex(mesh, Vertex(0)));
+  mesh.end_step();
+  ASSERT_TRUE(compact(mesh));
+  mesh.end_step();
+  mesh.set_position(Vertex(0), {1, 2, 3});  // of a step that isn't over
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index stamp = mesh.generation(Vertex(1));
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_NE(mesh.position(Vertex(0)), (Point{1, 2, 3}));
+  EXPECT_FALSE(mesh.undo()) << "vertex 1 was another one then";
+  EXPECT_EQ(mesh.generation(Vertex(1)), stamp);
+
+  ASSERT_TRUE(mesh.redo());
+  mesh.end_step();
+  EXPECT_EQ(mesh.position(Vertex(0)), (Point{1, 2, 3}));
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_FALSE(has_errors(validate(mesh)));
 }
 
 TEST(Generations, EndWhenTheyAreTurnedOff) {

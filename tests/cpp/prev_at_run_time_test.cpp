@@ -53,6 +53,26 @@ TEST(PrevAtRunTime, IsStoredUnlessChosenOtherwise) {
   EXPECT_FALSE(BasicMesh<kWithoutPrev>().stores_prev());
 }
 
+// What was undone has words for as many arrays as there were.
+TEST_P(ChosenPrev, IsNotRedoneAfterAnotherChoice) {
+  Chosen mesh;
+  mesh.choose_prev(GetParam());
+  ASSERT_TRUE(mesh.enable_history());
+  const Vertex a = mesh.add_vertex({0, 0, 0});
+  const Vertex b = mesh.add_vertex({1, 0, 0});
+  const Vertex c = mesh.add_vertex({0, 1, 0});
+  ASSERT_TRUE(operations::add_face(mesh, {a, b, c}));
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());
+  mesh.choose_prev(GetParam());
+  ASSERT_TRUE(mesh.redo()) << "the same choice";
+  EXPECT_EQ(mesh.face_count(), 1U);
+  ASSERT_TRUE(mesh.undo());
+  mesh.choose_prev(!GetParam());
+  EXPECT_FALSE(mesh.redo());
+  EXPECT_FALSE(has_errors(validate(mesh)));
+}
+
 TEST_P(ChosenPrev, IsBuiltAsChosen) {
   for (const Shape& shape : {cube(), torus(5, 4), disk(7), mixed_polygons()}) {
     const Mesh whole = reference_build(shape);

@@ -56,10 +56,13 @@ Attribute* Attributes::find(ItemKind kind, std::string_view name) {
 }
 
 bool Attributes::remove(ItemKind kind, std::string_view name) {
-  const std::size_t removed = std::erase_if(
-      columns_[std::size_t(kind)], [&](const auto& column) { return column->name() == name; });
-  count_ -= removed;
-  return removed > 0;
+  std::vector<Column>& columns = columns_[std::size_t(kind)];
+  const auto found = std::find_if(columns.begin(), columns.end(),
+                                  [&](const Column& column) { return column->name() == name; });
+  if (found == columns.end()) return false;
+  columns.erase(found);  // `name` may be its own, and is gone then
+  --count_;
+  return true;
 }
 
 bool Attributes::reserve_columns(ItemKind kind, std::size_t slots) {
@@ -113,7 +116,11 @@ void Attributes::drop_all() {
 
 void Attributes::set_defaults(ItemKind kind, Index item, Journal* journal) {
   for (Column& column : of(kind)) {
-    if (!column->is_generation()) column->set_default(item, journal);
+    if (!column->is_generation()) {
+      column->set_default(item, journal);
+    } else if (journal != nullptr) {  // undo may have taken away another item from this slot
+      column->set(item, 0, ++generations_, journal);
+    }
   }
 }
 

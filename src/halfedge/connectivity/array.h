@@ -166,10 +166,10 @@ class Array {
     --size_;
   }
 
-  /// Becomes a copy of `other`.
+  /// Becomes a copy of `other`, which may be a part of this array.
   [[nodiscard]] bool assign(std::span<const T> other) {
     if (!recreate(other.size())) return false;
-    if (!other.empty()) std::memcpy(static_cast<void*>(data_), other.data(), other.size_bytes());
+    if (!other.empty()) std::memmove(static_cast<void*>(data_), other.data(), other.size_bytes());
     return true;
   }
 

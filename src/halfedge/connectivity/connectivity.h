@@ -80,10 +80,12 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     stored.prev = stores_prev();
     return stored;
   }
-  /// pre: the mesh has no halfedge slots.
+  /// Whether `prev` is stored from now on. History forgets all steps if that is a change.
+  /// pre: the mesh has no halfedge slots
   void choose_prev(bool is_stored) {
     static_assert(kStorage.prev_at_run_time, "this mesh type has chosen already (see Storage)");
     assert(halfedge_slots() == 0);
+    if (prev_is_stored_ != is_stored) forget_history();
     prev_is_stored_ = is_stored;
   }
 
@@ -118,7 +120,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     return kind == ItemKind::kEdge ? edge_slots() : face_slots();
   }
 
-  /// So many slots of the items of a kind there is room for.
+  /// How many slots of a kind there is room for in all arrays.
   [[nodiscard]] std::size_t capacity(ItemKind kind) const {
     if (kind == ItemKind::kVertex) {
       return std::max<std::size_t>(vertex_slots(), links_.vertex_halfedge.capacity());
@@ -126,7 +128,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     if (kind == ItemKind::kFace) {
       return std::max<std::size_t>(face_slots(), links_.face_halfedge.capacity());
     }
-    return links_.next.capacity() / (kind == ItemKind::kEdge ? 2 : 1);
+    std::size_t room = std::min(links_.next.capacity(), links_.to_vertex.capacity());
+    if (stores_prev()) room = std::min(room, links_.prev.capacity());
+    if constexpr (kStorage.face) room = std::min(room, links_.face.capacity());
+    return kind == ItemKind::kEdge ? room / 2 : room;
   }
 
   /// Vertices and faces can be deleted where they store a halfedge.
@@ -158,7 +163,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Changes with every change of connectivity.
   [[nodiscard]] std::uint64_t version() const { return version_; }
 
-  // ---- navigation: the links (1)-(7), O(1) --------------------------------------------------
+  // ---- navigation: the links, O(1) ------------------------------------------------------------
+  // Numbered as in docs/structure-rows.md.
 
   /// (1) One halfedge that leaves `v`, its anchor; empty for an isolated vertex.
   [[nodiscard]] Halfedge vertex_halfedge(Vertex v) const {
@@ -170,7 +176,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     static_assert(kStorage.face_halfedge, HALFEDGE_NEEDS_FACE_HALFEDGES);
     return Halfedge(links_.face_halfedge[f.index()]);
   }
-  /// (3)
+  /// (3) The vertex that `h` leads to.
   [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(links_.to_vertex[h.index()]); }
   /// (4) The face on the left of `h`; empty for a boundary halfedge.
   [[nodiscard]] Face face(Halfedge h) const {
@@ -179,7 +185,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
   /// (5) The halfedge after `h` in its face loop or boundary loop.
   [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(links_.next[h.index()]); }
-  /// (6)
+  /// (6) The other halfedge of the same edge.
   [[nodiscard]] static constexpr Halfedge opposite(Halfedge h) { return Halfedge(h.index() ^ 1U); }
   /// (7) The halfedge before `h` in its face loop or boundary loop. Where it isn't stored it is
   /// found by walking `next`, O(min(degree of the loop, valence of from_vertex(h))).
@@ -259,8 +265,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// operations that would write each of them twice.
   [[nodiscard]] Halfedge new_unlinked_edge(Vertex from, Vertex to);
 
-  /// A vertex, or so many edges or faces in a row, behind the last one, and the first of them;
-  /// deleted slots are left alone. The caller sets all their links. For operations that add several
+  /// One vertex, or so many edges or faces in a row, in new slots at the end; returns the first.
+  /// Deleted slots aren't reused. The caller sets all links. For operations that add several items
   /// at once.
   /// pre: there is room for them
   [[nodiscard]] Vertex append_vertex();
@@ -278,7 +284,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// note of what they hold, and for halfedges after note_loop_links.
   class UnnotedWriter;
   [[nodiscard]] UnnotedWriter unnoted_writer() { return UnnotedWriter(*this); }
-  /// Notes all links of `h` but its vertex: sooner, and in less room, than one by one.
+  /// Notes all links of `h` but its vertex for history: faster and in less memory than one by one.
   void note_loop_links(Halfedge h) {
     if (journal_ != nullptr && !journal_->is_new_halfedge(h.index())) [[unlikely]]
       note_loop_links_at(h.index());
@@ -421,9 +427,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     attributes_.average(kind_of(to), to.index(), items, journal_.get());
   }
   /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
-  /// item that takes the slot of a deleted one has another stamp than that had, so a handle that
-  /// was kept with the stamp of its item can be told from one to its successor. `clear`,
-  /// `assign`, and `compact` where it moves something, end all generations. 4 bytes an item.
+  /// item in the slot of a deleted one gets another stamp than that had. So who keeps a handle and
+  /// its stamp can tell whether it still means the same item. All generations end, which gives live
+  /// items new stamps, with `clear`, `assign` and `normalize_boundary`, and with `compact` and
+  /// `reorder` where they move something. History forgets what was done before. 4 bytes an item.
   /// errors: attribute-exists, out-of-memory
   [[nodiscard]] Result<void> enable_generations();
   /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
