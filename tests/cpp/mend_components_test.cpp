@@ -146,6 +146,31 @@ TEST(OrientOutward, MeasuresOpenComponentsFromTheirCentre) {
   EXPECT_NEAR(extents[0].diagonal(), 3, 1e-5);
 }
 
+// A chevron with three flaps on its sides: the centre of the area is the same from whichever corner
+// the chevron is cut into triangles.
+TEST(OrientOutward, MeasuresConcaveFacesFromAnyCorner) {
+  const std::vector<Point> chevron = {{0, -0.5F, 0}, {10.5F, 10, 0}, {10, 10, 0},
+                                      {0, 0, 0},     {-10, 10, 0},   {-10.5F, 10, 0}};
+  double volume = 0;
+  for (std::size_t first = 0; first < 6; ++first) {
+    SCOPED_TRACE(first);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 6; ++i) points.push_back(chevron[(first + i) % 6]);
+    const auto corner = [&](std::size_t i) { return Index((i + 6 - first) % 6); };
+    points.insert(points.end(), {{7, 3, 4}, {-7, 3, 2}, {1, 9, -1}});
+    Mesh mesh = mesh_of(points, {{0, 1, 2, 3, 4, 5},
+                                 {corner(1), corner(0), 6},
+                                 {corner(0), corner(5), 7},
+                                 {corner(3), corner(2), 8}});
+    Array<mend::Extent> extents;
+    const mend::SurfaceOf<kEverything> surface(mesh);
+    ASSERT_TRUE(mend::measure(surface, connected_components(mesh).value(), extents));
+    if (first == 0) volume = extents[0].volume;
+    EXPECT_NEAR(extents[0].volume, volume, 1e-9);
+    EXPECT_GT(std::abs(volume), 1);
+  }
+}
+
 TEST(OrientOutward, TakesNestedComponentsForCavitiesIfAsked) {
   for (unsigned turned = 0; turned < 8; ++turned) {
     SCOPED_TRACE(turned);
@@ -262,6 +287,29 @@ TEST(DropSmallComponents, DropsByShareOfTheLargestAreaOrDiagonal) {
   Mesh by_diagonal = copy_of(mesh);
   EXPECT_EQ(mended(by_diagonal, drop_with({.diagonal = 0.15})).summary, "1 component dropped.");
   EXPECT_EQ(by_diagonal.face_count(), 18U);
+}
+
+// A chevron of area 10.25, of which the triangles that have its outer tip as a corner measure more,
+// and a square of area 25.
+TEST(DropSmallComponents, MeasuresConcaveFacesFromAnyCorner) {
+  const std::vector<Point> chevron = {{0, -0.5F, 0}, {10.5F, 10, 0}, {10, 10, 0},
+                                      {0, 0, 0},     {-10, 10, 0},   {-10.5F, 10, 0}};
+  const std::vector<Point> square = {{20, 0, 0}, {25, 0, 0}, {25, 5, 0}, {20, 5, 0}};
+  for (std::size_t first = 0; first < 6; ++first) {
+    SCOPED_TRACE(first);
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 6; ++i) points.push_back(chevron[(first + i) % 6]);
+    points.insert(points.end(), square.begin(), square.end());
+    Mesh mesh = mesh_of(points, {{0, 1, 2, 3, 4, 5}, {6, 7, 8, 9}});
+    Array<mend::Extent> extents;
+    const mend::SurfaceOf<kEverything> surface(mesh);
+    ASSERT_TRUE(mend::measure(surface, connected_components(mesh).value(), extents));
+    EXPECT_NEAR(extents[0].area, 10.25, 1e-12);
+    EXPECT_NEAR(extents[1].area, 25, 1e-12);
+    (void)mended(mesh, drop_with({.area = 0.9}));
+    EXPECT_TRUE(mesh.is_deleted(Face(0)));
+    EXPECT_TRUE(mesh.is_live(Face(1)));
+  }
 }
 
 TEST(DropSmallComponents, DropsADustOfMany) {

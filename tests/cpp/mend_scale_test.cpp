@@ -65,6 +65,47 @@ TEST(MendScale, AFanInPieces) {
   });
 }
 
+// The caps of a cylinder and the quads between them, or two polygons back to back, of which no two
+// share a vertex.
+TEST(MendScale, HugePolygonsInPieces) {
+  for (const bool has_quads : {true, false}) {
+    SCOPED_TRACE(has_quads);
+    const auto cylinder = [&](Index n) {
+      const auto on_circle = [&](Index i, float height) {
+        const double angle = 2 * std::numbers::pi * (i % n) / n;
+        return Point{float(std::cos(angle)), float(std::sin(angle)), height};
+      };
+      std::vector<Point> points;
+      Lists faces;
+      const auto add = [&](const std::vector<Point>& corners) {
+        faces.emplace_back();
+        for (const Point p : corners) {
+          faces.back().push_back(Index(points.size()));
+          points.push_back(p);
+        }
+      };
+      const float height = has_quads ? 1 : 0;
+      std::vector<Point> low;
+      std::vector<Point> high;
+      for (Index i = 0; i < n; ++i) {
+        low.push_back(on_circle(n - i, 0));
+        high.push_back(on_circle(i, height));
+      }
+      add(low);
+      add(high);
+      for (Index i = 0; has_quads && i < n; ++i) {
+        add({on_circle(i, 0), on_circle(i + 1, 0), on_circle(i + 1, 1), on_circle(i, 1)});
+      }
+      return mesh_of(points, faces);
+    };
+    expect_no_quadratic_step(20'000, cylinder, [&](Mesh& mesh) {
+      const Index edges = has_quads ? 3 * (mesh.face_count() - 2) : mesh.edge_count() / 2;
+      expect_summary(mend::stitch_boundaries(mesh), std::to_string(edges) + " edges stitched.");
+      EXPECT_EQ(boundary_loops(mesh).value().size(), 0U);
+    });
+  }
+}
+
 // A polygon with a hole all around it, of which every other side has a triangle in between.
 TEST(MendScale, AHugePolygonAtTheBoundary) {
   const auto polygon = [](Index n) {

@@ -16,15 +16,37 @@ struct Sums {
   Vector moment = {};  // of the area
 };
 
-void add_triangle(const Vector& a, const Vector& b, const Vector& c, Extent& extent, Sums& sums) {
-  const Vector normal = cross(b - a, c - a);
-  const double area = length(normal) / 2;
-  extent.area += area;
-  extent.volume += dot(a, normal) / 6;
-  for (std::size_t k = 0; k < 3; ++k) {
-    sums.area[k] += normal[k] / 2;
-    sums.moment[k] += area * (a[k] + b[k] + c[k]) / 3;
+// Calls `visit(b, c)` for the triangles of a face that have `first` as a corner, from `origin`.
+template <class Visit>
+void for_each_triangle(const Surface& surface, Halfedge first, const Vector& origin,
+                       const Visit& visit) {
+  Halfedge h = surface.next(first);
+  Vector b = point_of(surface, surface.to_vertex(h)) - origin;
+  for (h = surface.next(h); h != first; h = surface.next(h)) {
+    const Vector c = point_of(surface, surface.to_vertex(h)) - origin;
+    visit(b, c);
+    b = c;
   }
+}
+
+// Triangles that lie outside of a face that isn't convex are taken away from its area: their
+// normals point the other way.
+void add_face(const Surface& surface, Halfedge first, Extent& extent, Sums& sums) {
+  const Vector a = point_of(surface, surface.to_vertex(first)) - sums.origin;
+  Vector face = {};  // its area as a vector
+  for_each_triangle(surface, first, sums.origin, [&](const Vector& b, const Vector& c) {
+    const Vector normal = cross(b - a, c - a);
+    extent.volume += dot(a, normal) / 6;
+    for (std::size_t k = 0; k < 3; ++k) face[k] += normal[k] / 2;
+  });
+  const double area = length(face);
+  extent.area += area;
+  sums.area += face;
+  if (!(area > 0)) return;
+  for_each_triangle(surface, first, sums.origin, [&](const Vector& b, const Vector& c) {
+    const double share = dot(cross(b - a, c - a), face) / (2 * area);
+    for (std::size_t k = 0; k < 3; ++k) sums.moment[k] += share * (a[k] + b[k] + c[k]) / 3;
+  });
 }
 
 // The halfedge of a face that leads to its smallest vertex. From there polygons are cut into
@@ -65,19 +87,15 @@ bool measure(const Surface& surface, const Components& components, Array<Extent>
       sums.origin = extent.low = extent.high = corner;
     }
     Halfedge h = first;
-    Vector last = {};
     do {
       const Vector p = point_of(surface, surface.to_vertex(h));
       for (std::size_t k = 0; k < 3; ++k) {
         extent.low[k] = std::min(extent.low[k], p[k]);
         extent.high[k] = std::max(extent.high[k], p[k]);
       }
-      if (h != first) {
-        add_triangle(corner - sums.origin, last - sums.origin, p - sums.origin, extent, sums);
-      }
-      last = p;
       h = surface.next(h);
     } while (h != first);
+    add_face(surface, first, extent, sums);
   }
   for (std::size_t c = 0; c < extents.size(); ++c) {
     if (extents[c].area > 0) {

@@ -113,15 +113,24 @@ class MergeCheck {
     return {};
   }
 
-  /// h leaves merge.gone: its face may not have merge.kept at another corner.
+  /// h leaves merge.gone: its face may not have merge.kept at another corner than the next one,
+  /// which check_edge() looks at. Around the face and around merge.kept in step: the smaller of
+  /// degree and valence ends the search.
   [[nodiscard]] Result<void> check_face(const Merge& merge, Halfedge h) const {
     const Face f(links_.face[h.index()]);
     if (!f.valid() || f == removed_[0] || f == removed_[1]) return {};
-    for (Halfedge on_loop = next(h); on_loop != h; on_loop = next(on_loop)) {
-      if (to_vertex(on_loop) == merge.kept) {
+    const Halfedge second = next(h);
+    const Halfedge first_at_kept = anchor(merge.kept);
+    Halfedge at_kept = first_at_kept;
+    Halfedge on_loop = second;
+    do {
+      const bool leaves_corner = at_kept != second && Face(links_.face[at_kept.index()]) == f;
+      if (to_vertex(on_loop) == merge.kept || leaves_corner) {
         return would_repeat_vertex(f, merge.kept, merge.gone);
       }
-    }
+      on_loop = next(on_loop);
+      at_kept = rotate_cw(at_kept);
+    } while (on_loop != h && at_kept != first_at_kept);
     return {};
   }
 
