@@ -297,6 +297,9 @@ describe('Of Directed Edges', () => {
         new TypeError(`into is ${found}; expected a Float32Array or a Float64Array.`),
       );
     }
+    expect(() => mesh[all](mesh.positions)).toThrow(
+      'expected another array than that of the positions.',
+    );
   });
 
   test('normals are written into live memory: an attribute of the full mesh', () => {

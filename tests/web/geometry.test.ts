@@ -520,6 +520,29 @@ describe('The array to write to', () => {
       'into is a function; expected a Float32Array or a Float64Array.',
     );
   });
+
+  test('is refused if the positions lie there, which are read meanwhile', () => {
+    using mesh = HalfedgeMesh.icoSphere(1);
+    const before = mesh.positions.slice();
+    for (const all of [
+      'allFaceCentroids',
+      'allFaceNormals',
+      'allVertexNormals',
+      'allVertexAreas',
+    ] as const) {
+      expect(() => mesh[all](mesh.positions)).toThrow(
+        `into is a Float32Array of ${before.length} elements; expected another array than that of the positions.`,
+      );
+    }
+    const { buffer, byteOffset } = mesh.positions;
+    expect(() => mesh.allFaceAreas(new Float32Array(buffer, byteOffset - 400, 101))).toThrow(
+      'expected another array',
+    );
+    expect(() => mesh.allFaceAreas(new Float32Array(buffer, byteOffset + 4, 400))).toThrow(
+      'expected another array',
+    );
+    expect(mesh.positions).toEqual(before);
+  });
 });
 
 describe('What is asked for', () => {

@@ -43,7 +43,7 @@ export abstract class DirectedEdgesGeometry extends DirectedEdgesNavigation {
   /** By face, x, y and z of each {@link faceNormal}. */
   allFaceNormals<Into extends Floats = Float32Array>(into?: Into): Into {
     const links = alive(this);
-    const out = arrayFor(links.sides, Float32Array, into) as Into;
+    const out = arrayFor(links.sides, Float32Array, links.positions, into) as Into;
     measures.writeFaceNormals(links, out);
     return out;
   }
@@ -180,7 +180,7 @@ export abstract class DirectedEdgesGeometry extends DirectedEdgesNavigation {
   /** By vertex, x, y and z of each {@link vertexNormal}. */
   allVertexNormals<Into extends Floats = Float32Array>(into?: Into): Into {
     const links = alive(this);
-    const out = arrayFor(3 * links.vertices, Float32Array, into) as Into;
+    const out = arrayFor(3 * links.vertices, Float32Array, links.positions, into) as Into;
     measures.writeVertexNormals(links, out);
     return out;
   }
@@ -188,7 +188,7 @@ export abstract class DirectedEdgesGeometry extends DirectedEdgesNavigation {
   /** By vertex, each {@link vertexArea}. */
   allVertexAreas<Into extends Floats = Float64Array>(into?: Into): Into {
     const links = alive(this);
-    const out = arrayFor(links.vertices, Float64Array, into) as Into;
+    const out = arrayFor(links.vertices, Float64Array, links.positions, into) as Into;
     measures.writeVertexAreas(links, out);
     return out;
   }
@@ -246,7 +246,7 @@ function forAll<Into extends Floats>(
   write: (links: DirectedLinks, item: number, out: Floats) => void,
 ): Into {
   const links = alive(mesh);
-  const out = arrayFor(components * count, Default, into);
+  const out = arrayFor(components * count, Default, links.positions, into);
   for (let i = 0; i < count; i++) write(links, i, out);
   return out as Into;
 }
@@ -261,7 +261,7 @@ function forAllEdges<Into extends Floats>(
 ): Into {
   const links = alive(mesh);
   const { opposite, sides } = links;
-  const out = arrayFor(components * sides, Default, into);
+  const out = arrayFor(components * sides, Default, links.positions, into);
   out.fill(0);
   for (let e = 0; e < sides; e++) if (opposite[e] >= e) write(links, e, out);
   return out as Into;

@@ -206,7 +206,17 @@ export function writeVertexNormals(links: DirectedLinks, out: Floats): void {
       sums[v + 2] += z;
     }
   }
-  writeUnitVectors(sums, LEAST * all, out, (v) => writeVertexNormal(links, v, out, 3 * v));
+  writeUnitVectors(sums, LEAST * all, out, () => lengthsAround(links));
+}
+
+/** By vertex, the lengths of the area vectors of its faces together. */
+function lengthsAround({ toVertex, sides, vertices, positions }: DirectedLinks): Float64Array {
+  const lengths = newArray('the lengths of normals', Float64Array, vertices);
+  for (let h = 0; h < sides; h += 3) {
+    writeTriangleVector(positions, toVertex[h], toVertex[h + 1], toVertex[h + 2], sum);
+    for (let k = 0; k < 3; k++) lengths[toVertex[h + k]] += sum[3];
+  }
+  return lengths;
 }
 
 /** The areas of all vertices. */

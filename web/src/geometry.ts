@@ -15,8 +15,9 @@ import { boundaryLoopsOf } from './topology.js';
  * A method for one item takes time in proportion to what is around it. Methods that begin with `all` return one
  * typed array for the whole mesh, by slot, with zeros for deleted items; they take O(slots).
  *
- * `into`: the array to write to, for example one of an earlier call or a live view of an attribute. If it is as long
- * as the result, it is returned; if it is longer, its first part; if it is shorter, a new array.
+ * `into`: the array to write to, for example one of an earlier call or a live view of an attribute, but not
+ * of the positions. If it is as long as the result, it is returned; if it is longer, its first part; if it is
+ * shorter, a new array.
  */
 export abstract class Geometry extends Circulation {
   // ---- faces ------------------------------------------------------------------------------------
@@ -48,8 +49,9 @@ export abstract class Geometry extends Circulation {
   /** By face slot, x, y and z of each {@link faceNormal}. */
   allFaceNormals<Into extends Floats = Float32Array>(into?: Into): Into {
     const slots = this.faceSlots;
-    const out = arrayFor(3 * slots, Float32Array, into) as Into;
-    measures.writeFaceNormals(surfaceOf(this), slots, out);
+    const surface = surfaceOf(this);
+    const out = arrayFor(3 * slots, Float32Array, surface.positions, into) as Into;
+    measures.writeFaceNormals(surface, slots, out);
     return out;
   }
 
@@ -195,15 +197,17 @@ export abstract class Geometry extends Circulation {
   /** By vertex slot, x, y and z of each {@link vertexNormal}. */
   allVertexNormals<Into extends Floats = Float32Array>(into?: Into): Into {
     const slots = this.vertexSlots;
-    const out = arrayFor(3 * slots, Float32Array, into) as Into;
-    measures.writeVertexNormals(surfaceOf(this), slots, out);
+    const surface = surfaceOf(this);
+    const out = arrayFor(3 * slots, Float32Array, surface.positions, into) as Into;
+    measures.writeVertexNormals(surface, slots, out);
     return out;
   }
 
   /** By vertex slot, each {@link vertexArea}. */
   allVertexAreas<Into extends Floats = Float64Array>(into?: Into): Into {
-    const out = arrayFor(this.vertexSlots, Float64Array, into) as Into;
-    measures.writeVertexAreas(surfaceOf(this), out);
+    const surface = surfaceOf(this);
+    const out = arrayFor(this.vertexSlots, Float64Array, surface.positions, into) as Into;
+    measures.writeVertexAreas(surface, out);
     return out;
   }
 
@@ -261,7 +265,7 @@ function forAll<Into extends Floats>(
 ): Into {
   const surface = surfaceOf(mesh);
   const slots = slotCount(linksOf(mesh), kind);
-  const out = arrayFor(components * slots, Default, into);
+  const out = arrayFor(components * slots, Default, surface.positions, into);
   const { vertexHalfedge, next, faceHalfedge } = surface;
   const link = { vertex: vertexHalfedge, halfedge: next, edge: next, face: faceHalfedge }[kind];
   const stride = kind === 'edge' ? 2 : 1;

@@ -316,19 +316,37 @@ export function writeVertexNormals(surface: Surface, slots: number, out: Floats)
       h = next[h];
     } while (h !== first);
   }
-  writeUnitVectors(sums, LEAST * all, out, (v) => writeVertexNormal(surface, v, out, 3 * v));
+  writeUnitVectors(sums, LEAST * all, out, () => lengthsAround(surface, slots));
+}
+
+/** By vertex slot, the lengths of the area vectors of its faces together. */
+function lengthsAround(surface: Surface, slots: number): Float64Array {
+  const { next, toVertex, faceHalfedge } = surface;
+  const lengths = newArray('the lengths of normals', Float64Array, slots);
+  for (let f = 0; f < faceHalfedge.length; f++) {
+    const first = faceHalfedge[f];
+    if (!(first >= 0)) continue;
+    writeAreaVector(surface, first, sum);
+    let h = first;
+    do {
+      lengths[toVertex[h]] += sum[3];
+      h = next[h];
+    } while (h !== first);
+  }
+  return lengths;
 }
 
 /**
  * Writes the directions of sums around vertices. One that is longer than `least`, a share of all faces together, is
- * long beside its own faces; for the others, these are asked by `writeShort`.
+ * long beside its own faces; for the others, these are asked: `lengthsOf` adds up their lengths, by vertex.
  */
 export function writeUnitVectors(
   sums: Float64Array,
   least: number,
   out: Floats,
-  writeShort: (v: number) => void,
+  lengthsOf: () => Float64Array,
 ): void {
+  let lengths: Float64Array | undefined;
   for (let i = 0; i < sums.length; i += 3) {
     const x = sums[i];
     const y = sums[i + 1];
@@ -339,7 +357,11 @@ export function writeUnitVectors(
       out[i + 1] = y / length;
       out[i + 2] = z / length;
     } else {
-      writeShort(i / 3);
+      lengths ??= lengthsOf();
+      const isGood = length > LEAST * lengths[i / 3];
+      out[i] = isGood ? x / length : 0;
+      out[i + 1] = isGood ? y / length : 0;
+      out[i + 2] = isGood ? z / length : 0;
     }
   }
 }

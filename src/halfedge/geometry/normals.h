@@ -74,6 +74,26 @@ template <class Mesh>
   }
 }
 
+/// Calls `visit(vertex, of_face(area vector))` for each corner of each face.
+template <class Mesh, class OfFace, class Visit>
+[[gnu::always_inline]] inline void for_each_corner(const Mesh& mesh, const OfFace& of_face,
+                                                   const Visit& visit) {
+  for (const Face f : mesh.faces()) {
+    fetch_ahead(mesh, f.index());
+    const Halfedge h = mesh.face_halfedge(f);
+    const Halfedge second = mesh.next(h);
+    const Halfedge third = mesh.next(second);
+    const bool is_triangle = mesh.next(third) == h;
+    const auto value =
+        of_face(is_triangle ? triangle_vector(mesh, h, second, third) : area_vector(mesh, h));
+    if (is_triangle) {
+      for (const Halfedge corner : {h, second, third}) visit(mesh.to_vertex(corner), value);
+    } else {
+      for (const Halfedge corner : mesh.loop_ccw(h)) visit(mesh.to_vertex(corner), value);
+    }
+  }
+}
+
 }  // namespace internal
 
 /// face_normal of all faces by slot, as floats; zeros at deleted slots. cost: O(halfedges + slots)
@@ -102,10 +122,11 @@ requires StoresFaceHalfedges<Mesh>
 }
 
 /// vertex_normal of all vertices by slot, as floats; zeros at deleted slots. Each face is looked at
-/// once, and added to its corners.
+/// once, and added to its corners; twice if the sum at a vertex is close to zero, or not finite.
 /// pre: as many normals as vertex slots
-/// cost: O(halfedges + slots), 24 bytes for each vertex slot meanwhile
-/// errors: out-of-memory, then nothing is written
+/// cost: O(halfedges + slots), 24 bytes for each vertex slot meanwhile; 32 if faces are looked at
+/// twice
+/// errors: out-of-memory, then the normals are undefined
 template <HasPositions Mesh>
 requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
 [[nodiscard]] Result<void> vertex_normals(const Mesh& mesh, std::span<Point> normals) {
@@ -115,28 +136,28 @@ requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
     return decorator::internal::no_memory("the normals of the vertices");
   }
   double all = 0;  // at least the lengths of all area vectors together
-  const auto add = [&](const Vector& area, Halfedge corner) {
-    sums[mesh.to_vertex(corner).index()] += area;
-  };
-  for (const Face f : mesh.faces()) {
-    internal::fetch_ahead(mesh, f.index());
-    const Halfedge h = mesh.face_halfedge(f);
-    const Halfedge second = mesh.next(h);
-    const Halfedge third = mesh.next(second);
-    const bool is_triangle = mesh.next(third) == h;
-    const Vector area = is_triangle ? internal::triangle_vector(mesh, h, second, third)
-                                    : internal::area_vector(mesh, h);
-    all += std::abs(area[0]) + std::abs(area[1]) + std::abs(area[2]);
-    if (is_triangle) {
-      for (const Halfedge corner : {h, second, third}) add(area, corner);
-    } else {
-      for (const Halfedge corner : mesh.loop_ccw(h)) add(area, corner);
-    }
-  }
+  internal::for_each_corner(
+      mesh,
+      [&](const Vector& area) {
+        all += std::abs(area[0]) + std::abs(area[1]) + std::abs(area[2]);
+        return area;
+      },
+      [&](Vertex v, const Vector& area) { sums[v.index()] += area; });
   // What is long beside all faces is long beside its own: only where that is open, these are asked.
+  const double least = internal::kRounding * all;
+  Array<double> lengths;
   for (Index v = 0; v < normals.size(); ++v) {
-    Vector normal = internal::unit(sums[v], internal::kRounding * all);
-    if (normal == Vector{} && !mesh.is_deleted(Vertex(v))) normal = vertex_normal(mesh, Vertex(v));
+    Vector normal = internal::unit(sums[v], least);
+    if (normal == Vector{} && sums[v] != Vector{}) {
+      if (lengths.empty()) {
+        if (!lengths.resize(normals.size(), 0.0)) {
+          return decorator::internal::no_memory("the normals of the vertices");
+        }
+        internal::for_each_corner(mesh, internal::length,
+                                  [&](Vertex at, double length) { lengths[at.index()] += length; });
+      }
+      normal = internal::unit(sums[v], internal::kRounding * lengths[v]);
+    }
     normals[v] = internal::rounded(normal);
   }
   return {};
