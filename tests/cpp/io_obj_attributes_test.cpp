@@ -269,6 +269,7 @@ TEST(ObjAttributes, LeavesOutLabelsThatAreNoInt32) {
 
   ASSERT_TRUE(
       operations::delete_face(mesh, Face(2)));  // what is left of it in its slot isn't written
+  for (Attribute* column : {&group, &object}) column->set(0, 0, 7, nullptr);
   notes.clear();
   (void)write(mesh, Format::kObj, {.notes = &notes});
   EXPECT_EQ(notes,
@@ -297,6 +298,22 @@ TEST(ObjAttributes, SaysWhatItCannotHold) {
                      "left out the face attribute \"color\": OBJ has no place for it"}));
   const test::MeshFile read = read_mesh(bytes.value().span());
   EXPECT_EQ(values_of(read.mesh, ItemKind::kVertex, "color")[7], double(0.2F));
+}
+
+TEST(ObjAttributes, SaysWhichLabelsNoFaceHas) {
+  Mesh mesh = sample_mesh();
+  add(mesh, ItemKind::kFace, "material", Scalar::kInt32, 1, OnSplit::kCopy);
+  add(mesh, ItemKind::kFace, "smoothing", Scalar::kInt32, 1, OnSplit::kCopy);
+  Strings notes;
+  const auto bytes = write(mesh, Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes, (Strings{"left out the face attribute \"material\": it is 0 for all faces, for "
+                            "which OBJ has no statement",
+                            "left out the face attribute \"smoothing\": it is 0 for all faces, for "
+                            "which OBJ has no statement"}));
+  EXPECT_EQ(describe_all(read_mesh(bytes.value().span()).mesh), Strings());
+  notes.clear();
+  (void)write(Mesh(), Format::kObj, {.notes = &notes});
+  EXPECT_EQ(notes, Strings());
 }
 
 TEST(ObjAttributes, HaveSmoothingGroups) {

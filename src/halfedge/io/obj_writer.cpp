@@ -126,12 +126,25 @@ class ObjWriter {
       mesh_.leave_out(column, "readers of OBJ take numbers up to 2147483647");
       return false;
     });
-    if (label.column == nullptr) return;
+    if (label.column == nullptr || is_zero_everywhere(label)) return;
     if (label.column->type() != Scalar::kInt32) {
       mesh_.note_change(*label.column, "as numbers that readers take for int32");
     }
     if (label.attribute != kSmoothing) label.names = names_of(label.attribute);
     if (label.names != nullptr) note_names(label);
+  }
+  /// Faces of label 0 need no statement, and where there is none, readers find no labels.
+  [[nodiscard]] bool is_zero_everywhere(Label& label) const {
+    Index faces = 0;
+    Index others = 0;
+    mesh_.for_each_face([&](Index f, std::span<const Index>) {
+      ++faces;
+      others += label.column->get(f, 0) != 0 ? 1 : 0;
+    });
+    if (faces == 0 || others > 0) return false;
+    mesh_.leave_out(*label.column, "it is 0 for all faces, for which OBJ has no statement");
+    label.column = nullptr;
+    return true;
   }
   /// Says which names readers will not give back as they are.
   void note_names(const Label& label) const {
