@@ -57,9 +57,11 @@ test.each([
   [844, 390],
   [1280, 800],
 ])('One toast lies below the other, in a window of %i by %i', async (width, height) => {
-  const link = 'sample=cube&edits=splitFace%20f0';
+  const link = 'sample=cube&select=f0&tab=edit';
   const explorer = await ExplorerPage.open({ width, height, link, mesh: 'Cube' });
   const { page } = explorer;
+  await page.click('[data-operation=splitFace]');
+  await explorer.until('undo', '1');
   // They would hide by themselves, after some seconds: a busy machine may look later than that.
   await page.evaluate(() => {
     const { setTimeout: own } = window;
@@ -75,5 +77,56 @@ test.each([
   expect(left && toast && Math.min(left.x, toast.x) >= 0).toBe(true);
   await page.click('[data-left] button');
   await explorer.ready('Cube');
+  await explorer.close();
+});
+
+test.each([
+  [390, 844],
+  [1280, 800],
+])(
+  'What was not opened is told over the toasts, in a window of %i by %i',
+  async (width, height) => {
+    const explorer = await ExplorerPage.open({ width, height, link: 'sample=cube', mesh: 'Cube' });
+    const { page } = explorer;
+    await page.evaluate(() => {
+      navigator.clipboard.writeText = () => Promise.reject(new Error('not allowed'));
+    });
+    await page.click('[data-share]');
+    await page.waitForSelector('[data-toast] input:not([hidden])'); // which nothing hides by itself
+    await page.click('[data-toast] button');
+    expect(await page.isVisible('[data-toast]')).toBe(false);
+    await page.click('[data-share]');
+    await page.waitForSelector('[data-toast] input:not([hidden])');
+    await explorer.drop('broken.off', 'OFF\n3 1 3\n');
+    await page.waitForSelector('.notice:not([hidden])');
+    expect(await page.isVisible('[data-toast]')).toBe(false);
+    await page.click('.notice:not([hidden]) button');
+    expect(await page.isVisible('.notice')).toBe(false);
+    await explorer.close();
+  },
+);
+
+test('A repair that finds nothing to do leaves the list under the pointer', async () => {
+  const link = 'sample=cube&select=v0&tab=edit';
+  const explorer = await ExplorerPage.open({ width: 1280, height: 800, link, mesh: 'Cube' });
+  const { page } = explorer;
+  await explorer.press('Shift+R');
+  await page.waitForSelector('.refusal:not([hidden])');
+  const button = page.locator('[data-operation=deleteIsolatedVertices]');
+  await button.scrollIntoViewIfNeeded();
+  const before = await button.boundingBox();
+  await button.click();
+  await page.waitForSelector('.report:has-text("Nothing to do")');
+  await explorer.rest();
+  expect(await button.boundingBox()).toEqual(before);
+  expect(await wordsOutside(page, '.report')).toEqual([]);
+  const isInSight = await page.$eval('.report', (report) => {
+    const { left, top } = report.getBoundingClientRect();
+    return document.elementFromPoint(left + 20, top + 12) === report;
+  });
+  expect(isInSight).toBe(true);
+  // The refusal of what was asked for before isn't its answer.
+  expect(await page.isVisible('.refusal')).toBe(false);
+  expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });

@@ -280,3 +280,39 @@ test('The tab that is marked is the section on show, also when the window become
   expect(await marked()).toEqual(['Inspect']);
   await explorer.close();
 });
+
+test('A window of another size shows all of the mesh, or as much as before if somebody has moved', async () => {
+  const numbersOf = async (page: ExplorerPage) =>
+    (await page.state('camera'))?.split(' ').map(Number);
+  const sizes = [
+    { width: 844, height: 390 },
+    { width: 390, height: 844 },
+  ];
+  for (const [from, to] of [sizes, [...sizes].reverse()]) {
+    const turned = await ExplorerPage.open({ ...from, link: 'sample=cube', mesh: 'Cube' });
+    const fresh = await ExplorerPage.open({ ...to, link: 'sample=cube', mesh: 'Cube' });
+    await turned.page.setViewportSize(to);
+    await turned.rest();
+    await fresh.rest();
+    const expected = (await numbersOf(fresh)) ?? [];
+    expect(expected).toHaveLength(16);
+    for (const [i, number] of ((await numbersOf(turned)) ?? []).entries()) {
+      expect(number).toBeCloseTo(expected[i], 3);
+    }
+    // Once somebody has come nearer, they stay near: there and back again is where they were.
+    await turned.press('+');
+    await turned.press('+');
+    await turned.rest();
+    const near = (await numbersOf(turned)) ?? [];
+    await turned.page.setViewportSize(from);
+    await turned.rest();
+    await turned.page.setViewportSize(to);
+    await turned.rest();
+    for (const [i, number] of ((await numbersOf(turned)) ?? []).entries()) {
+      expect(number).toBeCloseTo(near[i], 3);
+    }
+    expect(near[0]).not.toBeCloseTo(expected[0], 2);
+    await turned.close();
+    await fresh.close();
+  }
+});

@@ -83,10 +83,10 @@ async function start(): Promise<void> {
     pictureSwitch(explorer),
     side,
     emptyState(explorer),
-    failureNotice(explorer),
+    h('div', { class: 'toasts' }, leftNotice(explorer), share.outcome),
+    failureNotice(explorer), // over the toasts
     ...cards,
     busyNotice(explorer),
-    h('div', { class: 'toasts' }, leftNotice(explorer), share.outcome),
     dropTarget(explorer),
     help,
   );

@@ -62,8 +62,8 @@ interface Log {
   ledBy: string;
   readonly done: Step[];
   undone: Step[];
-  /** The last step that a file has which was saved; undefined: the file that was opened; null: no file. */
-  saved: Step | null | undefined;
+  /** What a file or link has: the mesh up to this step, or as it was opened, or nothing that is known here. */
+  saved: Step | 'as opened' | 'nothing';
   /** Whether there were steps that are forgotten. */
   forgot: boolean;
 }
@@ -287,9 +287,9 @@ export class Editor {
     return this.#log.done.length === 0 ? (this.#earlier.at(-1)?.document ?? null) : null;
   }
 
-  /** The mesh as it is was saved to a file. */
+  /** The mesh as it is was saved to a file, or comes from a link. */
   markSaved(): void {
-    this.#log.saved = this.#log.done.at(-1);
+    this.#log.saved = lastStep(this.#log);
   }
 
   get #mesh(): HalfedgeMesh | undefined {
@@ -335,6 +335,7 @@ export class Editor {
     const report = operation.reports ? reportWords(result as MendReport) : '';
     const told = (verb: string) => [`${verb}: ${title}.`, report].join(' ').trimEnd();
     if (mesh.version === version) {
+      this.refused.value = null;
       this.outcome.value = told('Nothing to do');
       this.report.value = report || this.outcome.value;
       return;
@@ -350,7 +351,7 @@ export class Editor {
     const { value: before } = this.#explorer.document;
     const ledBy = operation.label.toLowerCase();
     if (!this.#explorer.openNext(`${operation.label} of ${before?.name}`, made, ledBy)) return;
-    this.#log.saved = null;
+    this.#log.saved = 'nothing';
     this.outcome.value = `Done: ${ledBy}.`;
   }
 
@@ -430,7 +431,7 @@ export class Editor {
 
   /** The package has no such step any more: its memory is limited. */
   #forget(): void {
-    const saved = hasUnsaved(this.#log) ? null : undefined;
+    const saved = hasUnsaved(this.#log) ? 'nothing' : 'as opened';
     this.#log = { ...newLog(this.#log.ledBy), saved, forgot: true };
     this.outcome.value = 'That step is too far back: it was forgotten.';
     this.#publish();
@@ -438,18 +439,23 @@ export class Editor {
 }
 
 function newLog(ledBy = ''): Log {
-  return { ledBy, done: [], undone: [], saved: undefined, forgot: false };
+  return { ledBy, done: [], undone: [], saved: 'as opened', forgot: false };
 }
 
 /** What the mesh was before the steps that are known is no file's any more. */
 function forgetFirst(log: Log): void {
   log.forgot = true;
-  if (log.saved === undefined) log.saved = null;
+  if (log.saved === 'as opened') log.saved = 'nothing';
 }
 
-/** Whether the last step is not in a file. */
-function hasUnsaved({ done, saved }: Log): boolean {
-  return done.at(-1) !== saved;
+/** What led to the mesh as it is. */
+function lastStep({ done }: Log): Step | 'as opened' {
+  return done.at(-1) ?? 'as opened';
+}
+
+/** Whether no file has the mesh as it is. */
+function hasUnsaved(log: Log): boolean {
+  return lastStep(log) !== log.saved;
 }
 
 /** Gives the memory of the first of these meshes back, or of all: nothing leads to them any more. */

@@ -191,7 +191,7 @@ export class Explorer {
     this.busy.value = null;
   }
 
-  /** Opens the first sample where nothing is on show; what was said of something else stays. */
+  /** Opens the first sample where nothing is on show. The message of a file that couldn't be opened stays. */
   async openSomething(): Promise<void> {
     if (this.document.value) return;
     const { value: failure } = this.failure;

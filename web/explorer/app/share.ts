@@ -173,6 +173,7 @@ function repeatEdits(text: string | null, explorer: Explorer): void {
       throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
     }
   }
+  editor.markSaved(); // the link has them
 }
 
 function deedOf(text: string): Deed {

@@ -27,7 +27,6 @@ export function editPanel(explorer: Explorer): HTMLElement {
   // Screen readers hear it as the outcome of the step.
   explorer.editor.report.subscribe((text) => {
     report.textContent = text;
-    if (text) requestAnimationFrame(() => report.scrollIntoView({ block: 'nearest' }));
   });
   const tell = () => {
     nothing.textContent = emptyWords(explorer);

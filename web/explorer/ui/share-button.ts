@@ -16,10 +16,21 @@ export function shareButton(explorer: Explorer, sight: Sight) {
     'aria-label': 'Link to this state',
     onfocus: () => field.select(),
   });
+  const dismiss = h(
+    'button',
+    {
+      type: 'button',
+      class: 'button square quiet',
+      'aria-label': 'Dismiss',
+      onclick: () => hide(),
+    },
+    icon('close'),
+  );
   const outcome = h(
     'div',
     { class: 'toast card', role: 'status', 'data-toast': true, hidden: true },
     said,
+    dismiss,
     field,
   );
   const appear = appearance(outcome);
@@ -60,8 +71,9 @@ export function shareButton(explorer: Explorer, sight: Sight) {
     },
     icon('link'),
   );
-  // The link leads to the mesh that was on show.
+  // The link leads to the mesh that was on show; and what can't be opened is told in the same place.
   explorer.document.subscribe(hide);
+  explorer.failure.subscribe(hide);
   hideByEscape(outcome, hide);
   return { button, outcome };
 }

@@ -67,6 +67,10 @@ export class Stage {
   readonly #key = new DirectionalLight();
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #covered: Covered | null = null;
+  /** What was fitted into the picture last, if nobody has moved the camera since. */
+  #fitted: Float32Array | null = null;
+  /** See `#refit`. */
+  #unit = 0;
   #frame = 0;
   #flight: Flight | null = null;
   #held = false;
@@ -88,6 +92,7 @@ export class Stage {
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => {
       this.#flight = null;
+      this.#fitted = null;
       this.#held = true;
       // It may have been asked for since.
       this.controls.enableDamping = !prefersReducedMotion();
@@ -275,17 +280,20 @@ export class Stage {
   lookAtAll(points: Float32Array, direction: Vector3, share = SHARE): void {
     const { target, distance } = this.#framing(points, direction, share);
     this.look(target, direction, distance);
+    this.#fitted = points;
   }
 
   /** As `lookAtAll`, in a short flight. */
   flyToAll(points: Float32Array, direction: Vector3, share = SHARE): void {
     const { target, distance } = this.#framing(points, direction, share);
     this.fly(target, direction, distance);
+    this.#fitted = points;
   }
 
   /** Jumps to look at `target` from `direction`. */
   look(target: Vector3, direction: Vector3, distance: number): void {
     this.#flight = null;
+    this.#fitted = null;
     this.controls.target.copy(target);
     this.camera.position.copy(direction).setLength(distance).add(target);
     this.controls.update();
@@ -300,6 +308,7 @@ export class Stage {
       return;
     }
     this.#flight = new Flight(this.pose, goal, performance.now(), this.#flight !== null);
+    this.#fitted = null;
     this.invalidate();
   }
 
@@ -426,11 +435,29 @@ export class Stage {
     const width = Math.max(1, clientWidth);
     const height = Math.max(1, clientHeight);
     this.#screen.resize(width, height, Math.min(2, window.devicePixelRatio));
+    const isResized = width !== this.size.x || height !== this.size.y;
     this.size.set(width, height);
     this.camera.aspect = width / height;
     const { top, right, bottom, left } = this.#insets;
     const [x, y] = [(right - left) / 2, (bottom - top) / 2];
     this.camera.setViewOffset(width, height, x, y, width, height);
+    if (clientWidth > 0 && clientHeight > 0) this.#refit(isResized);
+  }
+
+  /**
+   * A canvas of another size shows as much as before: all of what fills it, or else what a sphere
+   * holds that does. Panels that cover more or less of the same canvas move the picture only.
+   */
+  #refit(isResized: boolean): void {
+    const before = this.#unit;
+    this.#unit = this.distanceFor(1);
+    if (!isResized || before === 0) return;
+    const fitted = this.#fitted;
+    const { target, position } = this.goal;
+    const direction = position.sub(target);
+    if (direction.lengthSq() === 0) return;
+    if (fitted) this.lookAtAll(fitted, direction);
+    else this.look(target, direction, (direction.length() * this.#unit) / before);
   }
 
   #resize(): void {
