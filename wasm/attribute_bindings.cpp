@@ -14,9 +14,6 @@ using namespace halfedge::bindings;
 
 namespace {
 
-constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge,
-                               ItemKind::kFace};
-
 Attribute& attribute_at(Address address) { return *reinterpret_cast<Attribute*>(address); }
 
 std::string_view text_at(Address address, std::size_t count) {
@@ -46,7 +43,7 @@ val list_attributes(Address mesh) {
   const RoomForReport room;
   val list = val::array();
   const AnyMesh& m = mesh_at(mesh);
-  for (const ItemKind kind : kKinds) {
+  for (const ItemKind kind : kItemKinds) {
     for (const auto& column : m.attributes().of(kind)) {
       if (column->is_generation()) continue;
       val item = val::object();
@@ -70,7 +67,7 @@ val enable_generations(Address mesh) {
 
 void disable_generations(Address mesh) {
   AnyMesh& m = mesh_at(mesh);
-  for (const ItemKind kind : kKinds) {
+  for (const ItemKind kind : kItemKinds) {
     const Attribute* stamps = m.find_attribute(kind, "generation");
     if (stamps != nullptr && stamps->is_generation()) m.remove_attribute(kind, "generation");
   }

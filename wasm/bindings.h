@@ -112,9 +112,6 @@ inline void write_layout(const AnyMesh& mesh) {
   };
   const auto room = [](std::size_t capacity) { return static_cast<std::uint32_t>(capacity); };
   const Links& links = mesh.links();
-  std::size_t halfedges = std::min(links.next.capacity(), links.to_vertex.capacity());
-  halfedges = std::min(halfedges, links.face.capacity());
-  if (mesh.stores_prev()) halfedges = std::min(halfedges, links.prev.capacity());
   layout_words = {at(links.next.data()),
                   at(links.prev.data()),
                   at(links.to_vertex.data()),
@@ -131,9 +128,9 @@ inline void write_layout(const AnyMesh& mesh) {
                   static_cast<std::uint32_t>(mesh.version()),
                   static_cast<std::uint32_t>(mesh.version() >> 32U),
                   mesh.stores_prev(),
-                  room(links.vertex_halfedge.capacity()),
-                  room(halfedges),
-                  room(links.face_halfedge.capacity())};
+                  room(mesh.capacity(ItemKind::kVertex)),
+                  room(mesh.capacity(ItemKind::kHalfedge)),
+                  room(mesh.capacity(ItemKind::kFace))};
 }
 
 // ---- reports ---------------------------------------------------------------------------------
@@ -197,7 +194,7 @@ inline val to_list(std::span<const Problem> problems) {
 }
 
 inline Error no_room_for_a_mesh() {
-  return {"out-of-memory", "memory is exhausted: no room for a mesh"};
+  return {"out-of-memory", "There is not enough memory for a mesh."};
 }
 
 }  // namespace halfedge::bindings

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The whole library. Each header can be included alone.
+/// The whole library but the dialects. Each header can be included alone.
 
 #include <halfedge/algorithms/adjacency.h>
 #include <halfedge/algorithms/neighbourhood.h>

@@ -45,8 +45,8 @@ class BasicMesh : public BasicConnectivity<kStored> {
     const float* p = &positions_[3 * std::size_t{v.index()}];
     return {p[0], p[1], p[2]};
   }
-  /// Any numbers are taken, also those that operations get as positions: level kGeometryLevel of
-  /// `validate` tells which are none.
+  /// Any floats are taken, here and by operations that get positions. `validate` at kGeometryLevel
+  /// tells which aren't finite.
   void set_position(Vertex v, Point p) {
     float* stored = &positions_[3 * std::size_t{v.index()}];
     if (this->history() != nullptr) note_position(v);
@@ -57,7 +57,7 @@ class BasicMesh : public BasicConnectivity<kStored> {
 
   /// 3 * vertex_slots() floats.
   [[nodiscard]] std::span<const float> positions() const { return positions_.span(); }
-  /// What holds them, for who reads on while they grow.
+  /// The array of positions(), for code that goes on reading while it grows.
   [[nodiscard]] const Array<float>& position_array() const { return positions_; }
   /// Writes through it are not part of history.
   [[nodiscard]] Array<float>& mutable_positions() { return positions_; }

@@ -13,8 +13,8 @@
 
 namespace halfedge {
 
-/// A vector of indices, how it is copied and freed compiled once: the hundreds of places at which
-/// something is refused would each have that in line.
+/// A vector of indices, whose special members are compiled once: they would be inlined at hundreds
+/// of places at which something is refused.
 class IndexList : public std::vector<Index> {
  public:
   HALFEDGE_COLD IndexList();

@@ -22,7 +22,7 @@ class Part {
   template <std::integral Number>
   requires(!std::same_as<Number, bool>) Part(Number number)
       : number_(static_cast<std::int64_t>(number)) {
-    // Numbers beyond have no other text.
+    // One above the largest int64 is kept as a negative one, and marked.
     if constexpr (sizeof(Number) == sizeof number_ && std::unsigned_integral<Number>) {
       if (number_ < 0) text_ = kUnsigned;
     }
@@ -74,13 +74,13 @@ template <class... Parts>
 /// "1 corner", "2 corners"; knows the plurals that occur.
 [[nodiscard]] std::string count_of(std::uint64_t count, std::string noun);
 
-/// So many items of a list are told.
+/// How many items of a long list are named.
 inline constexpr std::size_t kListed = 8;
 
 /// "3, 5, 9"; of a long list the first few "and others".
 [[nodiscard]] std::string list_of(std::span<const Index> items);
 
-/// As few digits as tell the number from others to the eye: "0.5", "nan", "-inf", "1e+30".
+/// In few digits, for people: "0.5", "nan", "-inf", "1e+30".
 [[nodiscard]] std::string number(double value);
 /// The same, with all digits if it is whole, and a double has them.
 [[nodiscard]] std::string in_full(double value);

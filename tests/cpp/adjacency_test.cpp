@@ -198,8 +198,8 @@ TEST(Adjacency, NamesTheBrokenRingOfALargeMeshOfVaryingValences) {
     Adjacency result;
     const Result<void> done = adjacency(mesh, ring, Direction::kCw, result);
     ASSERT_FALSE(done.ok());
-    EXPECT_EQ(done.error().message, "the ring around vertex " + std::to_string(v.index()) +
-                                        " does not close: validate names the broken links");
+    EXPECT_EQ(done.error().message, "The ring around vertex " + std::to_string(v.index()) +
+                                        " does not close: validate names the broken links.");
   };
   // Out of range in three ways; then round and round, past the anchor.
   for (const Index wrong : {mesh.halfedge_slots(), kNone, kDeleted, second.index()}) {
@@ -228,7 +228,7 @@ TEST(Adjacency, NamesTheTriangleThatIsBroken) {
         const Result<void> done = adjacency(mesh, ring, Direction::kCcw, result);
         ASSERT_FALSE(done.ok()) << from.index() << " leads to " << wrong;
         EXPECT_EQ(done.error().message,
-                  "the ring around face 17 does not close: validate names the broken links");
+                  "The ring around face 17 does not close: validate names the broken links.");
       }
     }
     mesh.mutable_links().next[from.index()] = right.index();
@@ -270,7 +270,7 @@ TEST(Adjacency, RefusesItemsThatDoNotExistByName) {
   Result<void> done = adjacency(mesh, Ring::kVertexFaces, Direction::kCcw, out_of_range, result);
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().code, "index-out-of-range");
-  EXPECT_EQ(done.error().message, "vertex 99 at position 2 does not exist, expected less than 7");
+  EXPECT_EQ(done.error().message, "Vertex 99 at position 2 does not exist, expected less than 7.");
   EXPECT_TRUE(result.offsets.empty());
   EXPECT_TRUE(result.items.empty());
 
@@ -278,7 +278,7 @@ TEST(Adjacency, RefusesItemsThatDoNotExistByName) {
   done = adjacency(mesh, Ring::kFaceEdges, Direction::kCcw, deleted, result);
   ASSERT_FALSE(done.ok());
   EXPECT_EQ(done.error().code, "deleted-item");
-  EXPECT_EQ(done.error().message, "face 4 at position 0 is deleted");
+  EXPECT_EQ(done.error().message, "Face 4 at position 0 is deleted.");
 
   const Result<Index> one = write_ring(mesh, Ring::kEdgeFaces, Direction::kCcw, kNone, {});
   ASSERT_FALSE(one.ok());
@@ -301,7 +301,7 @@ TEST(Adjacency, NamesTheRingThatDoesNotClose) {
     const Result<Index> one = write_ring(mesh, ring, Direction::kCw, 2, {});
     ASSERT_FALSE(one.ok());
     EXPECT_EQ(one.error().message,
-              "the ring around vertex 2 does not close: validate names the broken links");
+              "The ring around vertex 2 does not close: validate names the broken links.");
     const std::vector<Index> centres = {2};
     EXPECT_FALSE(adjacency(mesh, ring, Direction::kCw, centres, result).ok());
   }

@@ -137,8 +137,8 @@ TEST(Dual, RefusesWhatWouldBeNoPolygonMesh) {
   const Error low = refusal_of(reference_build(pillow()));
   EXPECT_EQ(low.code, "degree-below-three");
   EXPECT_EQ(low.message,
-            "vertex 0 has valence 2: its face in the dual would have as many corners, expected 3 "
-            "or more");
+            "Vertex 0 has valence 2: its face in the dual would have as many corners, expected 3 "
+            "or more.");
   EXPECT_EQ(low.witness.vertices, (std::vector<Index>{0}));
 
   // A sphere with a belt of two hexagons, 0 1 2 6 5 4 and 2 3 0 4 7 6, and fans above and below.

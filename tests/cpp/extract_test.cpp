@@ -239,9 +239,9 @@ TEST(Extract, NamesTheFaceThatIsNone) {
   const Result<ItemSet> of_deleted = extract(mesh, deleted, part);
   EXPECT_EQ(of_missing.error().code, "index-out-of-range");
   EXPECT_EQ(of_missing.error().message,
-            "face 9 at position 1 does not exist, expected less than 6");
+            "Face 9 at position 1 does not exist, expected less than 6.");
   EXPECT_EQ(of_deleted.error().code, "deleted-item");
-  EXPECT_EQ(of_deleted.error().message, "face 2 at position 2 is deleted");
+  EXPECT_EQ(of_deleted.error().message, "Face 2 at position 2 is deleted.");
   EXPECT_EQ(Snapshot(part), before);
 }
 

@@ -76,7 +76,7 @@ TEST(MemoryDeathTest, ACopyThatDoesNotFitIsEmpty) {
   use_up_memory();
   const auto fails = [](const auto& outcome) {
     return !outcome.ok() && outcome.error().code == "out-of-memory" &&
-           outcome.error().message.rfind("memory is exhausted", 0) == 0;
+           outcome.error().message.rfind("There is not enough memory", 0) == 0;
   };
   if (!fails(adjacency(mesh, Ring::kVertexFaces, Direction::kCcw, result))) std::_Exit(3);
   if (!result.offsets.empty() || !result.items.empty()) std::_Exit(4);

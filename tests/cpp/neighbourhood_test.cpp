@@ -210,11 +210,11 @@ TEST(Neighbourhood, RefusesItemsThatAreNone) {
   const Mesh mesh = with_gaps(tetrahedron());
   const Indices deleted = {0, 4};
   const Indices unknown = {0, 99};
-  EXPECT_EQ(k_ring(mesh, deleted, 1).error().message, "vertex 4 at position 1 is deleted");
+  EXPECT_EQ(k_ring(mesh, deleted, 1).error().message, "Vertex 4 at position 1 is deleted.");
   EXPECT_EQ(k_ring(mesh, unknown, 1).error().code, "index-out-of-range");
   EXPECT_EQ(star(mesh, {.vertices = deleted}).error().code, "deleted-item");
   EXPECT_EQ(link(mesh, {.edges = unknown}).error().message,
-            "edge 99 at position 1 does not exist, expected less than 7");
+            "Edge 99 at position 1 does not exist, expected less than 7.");
   EXPECT_EQ(closure(mesh, {.faces = unknown}).error().code, "index-out-of-range");
 }
 

@@ -201,11 +201,11 @@ TEST(Shapes, RefuseWhatIsNone) {
       {torus(3, 2), "a torus has 2 sides, expected 3 or more"},
       {uv_sphere(2, 2), "a uv-sphere has 2 segments, expected 3 or more"},
       {uv_sphere(3, 1), "a uv-sphere has 1 ring, expected 2 or more"},
-      {octahedron(0), "a length of an octahedron is 0, expected a positive number"},
-      {cube(-1), "a length of a cube is -1, expected a positive number"},
-      {torus(3, 3, Faces::kQuads, 1, infinity), "a length of a torus is inf, expected a positive"},
-      {torus(3, 3, Faces::kQuads, 2e38, 2e38), "a length of a torus is 4e+38, expected a positive"},
-      {ico_sphere(0, std::nan("")), "a length of an ico-sphere is nan, expected a positive"},
+      {octahedron(0), "A length of an octahedron is 0, expected a positive number"},
+      {cube(-1), "A length of a cube is -1, expected a positive number"},
+      {torus(3, 3, Faces::kQuads, 1, infinity), "A length of a torus is inf, expected a positive"},
+      {torus(3, 3, Faces::kQuads, 2e38, 2e38), "A length of a torus is 4e+38, expected a positive"},
+      {ico_sphere(0, std::nan("")), "A length of an ico-sphere is nan, expected a positive"},
   };
   for (const auto& [shape, sentence] : refused) {
     ASSERT_FALSE(shape.ok()) << sentence;

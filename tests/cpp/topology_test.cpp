@@ -230,8 +230,8 @@ TEST(Topology, RefusesACorruptMeshWithASentence) {
   ASSERT_FALSE(loops.ok());
   EXPECT_EQ(loops.error().code, "corrupt-connectivity");
   EXPECT_EQ(loops.error().message,
-            "the next of halfedge " + std::to_string(boundary.index()) +
-                " breaks the invariants of a mesh: validate names what is wrong");
+            "The next of halfedge " + std::to_string(boundary.index()) +
+                " breaks the invariants of a mesh: validate names what is wrong.");
   EXPECT_FALSE(connected_components(mesh).ok());
   EXPECT_FALSE(genus(mesh).ok());
 

@@ -371,8 +371,8 @@ TEST(Triangles, OfACorruptMeshAreAnErrorOrNameWhatIsThere) {
        {&broken.mutable_links().next, &broken.mutable_links().to_vertex}) {
     const Index was = std::exchange((*links)[h], 99);
     EXPECT_EQ(to_triangles(broken).error().message,
-              "the ring around face 2 does not close, or leads to vertices that don't exist: "
-              "validate names the broken links");
+              "The ring around face 2 does not close, or leads to vertices that don't exist: "
+              "validate names the broken links.");
     (*links)[h] = was;
   }
   EXPECT_TRUE(to_triangles(broken).ok());

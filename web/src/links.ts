@@ -18,7 +18,10 @@ const NO_LINKS = new Int32Array(0);
 const NO_POSITIONS = new Float32Array(0);
 const NO_WORDS = new Uint32Array(0);
 
-/** How many words `layout` writes, and how many of them say where arrays lie. */
+/**
+ * How many words `layout` writes, and how many of them say where arrays lie. Their order is that of
+ * `write_layout` in wasm/bindings.h.
+ */
 const WORDS = 19;
 const ADDRESSES = 7;
 /** What the views hold beyond the last slot: neither an item nor NONE, as in a deleted slot. */

@@ -209,7 +209,8 @@ export abstract class Mending extends Modelling {
 
   /**
    * Fills boundary loops with triangles, without new vertices, so that they fold little against each other
-   * and the faces around. New faces and edges have default attributes; corners get those of the boundary.
+   * and the faces around. New faces and edges have default attributes; corners get those of the
+   * boundary halfedges, which are zeros in a mesh from a file.
    *
    * Three kinds of loops are left: those with more edges than allowed (`large-hole`), those whose filling
    * would fold over (`folding-hole`), and those for which each triangulation found joins vertices that are

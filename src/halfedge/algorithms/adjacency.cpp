@@ -15,12 +15,12 @@ namespace {
 
 Error corrupt(ItemKind kind, Index index) {
   return {"corrupt-connectivity",
-          sentence::of("the ring around {} {} does not close: validate names the broken links",
+          sentence::of("The ring around {} {} does not close: validate names the broken links.",
                        name_of(kind), index)};
 }
 
 Error no_room_for_lists() {
-  return {"out-of-memory", "memory is exhausted: no room for the adjacency lists"};
+  return {"out-of-memory", "There is not enough memory for the adjacency lists."};
 }
 
 // Whether valences differ so much that a processor can't guess where the laps around vertices end.
@@ -250,9 +250,10 @@ Error no_such_centre(const RawLinks& links, const RingFunctions& functions, Inde
                      const std::string& where) {
   const std::string item = name_of(functions.kind) + (sentence::of(" {}", centre)) + where;
   const Index slots = functions.slots(links);
-  if (centre < slots) return {"deleted-item", sentence::of("{} is deleted", item)};
-  return {"index-out-of-range",
-          sentence::of("{} does not exist, expected less than {}", item, slots)};
+  if (centre < slots)
+    return {"deleted-item", sentence::complete(sentence::of("{} is deleted", item))};
+  return {"index-out-of-range", sentence::complete(sentence::of(
+                                    "{} does not exist, expected less than {}", item, slots))};
 }
 
 // Counts the ring of each centre into `offsets`, summed up.
@@ -270,7 +271,7 @@ Result<void> sum_ring_lengths(const RawLinks& links, const RingFunctions& functi
     if (size >= kNone) {
       return Error{
           "too-large",
-          sentence::of("the rings of the first {} items have {} items, expected less than {}",
+          sentence::of("The rings of the first {} items have {} items, expected less than {}.",
                        i + 1, size, kNone)};
     }
   }
@@ -290,7 +291,7 @@ struct Walkable {
   bool is_reverse = false;
 
   Walkable(const RawLinks& links, Ring ring, Direction wanted) : direction(wanted) {
-    if (links.store_prev() || ring >= Ring::kEdgeVertices) return;
+    if (links.stores_prev() || ring >= Ring::kEdgeVertices) return;
     direction = ring >= Ring::kFaceVertices ? Direction::kCcw : Direction::kCw;
     is_reverse = direction != wanted;
   }

@@ -15,7 +15,8 @@ template <Storage kStored>
       links.to_vertex.size() == size && links.face.size() == (kStored.face ? size : 0)) {
     return {};
   }
-  return Error{"corrupt-connectivity", "the halfedge arrays differ in length: validate names them"};
+  return Error{"corrupt-connectivity",
+               "The halfedge arrays differ in length: validate names them."};
 }
 
 }  // namespace halfedge

@@ -59,12 +59,12 @@ struct MarkedItems {
 };
 
 Error no_room_for_items() {
-  return {"out-of-memory", "memory is exhausted: no room for the items of a neighbourhood"};
+  return {"out-of-memory", "There is not enough memory for the items of a neighbourhood."};
 }
 
 Error corrupt() {
   return {"corrupt-connectivity",
-          "the links around these items break the invariants of a mesh: validate names them"};
+          "The links around these items break the invariants of a mesh: validate names them."};
 }
 
 template <class Item>
@@ -133,12 +133,13 @@ template <class Item>
 Result<void> check_items(const RawLinks& links, std::span<const Index> items) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (links.is_live(Item(items[i]))) continue;
-    const std::string item =
-        sentence::of("{} {} at position {}", name_of(kind_of(Item{})), items[i], i);
+    const std::string item = sentence::of("{} at position {}", Item(items[i]), i);
     const Index slots = links.slots(Item{});
-    if (items[i] < slots) return Error{"deleted-item", sentence::of("{} is deleted", item)};
-    return Error{"index-out-of-range",
-                 sentence::of("{} does not exist, expected less than {}", item, slots)};
+    if (items[i] < slots)
+      return Error{"deleted-item", sentence::complete(sentence::of("{} is deleted", item))};
+    return Error{
+        "index-out-of-range",
+        sentence::complete(sentence::of("{} does not exist, expected less than {}", item, slots))};
   }
   return {};
 }

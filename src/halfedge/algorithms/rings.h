@@ -32,7 +32,7 @@ class RawLinks {
   }
 
   /// If not, walks against `next` can't be taken.
-  [[nodiscard]] bool store_prev() const { return stores_prev_; }
+  [[nodiscard]] bool stores_prev() const { return stores_prev_; }
 
   [[nodiscard]] Index halfedge_slots() const { return halfedge_slots_; }
   [[nodiscard]] Index slots(Vertex) const { return vertex_slots_; }
@@ -70,7 +70,7 @@ class RawLinks {
   [[nodiscard]] const Index* all_stored_halfedges(Face) const { return face_halfedge_; }
 
   [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(next_[h.index()]); }
-  /// pre: store_prev()
+  /// pre: stores_prev()
   [[nodiscard]] Halfedge prev(Halfedge h) const { return Halfedge(prev_[h.index()]); }
   [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(to_vertex_[h.index()]); }
   [[nodiscard]] Face face(Halfedge h) const { return Face(face_[h.index()]); }

@@ -11,13 +11,13 @@ namespace halfedge {
 namespace {
 
 Error out_of_memory(const char* what) {
-  return {"out-of-memory", std::string("memory is exhausted: no room for ") + what};
+  return {"out-of-memory", sentence::of("There is not enough memory for {}.", what)};
 }
 
 Error corrupt(const char* link, ItemKind kind, Index index) {
   return {
       "corrupt-connectivity",
-      sentence::of("the {} of {} {} breaks the invariants of a mesh: validate names what is wrong",
+      sentence::of("The {} of {} {} breaks the invariants of a mesh: validate names what is wrong.",
                    link, name_of(kind), index)};
 }
 

@@ -17,14 +17,14 @@ using Around = RingOf<Face, walk::LoopCcw, view::Self>;
 
 Error corrupt(Face f) {
   return {"corrupt-connectivity",
-          sentence::of("the ring around {} does not close, or leads to vertices that don't exist: "
-                       "validate names the broken links",
+          sentence::of("The ring around {} does not close, or leads to vertices that don't exist: "
+                       "validate names the broken links.",
                        f),
           {.faces = {f.index()}}};
 }
 
 Error no_room_for_triangles() {
-  return {"out-of-memory", "memory is exhausted: no room for the triangles"};
+  return {"out-of-memory", "There is not enough memory for the triangles."};
 }
 
 class TriangleLister {

@@ -52,18 +52,12 @@ struct BuildReport {
 [[nodiscard]] bool build_from_polygons(BasicMesh<kPrevAtRunTime>& mesh, const Polygons& polygons,
                                        BuildReport& report);
 
-/// The same for a mesh type that leaves other links out: all are made, and those too many freed.
+/// The same for a mesh type that leaves other links out, by way of a full mesh.
 template <Storage kStored>
 [[nodiscard]] bool build_from_polygons(BasicMesh<kStored>& mesh, const Polygons& polygons,
                                        BuildReport& report) {
-  Mesh whole;
-  mesh.clear();
-  LinkConversion::exchange_attributes(mesh, whole);
-  if (build_from_polygons(whole, polygons, report)) {
-    return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
-  }
-  LinkConversion::exchange_attributes(mesh, whole);
-  return false;
+  return build_whole(mesh,
+                     [&](Mesh& whole) { return build_from_polygons(whole, polygons, report); });
 }
 
 }  // namespace halfedge

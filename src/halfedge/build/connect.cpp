@@ -129,8 +129,7 @@ class SideConnector {
     return links_.face_halfedge.recreate(polygons_.face_count());
   }
 
-  // One of the arrays holds something else until faces are linked, and then, too: `face` if there
-  // is no `prev`.
+  // `halfedge_of_` borrows an array that is written last: `prev`, or `face` if there is no `prev`.
   void use_arrays() {
     next_ = links_.next.data();
     to_ = links_.to_vertex.data();
@@ -140,9 +139,13 @@ class SideConnector {
 
   // ---- places
 
-  // Until sides are matched, one that runs down has its larger vertex in the place of its halfedge,
-  // and leaves its number where one that runs up leaves its larger vertex: of the two arrays that
-  // are written in the order of groups before there are groups, one is enough.
+  // What is known of a side until it is matched:
+  //
+  //                       side runs up         side runs down
+  //   to_[place]          its larger vertex    its number
+  //   halfedge_of_[side]  its place            its larger vertex
+  //
+  // So only one array is written in the order of groups, which is the slow one.
   HALFEDGE_NOINLINE void place_sides() {
     const Index fetching = is_large() ? corners_before_last(2 * kAhead + 3) : 0;
     Index first = 0;
@@ -164,16 +167,17 @@ class SideConnector {
     halfedge_of_[side] = direction.pick(place, from);
   }
 
-  // The same where sides are numbered bucket by bucket, until they have their halfedges. Their
-  // vertices lie in arrays that are written last.
+  // As place_sides(), but with sides that are numbered bucket by bucket, until they have their
+  // halfedges. Their vertices lie in arrays that are written later.
   HALFEDGE_NOINLINE void place_divided_sides() {
     buckets_.divide(polygons_, next_, face_);
     const Index count = Index(sides());
     for (Index side = 0; side < count; ++side) place_side(side, next_[side], face_[side]);
   }
 
-  // By side again: in the array of faces, so that the two arrays change their names. Their length
-  // tells whether there are boundary halfedges, whose marks are lost.
+  // Brings the halfedges back into the order of the sides of faces. This writes them over `face`,
+  // so that it and `prev` change places, and loses the marks of boundary halfedges, which there are
+  // if there are more halfedges than sides.
   void collect_halfedges() {
     buckets_.collect(polygons_, halfedge_of_, face_);
     std::swap(links_.face, links_.prev);
@@ -302,12 +306,6 @@ class SideConnector {
   Index* halfedge_of_ = nullptr;  // by side
 };
 
-bool all_triangles(std::span<const Index> sizes) {
-  Index different = 0;
-  for (const Index size : sizes) different |= size ^ 3U;
-  return different == 0;
-}
-
 // Four steps to a round: what counts the rounds takes a third of the time else.
 void write_prev(Links& links) {
   const Index* const next = links.next.data();
@@ -329,7 +327,7 @@ void write_prev(Links& links) {
 
 template <bool kPrev>
 ConnectResult connect(const Polygons& polygons, Links& links) {
-  const ConnectResult result = all_triangles(polygons.sizes)
+  const ConnectResult result = polygons.are_triangles()
                                    ? SideConnector<true, kPrev>(polygons, links).run()
                                    : SideConnector<false, kPrev>(polygons, links).run();
   if (result != ConnectResult::kDone) return result;

@@ -35,13 +35,14 @@ class LongWalks {
  public:
   explicit LongWalks(const Rotate& rotate_cw) : rotate_cw_(rotate_cw) {}
 
-  /// Takes a walk over that began at `anchor`. The steps that this leads to.
+  /// Takes over a walk that began at `anchor` and has come to `at`. Returns how many steps walks
+  /// took meanwhile: none unless there was no room for one more.
   std::size_t take(Index anchor, Index at) {
     keep(anchor, at);
     return count_ == kMost ? finish() : 0;
   }
 
-  /// Goes on to the ends of all walks; the steps to there.
+  /// Goes on to the ends of all walks. Returns how many steps they took.
   std::size_t finish() {
     std::size_t steps = 0;
     while (count_ >= 4) steps += walk<4>();
@@ -51,8 +52,8 @@ class LongWalks {
   }
 
  private:
-  /// Goes on with so many of the walks, the last ones, until some of them end; the steps to there.
-  /// Their number is known to the compiler so that registers hold where they are.
+  /// Goes on with so many of the walks, the last ones, until some of them end. Returns how many
+  /// steps they took. Their number is known to the compiler so that registers hold where they are.
   template <std::size_t kWalks>
   std::size_t walk() {
     count_ -= kWalks;
@@ -87,8 +88,8 @@ class LongWalks {
   std::size_t count_ = 0;
 };
 
-/// The same, however the links are stored: `anchors` by vertex, and `rotate_cw(h)` is the next
-/// halfedge that leaves the vertex of `h`.
+/// `each_vertex_has_one_cycle`, however the links are stored: `anchors` by vertex, and
+/// `rotate_cw(h)` is the next halfedge that leaves the vertex of `h`.
 ///
 /// Walks around `kLanes` vertices in step, as the end of one walk can't be predicted. Where these
 /// are many, and only a few of them go on, these do by themselves.

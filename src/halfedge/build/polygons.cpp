@@ -13,4 +13,10 @@ void MissingVertices::add(std::size_t corner, std::string name) {
   push_back({corner, std::move(name)});
 }
 
+bool Polygons::are_triangles() const {
+  Index different = 0;
+  for (const Index size : sizes) different |= size ^ 3U;
+  return different == 0;
+}
+
 }  // namespace halfedge

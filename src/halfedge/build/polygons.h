@@ -11,7 +11,7 @@
 
 namespace halfedge {
 
-/// A corner of a vertex that there isn't, with a number that its 32 bits don't tell.
+/// A corner whose vertex doesn't exist, and whose number didn't fit into the 32 bits of a corner.
 struct MissingVertex {
   /// In `corners`, of all faces.
   std::size_t corner = 0;
@@ -19,8 +19,9 @@ struct MissingVertex {
   std::string name;
 };
 
-/// Several, how they are moved and freed compiled once: soups are in many places, and few have any.
-/// Not as cold: whoever makes a soup would be taken for cold, too.
+/// A list of them, whose special members are compiled once: soups are made in many places, and few
+/// have such corners. They aren't marked as cold, as compilers would take every function that makes
+/// a soup for cold, too.
 class MissingVertices : public std::vector<MissingVertex> {
  public:
   HALFEDGE_NOINLINE MissingVertices();
@@ -44,13 +45,16 @@ struct Polygons {
   /// Corners from 2^31 stand for the negative numbers with the same 32 bits: a repair names these.
   /// No mesh has such a vertex either way.
   bool has_negative = false;
-  /// Others that a repair names otherwise, in ascending order; the first of a face is enough.
+  /// Corners that a repair names by a text instead, in ascending order; the first of each face is
+  /// enough.
   std::span<const MissingVertex> missing = {};
 
   [[nodiscard]] std::size_t vertex_count() const { return positions.size() / 3; }
   [[nodiscard]] std::size_t face_count() const {
     return sizes.empty() ? corners.size() / 3 : sizes.size();
   }
+  /// Whether each face has three corners. cost: O(faces), O(1) where `sizes` is empty
+  [[nodiscard]] bool are_triangles() const;
 };
 
 /// The same, owning its arrays; what a reader makes of a file. `sizes` is empty if all faces are

@@ -46,8 +46,8 @@ void for_each_pair(std::span<const Word> words, const Visit& visit) {
   visit(twice(word));
 }
 
-// The sign of the difference tells, without a branch: all are below 2^31 if all is well. Where the
-// lower one borrows from the upper one, it has told so.
+// The sign of the difference tells, without a branch: all are below 2^31 if all is well. The lower
+// word borrows from the upper one only if it is too large itself, which its own sign tells.
 bool are_below(std::span<const Index> indices, std::size_t count) {
   const std::uint64_t last = twice(Index(count) - 1);
   std::uint64_t signs = 0;

@@ -8,7 +8,8 @@
 
 namespace halfedge {
 
-/// Where `compact` and `reorder` moved items to, by old slot; kNone for slots that were deleted.
+/// Where `compact`, `reorder` and `append` moved items to, by old slot; kNone for slots that were
+/// deleted.
 struct CompactMaps {
   Array<Index> vertices;
   Array<Index> edges;
@@ -103,7 +104,7 @@ class Compaction {
     for (Index v = 0; v < mesh.vertex_slots(); ++v) mesh.note_position(Vertex(v));
   }
 
-  /// Moves the slots of `array`, `width` to an item, to where `map` says, never upwards.
+  /// Moves the slots of `array`, `kWidth` to an item, to where `map` says, never upwards.
   template <std::size_t kWidth, class T, class Convert>
   static void move_down(const Array<Index>& map, Array<T>& array, const Convert& convert) {
     if (array.empty()) return;

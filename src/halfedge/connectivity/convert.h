@@ -118,4 +118,17 @@ template <Storage kFrom, Storage kTo>
   return done;
 }
 
+/// Makes `mesh` what `build` makes of a full mesh, which has its attributes: all links are made,
+/// and those too many freed. Where `build` returns false, `mesh` is left empty, with its
+/// attributes.
+template <Storage kStored, class Build>
+[[nodiscard]] bool build_whole(BasicMesh<kStored>& mesh, const Build& build) {
+  Mesh whole;
+  mesh.clear();
+  LinkConversion::exchange_attributes(mesh, whole);
+  if (build(whole)) return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
+  LinkConversion::exchange_attributes(mesh, whole);
+  return false;
+}
+
 }  // namespace halfedge

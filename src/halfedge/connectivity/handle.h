@@ -40,8 +40,12 @@ using Halfedge = Handle<struct HalfedgeTag>;
 using Edge = Handle<struct EdgeTag>;
 using Face = Handle<struct FaceTag>;
 
-/// The four kinds of item, for reports and witnesses.
+/// The kinds of item, for reports and attributes. kMesh stands for the mesh as a whole.
 enum class ItemKind : std::uint8_t { kVertex, kHalfedge, kEdge, kFace, kMesh };
+
+/// Those that there can be several of in a mesh.
+inline constexpr ItemKind kItemKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge,
+                                          ItemKind::kFace};
 
 [[nodiscard]] constexpr ItemKind kind_of(Vertex) { return ItemKind::kVertex; }
 [[nodiscard]] constexpr ItemKind kind_of(Halfedge) { return ItemKind::kHalfedge; }

@@ -13,7 +13,7 @@
 #endif
 
 /// An orbit: halfedges reached by one step again and again, each shown as some item. It has a
-/// *walk* (how to step on, and back) and a *view* (what to show of a halfedge). All eleven kinds of
+/// *walk* (how to step on, and back) and a *view* (what to show of a halfedge). All kinds of
 /// circulators are combinations of five walks and six views:
 ///
 ///            to(h)

@@ -134,7 +134,7 @@ template <class Mesh>
       mesh.free_vertices().count | mesh.free_edges().count | mesh.free_faces().count;
   return !mesh.attributes().has_any() && deleted == 0 &&
          fit(std::size_t{mesh.vertex_slots()} + vertices, vertex_capacity(mesh)) &&
-         fit(mesh.halfedge_slots() + 2 * std::size_t{edges}, halfedge_capacity(mesh)) &&
+         fit(mesh.halfedge_slots() + 2 * std::size_t{edges}, mesh.capacity(ItemKind::kHalfedge)) &&
          fit(std::size_t{mesh.face_slots()} + faces, mesh.links().face_halfedge.capacity());
 }
 

@@ -68,7 +68,8 @@ void erase_all(Mesh& mesh, const Array<Edge>& edges) {
 /// and faces. (CGAL: erase_connected_component)
 ///
 /// returns: the number of edges removed
-/// cost: O(component), and five bytes for each edge slot. inverse: none
+/// cost: O(component), and clearing a byte for each edge slot; 4 bytes more for each live edge
+/// inverse: none
 /// errors: not-a-halfedge, out-of-memory
 template <Editable Mesh>
 requires DeletesFaces<Mesh> && DeletesVertices<Mesh>

@@ -79,23 +79,13 @@ template <class Mesh>
 }
 
 template <class Mesh>
-[[nodiscard]] std::size_t vertex_capacity(Mesh& mesh) {
+[[nodiscard]] std::size_t vertex_capacity(const Mesh& mesh) {
   std::size_t capacity = kMaxSlots;
   if constexpr (StoresAnchors<Mesh>) capacity = mesh.links().vertex_halfedge.capacity();
   if constexpr (HasPositions<Mesh>) {
-    capacity = std::min(capacity, mesh.mutable_positions().capacity() / 3);
+    capacity = std::min(capacity, mesh.position_array().capacity() / 3);
   }
   return capacity;
-}
-
-/// The halfedges that there is room for, live and deleted ones.
-template <class Mesh>
-[[nodiscard]] std::size_t halfedge_capacity(const Mesh& mesh) {
-  const Links& links = mesh.links();
-  std::size_t room = std::min(links.next.capacity(), links.to_vertex.capacity());
-  if (mesh.stores_prev()) room = std::min(room, links.prev.capacity());
-  if constexpr (StoresFaces<Mesh>) room = std::min(room, links.face.capacity());
-  return room;
 }
 
 /// Room for so many items more, so that new_vertex, new_edge and new_face succeed so many times.
@@ -108,7 +98,7 @@ template <class Mesh>
   const std::uint64_t v = count(mesh.vertex_slots(), mesh.free_vertices(), vertices);
   const std::uint64_t e = count(mesh.edge_slots(), mesh.free_edges(), edges);
   const std::uint64_t f = count(mesh.face_slots(), mesh.free_faces(), faces);
-  const std::size_t edge_room = halfedge_capacity(mesh) / 2;
+  const std::size_t edge_room = mesh.capacity(ItemKind::kEdge);
   const std::size_t face_room = mesh.links().face_halfedge.capacity();
   const std::size_t vertex_room = vertex_capacity(mesh);
   if (v <= vertex_room && e <= edge_room && f <= face_room && !mesh.attributes().has_any()) {

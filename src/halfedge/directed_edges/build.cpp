@@ -11,12 +11,6 @@ namespace halfedge {
 
 namespace {
 
-bool all_triangles(const Polygons& polygons) {
-  Index different = 0;
-  for (const Index size : polygons.sizes) different |= size ^ 3U;
-  return different == 0;
-}
-
 void report_other_faces(const Polygons& polygons, BuildReport& report) {
   ProblemSink problems(report);
   std::size_t first = 0;
@@ -41,7 +35,7 @@ bool build_from_triangles(DirectedEdgesMesh& mesh, const Polygons& polygons, Bui
   mesh.clear();
   ConnectResult result = ConnectResult::kNotManifold;
   if (can_be_connected(polygons)) {
-    if (!all_triangles(polygons)) {
+    if (!polygons.are_triangles()) {
       report_other_faces(polygons, report);
       return false;
     }

@@ -20,7 +20,7 @@ Error out_of_memory(Index halfedges) {
 
 // The edges of which a vertex is the smaller one, as build_from_polygons numbers them (see
 // build/groups.h).
-struct Group {
+struct EdgeNumbers {
   Index up = 0;      // sides that lead to larger vertices: each has an edge
   Index down = 0;    // sides that come from them
   Index single = 0;  // of these, those that have no other side
@@ -36,15 +36,15 @@ struct Group {
   Index number_single() { return next_single < room_end ? next_single++ : next_after++; }
 };
 
-void begin_groups(Array<Group>& groups) {
+void begin_groups(Array<EdgeNumbers>& groups) {
   Index begin = 0;
-  for (Group& group : groups) {
+  for (EdgeNumbers& group : groups) {
     group.next_up = begin;
     group.next_single = begin + group.up;
     begin += group.room();
     group.room_end = begin;
   }
-  for (Group& group : groups) {
+  for (EdgeNumbers& group : groups) {
     group.next_after = begin;
     begin += group.up + group.single - group.room();
   }
@@ -52,7 +52,7 @@ void begin_groups(Array<Group>& groups) {
 
 // Gives each halfedge the index that build_from_polygons would give it.
 [[nodiscard]] bool number_halfedges(const DirectedLinks& links, Array<Index>& numbers) {
-  Array<Group> groups;
+  Array<EdgeNumbers> groups;
   if (!groups.resize(links.vertex_halfedge.size(), {}) ||
       !numbers.recreate(links.opposite.size())) {
     return false;
@@ -64,12 +64,12 @@ void begin_groups(Array<Group>& groups) {
       visit(h, groups[std::min(from, to)], from < to, links.is_boundary(links.opposite[h]));
     }
   };
-  visit_sides([](Index, Group& group, bool runs_up, bool is_single) {
+  visit_sides([](Index, EdgeNumbers& group, bool runs_up, bool is_single) {
     (runs_up ? group.up : group.down) += 1;
     group.single += !runs_up && is_single ? 1 : 0;
   });
   begin_groups(groups);
-  visit_sides([&](Index h, Group& group, bool runs_up, bool is_single) {
+  visit_sides([&](Index h, EdgeNumbers& group, bool runs_up, bool is_single) {
     if (!runs_up && !is_single) return;  // numbered with the side that runs up
     const Index edge = runs_up ? group.next_up++ : group.number_single();
     numbers[h] = 2 * edge + Index{!runs_up};

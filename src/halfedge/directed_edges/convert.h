@@ -10,7 +10,7 @@ namespace halfedge {
 /// first halfedges of faces, and boundary loops, so that all circulators give the same. Edges are
 /// numbered as `build_from_polygons` numbers them. The inverse of `from_mesh`.
 ///
-/// cost: O(halfedges), without a search; 4 bytes a halfedge and a vertex of scratch memory
+/// cost: O(halfedges), without a search; 4 bytes a halfedge and 28 a vertex of scratch memory
 /// Codes: corrupt-connectivity, if `from` breaks the invariants of validation levels 0 and 1;
 /// out-of-memory. `to` is then empty.
 [[nodiscard]] Result<void> to_mesh(const DirectedEdgesMesh& from, Mesh& to);

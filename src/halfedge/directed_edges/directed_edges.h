@@ -54,7 +54,7 @@ struct DirectedLinks {
 /// `Connectivity`) and all circulators are those of the full structure, element for element, and
 /// the functions have the same names. What differs:
 ///   - Static: items are neither added nor deleted. To edit, convert to a `Mesh` and back
-///     (convert.h). All slots are live, and handles stay valid until the mesh is built anew.
+///     (convert.h). Handles stay valid until the mesh is built anew.
 ///   - opposite(h) is a load; next, prev and face are computed.
 ///   - An edge has the index of the smaller of its two halfedges, so edge indices have gaps:
 ///     edges() steps over them, is_deleted(e) tells that `e` is one, and edge_slots() is 3F, as

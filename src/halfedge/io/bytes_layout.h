@@ -32,7 +32,7 @@ inline constexpr std::string_view kAttributeTag = "attr";
 [[nodiscard]] constexpr std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
 
 [[nodiscard]] inline Error no_memory_for_bytes() {
-  return {"out-of-memory", "memory is exhausted: no room for a mesh and its bytes"};
+  return {"out-of-memory", "There is not enough memory for a mesh and its bytes."};
 }
 
 /// Copies numbers of `width` bytes, which are little-endian on one side.

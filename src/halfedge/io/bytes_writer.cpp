@@ -62,8 +62,7 @@ void write_attribute(Pen& pen, const Attribute& column) {
 
 template <class Visit>
 void for_columns(const Attributes& attributes, const Visit& visit) {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+  for (const ItemKind kind : kItemKinds) {
     for (const Attributes::Column& column : attributes.of(kind)) {
       if (!column->is_generation()) visit(*column);
     }

@@ -64,8 +64,7 @@ void LiveMesh::leave_out(const Attribute& attribute, const std::string& why) con
 }
 
 void LiveMesh::leave_out_rest(const std::string& why) const {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+  for (const ItemKind kind : kItemKinds) {
     for (const Attribute* attribute : attributes(kind)) {
       if (std::find(taken_.begin(), taken_.end(), attribute) == taken_.end()) {
         leave_out(*attribute, why);

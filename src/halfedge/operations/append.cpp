@@ -13,9 +13,10 @@ namespace {
 
 template <class Item>
 Error leads_nowhere(const char* link, Item item) {
-  return {"corrupt-connectivity", sentence::of("the {} of {} {} is no live item, which breaks the "
-                                               "invariants of a mesh: validate names what is wrong",
-                                               link, name_of(kind_of(item)), item.index())};
+  return {"corrupt-connectivity",
+          sentence::of("The {} of {} {} is no live item, which breaks the "
+                       "invariants of a mesh: validate names what is wrong.",
+                       link, name_of(kind_of(item)), item.index())};
 }
 
 template <class Item>
@@ -46,7 +47,7 @@ void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, 
 
 }  // namespace
 
-Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for another mesh"}; }
+Error out_of_memory() { return {"out-of-memory", "There is not enough memory for another mesh."}; }
 
 Result<Counts> count_live(const RawLinks& links) {
   const auto is_live = [&](Halfedge h) {
@@ -83,8 +84,8 @@ Result<Counts> slots_with(const BasicConnectivity<kStored>& mesh, const Counts& 
                         needed(mesh.edge_slots(), mesh.free_edges(), added.edges),
                         needed(mesh.face_slots(), mesh.free_faces(), added.faces)};
   if (slots.vertices > kMaxSlots || 2 * slots.edges > kMaxSlots || slots.faces > kMaxSlots) {
-    return Error{"too-large", sentence::of("both meshes together have {} vertices, {} edges and {} "
-                                           "faces, more than can be addressed",
+    return Error{"too-large", sentence::of("Both meshes together have {} vertices, {} edges and {} "
+                                           "faces, more than can be addressed.",
                                            slots.vertices, slots.edges, slots.faces)};
   }
   return slots;

@@ -39,7 +39,7 @@ template <EditableSurface Mesh, class Item>
 ///
 /// attributes: all of what stays stay
 /// returns: the number of faces deleted
-/// cost: O(component), and five bytes for each edge slot, of which one is cleared
+/// cost: O(component), and clearing a byte for each edge slot; 4 bytes more for each live edge
 /// inverse: none; undo
 /// errors: those of check_delete_component, out-of-memory
 template <EditableSurface Mesh, class Item>

@@ -9,7 +9,7 @@ namespace halfedge {
 
 namespace {
 
-Error out_of_memory() { return {"out-of-memory", "memory is exhausted: no room for the dual"}; }
+Error out_of_memory() { return {"out-of-memory", "There is not enough memory for the dual."}; }
 
 class DualPlanner {
  public:
@@ -37,15 +37,15 @@ class DualPlanner {
           (!across.valid() || links_.is_live(across)))
         continue;
       return Error{"corrupt-connectivity",
-                   sentence::of("the links of halfedge {} lead to items that don't exist, which "
-                                "breaks the invariants of a mesh: validate names what is wrong",
+                   sentence::of("The links of halfedge {} lead to items that don't exist, which "
+                                "breaks the invariants of a mesh: validate names what is wrong.",
                                 h)};
     }
     for (const Index f : around_vertex_.items) {
       if (links_.is_live(Face(f))) continue;
       return Error{"corrupt-connectivity",
-                   sentence::of("face {} doesn't exist, but lies at a vertex, which breaks the "
-                                "invariants of a mesh: validate names what is wrong",
+                   sentence::of("Face {} doesn't exist, but lies at a vertex, which breaks the "
+                                "invariants of a mesh: validate names what is wrong.",
                                 f)};
     }
     return done;
@@ -150,29 +150,29 @@ class DualPlanner {
 
   static Error has_low_valence(Index v, Index valence) {
     return {"degree-below-three",
-            sentence::of("vertex {} has valence {}: its face in the dual would have as many "
-                         "corners, expected 3 or more",
+            sentence::of("Vertex {} has valence {}: its face in the dual would have as many "
+                         "corners, expected 3 or more.",
                          v, valence),
             {.vertices = {v}}};
   }
   static Error is_on_both_sides(Index f, Index edge) {
     return {"same-face-twice",
-            sentence::of("face {} is on both sides of edge {}: the dual would have an edge from a "
-                         "vertex to itself",
+            sentence::of("Face {} is on both sides of edge {}: the dual would have an edge from a "
+                         "vertex to itself.",
                          f, edge),
             {.edges = {edge}, .faces = {f}}};
   }
   static Error share_two_edges(Index f, Index across, Index first, Index second) {
     return {"duplicate-edge",
-            sentence::of("faces {} and {} share edges {} and {}: the dual would have two edges "
-                         "between the same vertices",
+            sentence::of("Faces {} and {} share edges {} and {}: the dual would have two edges "
+                         "between the same vertices.",
                          f, across, first, second),
             {.edges = {first, second}, .faces = {f, across}}};
   }
   static Error is_pinched(Index f, Index fans) {
     return {"pinched-vertex",
-            sentence::of("the corners of face {} that are not on the boundary form {} runs: the "
-                         "dual would be pinched there, expected one run",
+            sentence::of("The corners of face {} that are not on the boundary form {} runs: the "
+                         "dual would be pinched there, expected one run.",
                          f, fans),
             {.faces = {f}}};
   }

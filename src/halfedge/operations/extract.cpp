@@ -9,12 +9,12 @@ namespace halfedge::extracting {
 namespace {
 
 Error out_of_memory() {
-  return {"out-of-memory", "memory is exhausted: no room for a mesh of these faces"};
+  return {"out-of-memory", "There is not enough memory for a mesh of these faces."};
 }
 
 Error corrupt() {
   return {"corrupt-connectivity",
-          "the links around these faces break the invariants of a mesh: validate names them"};
+          "The links around these faces break the invariants of a mesh: validate names them."};
 }
 
 // Where the items of a mesh are in the part, by slot; kNone for those that are left out, and for

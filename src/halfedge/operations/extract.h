@@ -28,8 +28,7 @@ void copy_values(const Attribute& from, const ItemSet& items, Attribute& to);
 template <Storage kStored>
 [[nodiscard]] Result<void> copy_attributes(const Attributes& attributes, const ItemSet& items,
                                            BasicMesh<kStored>& part) {
-  for (const ItemKind kind :
-       {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
+  for (const ItemKind kind : kItemKinds) {
     for (const Attributes::Column& column : attributes.of(kind)) {
       if (column->is_generation()) continue;
       double default_value[Attribute::kMaxComponents];

@@ -9,9 +9,6 @@ namespace halfedge {
 
 namespace {
 
-constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge,
-                               ItemKind::kFace};
-
 // Sorts by counting: items with the same key stay in their order. `map` holds the key of each item,
 // at most `last`, and its place in `order` then; kNone for items that are left out, in both.
 // `order` has room for all. False when memory is exhausted.
@@ -93,7 +90,7 @@ bool Reordering::reserve(const Links& links, const Attributes& attributes, std::
   const std::size_t edge_slots = links.next.size() / 2;
   std::size_t longest = std::max({links.next.size() * sizeof(Index), face_slots * sizeof(Index),
                                   3 * vertex_slots * sizeof(float)});
-  for (const ItemKind kind : kKinds) {
+  for (const ItemKind kind : kItemKinds) {
     for (const Attributes::Column& column : attributes.of(kind)) {
       longest = std::max(longest, column->bytes().size());
     }
@@ -147,7 +144,7 @@ void Reordering::move_links(Links& links) {
 }
 
 void Reordering::move_attributes(Attributes& attributes) {
-  for (const ItemKind kind : kKinds) {
+  for (const ItemKind kind : kItemKinds) {
     const bool is_halfedge = kind == ItemKind::kHalfedge;
     const bool is_of_edge = is_halfedge || kind == ItemKind::kEdge;
     const Array<Index>& of_face_or_edge = is_of_edge ? edges_ : faces_;

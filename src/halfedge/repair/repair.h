@@ -85,7 +85,7 @@ struct RepairReport {
   /// By face of the input: the face of the mesh, or kNone.
   Array<Index> face_map;
 
-  /// "3 duplicate faces removed, 12 edges with more than two faces cut."
+  /// "3 duplicate faces left out, 12 edges with more than two faces cut."
   std::string summary;
 
   [[nodiscard]] std::size_t count(RepairCode code) const { return counts[std::size_t(code)]; }
@@ -118,18 +118,12 @@ struct RepairReport {
 [[nodiscard]] bool build_from_soup(Mesh& mesh, const Polygons& polygons,
                                    const RepairOptions& options, RepairReport& report);
 
-/// The same for a mesh type that leaves links out.
+/// The same for a mesh type that leaves links out, by way of a full mesh.
 template <Storage kStored>
 [[nodiscard]] bool build_from_soup(BasicMesh<kStored>& mesh, const Polygons& polygons,
                                    const RepairOptions& options, RepairReport& report) {
-  Mesh whole;
-  mesh.clear();
-  LinkConversion::exchange_attributes(mesh, whole);
-  if (build_from_soup(whole, polygons, options, report)) {
-    return bool(convert(std::move(whole), mesh));  // nothing to derive: can't fail
-  }
-  LinkConversion::exchange_attributes(mesh, whole);
-  return false;
+  return build_whole(
+      mesh, [&](Mesh& whole) { return build_from_soup(whole, polygons, options, report); });
 }
 
 }  // namespace halfedge

@@ -11,7 +11,7 @@ namespace halfedge::shapes {
 Maker::Maker(const char* shape, double vertices, double faces, double corners) {
   if (vertices > kMaxSlots || corners > kMaxSlots) {
     error_ = {"too-large",
-              sentence::of("{} of {} vertices and {} faces has more items than can be addressed",
+              sentence::of("{} of {} vertices and {} faces has more items than can be addressed.",
                            shape, sentence::in_full(vertices), sentence::in_full(faces))};
     return;
   }
@@ -19,7 +19,7 @@ Maker::Maker(const char* shape, double vertices, double faces, double corners) {
   if (!soup_.positions.reserve(3 * std::size_t(vertices)) ||
       !soup_.corners.reserve(std::size_t(corners)) ||
       (!all_triangles && !soup_.sizes.reserve(std::size_t(faces)))) {
-    error_ = {"out-of-memory", sentence::of("memory is exhausted: no room for the {} faces of {}",
+    error_ = {"out-of-memory", sentence::of("There is not enough memory for the {} faces of {}.",
                                             sentence::in_full(faces), shape)};
   }
 }
@@ -56,7 +56,7 @@ Error check_lengths(const char* shape, std::initializer_list<double> lengths) {
     if (length > 0 && length <= double{std::numeric_limits<float>::max()}) continue;
     return {
         "bad-argument",
-        sentence::of("a length of {} is {}, expected a positive number that fits a 32-bit float",
+        sentence::of("A length of {} is {}, expected a positive number that fits a 32-bit float.",
                      shape, sentence::number(length))};
   }
   return {};

@@ -333,15 +333,15 @@ ConnectResult subdivide(PolygonSoup& soup) {
 Result<PolygonSoup> ico_sphere(Index subdivisions, double radius) {
   if (Error error; refused({check_lengths("an ico-sphere", {radius})}, error)) return error;
   if (subdivisions > 12) {
-    return Error{"too-large", sentence::of("an ico-sphere of {} subdivisions has more items than "
-                                           "can be addressed, expected at most 12",
+    return Error{"too-large", sentence::of("An ico-sphere of {} subdivisions has more items than "
+                                           "can be addressed, expected at most 12.",
                                            subdivisions)};
   }
   Result<PolygonSoup> shape = icosahedron();
   for (Index i = 0; shape && i < subdivisions; ++i) {
     if (subdivide(shape.value()) == ConnectResult::kDone) continue;
     return Error{"out-of-memory",
-                 sentence::of("memory is exhausted: no room for an ico-sphere of {} subdivisions",
+                 sentence::of("There is not enough memory for an ico-sphere of {} subdivisions.",
                               subdivisions)};
   }
   if (!shape) return shape;
