@@ -139,7 +139,7 @@ class ObjWriter {
     Index others = 0;
     mesh_.for_each_face([&](Index f, std::span<const Index>) {
       ++faces;
-      others += label.column->get(f, 0) != 0 ? 1 : 0;
+      others += label.column->get(f, 0) != 0 ? 1U : 0U;
     });
     if (faces == 0 || others > 0) return false;
     mesh_.leave_out(*label.column, "it is 0 for all faces, for which OBJ has no statement");
