@@ -1,6 +1,7 @@
 #include <halfedge/mend/measure.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -16,37 +17,32 @@ struct Sums {
   Vector moment = {};  // of the area
 };
 
-// Calls `visit(b, c)` for the triangles of a face that have `first` as a corner, from `origin`.
-template <class Visit>
-void for_each_triangle(const Surface& surface, Halfedge first, const Vector& origin,
-                       const Visit& visit) {
-  Halfedge h = surface.next(first);
-  Vector b = point_of(surface, surface.to_vertex(h)) - origin;
-  for (h = surface.next(h); h != first; h = surface.next(h)) {
-    const Vector c = point_of(surface, surface.to_vertex(h)) - origin;
-    visit(b, c);
-    b = c;
-  }
-}
-
-// Triangles that lie outside of a face that isn't convex are taken away from its area: their
-// normals point the other way.
+// Cuts the face into triangles from one corner. Those that lie outside of a face that isn't convex
+// are taken away from its area: their normals point the other way.
 void add_face(const Surface& surface, Halfedge first, Extent& extent, Sums& sums) {
-  const Vector a = point_of(surface, surface.to_vertex(first)) - sums.origin;
-  Vector face = {};  // its area as a vector
-  for_each_triangle(surface, first, sums.origin, [&](const Vector& b, const Vector& c) {
+  const auto corner = [&](Halfedge h) {
+    return point_of(surface, surface.to_vertex(h)) - sums.origin;
+  };
+  const Vector a = corner(first);
+  Vector face = {};                    // its area, as a vector
+  std::array<Vector, 3> moments = {};  // of each component of that
+  Halfedge h = surface.next(first);
+  Vector b = corner(h);
+  for (h = surface.next(h); h != first; h = surface.next(h)) {
+    const Vector c = corner(h);
     const Vector normal = cross(b - a, c - a);
     extent.volume += dot(a, normal) / 6;
-    for (std::size_t k = 0; k < 3; ++k) face[k] += normal[k] / 2;
-  });
+    for (std::size_t i = 0; i < 3; ++i) {
+      face[i] += normal[i] / 2;
+      for (std::size_t k = 0; k < 3; ++k) moments[k][i] += normal[i] * (a[k] + b[k] + c[k]) / 6;
+    }
+    b = c;
+  }
   const double area = length(face);
   extent.area += area;
   sums.area += face;
   if (!(area > 0)) return;
-  for_each_triangle(surface, first, sums.origin, [&](const Vector& b, const Vector& c) {
-    const double share = dot(cross(b - a, c - a), face) / (2 * area);
-    for (std::size_t k = 0; k < 3; ++k) sums.moment[k] += share * (a[k] + b[k] + c[k]) / 3;
-  });
+  for (std::size_t k = 0; k < 3; ++k) sums.moment[k] += dot(moments[k], face) / area;
 }
 
 // The halfedge of a face that leads to its smallest vertex. From there polygons are cut into
