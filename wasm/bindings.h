@@ -193,8 +193,6 @@ inline val to_list(std::span<const Problem> problems) {
   return list;
 }
 
-inline Error no_room_for_a_mesh() {
-  return {"out-of-memory", "There is not enough memory for a mesh."};
-}
+inline Error no_room_for_a_mesh() { return no_memory_for("a mesh"); }
 
 }  // namespace halfedge::bindings

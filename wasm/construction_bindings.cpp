@@ -18,7 +18,7 @@ HALFEDGE_EXPORT Address short_list() {
 HALFEDGE_EXPORT int add_vertex(Address mesh, Index mode, double x, double y, double z) {
   return apply(mesh, mode, [=](auto& m) -> Result<Vertex> {
     const Vertex v = m.add_vertex(*position_if_given(kAt, x, y, z));
-    if (!v.valid()) return no_room_for("a vertex");
+    if (!v.valid()) return no_memory_for("a vertex");
     return v;
   });
 }

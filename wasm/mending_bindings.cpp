@@ -49,7 +49,7 @@ Result<mend::Report> run(mend::Surface& surface, int repair, double a, double b,
 }
 
 val mend_mesh(Address address, Index mode, int repair, double a, double b, double c) {
-  if (!Reserve::take_back()) return failure(no_room_for("a repair"));
+  if (!Reserve::take_back()) return failure(no_memory_for("a repair"));
   AnyMesh& mesh = mesh_at(address);
   mend::SurfaceOf<kPrevAtRunTime> surface(mesh);
   Result<mend::Report> done = run(surface, repair, a, b, c);

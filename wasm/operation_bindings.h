@@ -51,10 +51,6 @@ int answer(Result<Item>&& result) {
   }
 }
 
-inline Error no_room_for(const char* what) {
-  return {"out-of-memory", sentence::of("There is not enough memory for {}.", what)};
-}
-
 /// Does something to a mesh that may fail, and closes the step of history.
 template <class Apply>
 int apply(Address address, Index mode, const Apply& apply) {

@@ -28,14 +28,14 @@ val moved(AnyMesh& mesh, Index mode, Result<CompactMaps> maps) {
 val compact_mesh(Address address, Index mode) {
   const bool has_reserve = Reserve::take_back();
   AnyMesh& mesh = mesh_at(address);
-  return moved(mesh, mode, has_reserve ? compact(mesh) : no_room_for("maps"));
+  return moved(mesh, mode, has_reserve ? compact(mesh) : no_memory_for("maps"));
 }
 
 /// `order` is an index into the VERTEX_ORDERS of web/src/construction.ts.
 val reorder_mesh(Address address, Index mode, int order) {
   const bool has_reserve = Reserve::take_back();
   AnyMesh& mesh = mesh_at(address);
-  if (!has_reserve) return moved(mesh, mode, no_room_for("maps"));
+  if (!has_reserve) return moved(mesh, mode, no_memory_for("maps"));
   return moved(mesh, mode, order == 0 ? reorder(mesh) : reorder_breadth_first(mesh));
 }
 
@@ -81,7 +81,7 @@ HALFEDGE_EXPORT int reserve(Address mesh, Index vertices, Index edges, Index fac
   AnyMesh& m = mesh_at(mesh);
   const bool fits = m.reserve(vertices, edges, faces);
   write_layout(m);
-  return fits ? 0 : refuse(no_room_for("so many items"));
+  return fits ? 0 : refuse(no_memory_for("so many items"));
 }
 
 HALFEDGE_EXPORT void clear(Address mesh) {

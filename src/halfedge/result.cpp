@@ -32,4 +32,8 @@ Failure::Failure(const Error& error) : error_(new Error(error)) {}
 
 void Failure::forget(Error* error) { delete error; }
 
+Error no_memory_for(std::string_view what) {
+  return {"out-of-memory", "There is not enough memory for " + std::string(what) + "."};
+}
+
 }  // namespace halfedge

@@ -56,6 +56,9 @@ struct Error {
   Witness witness;
 };
 
+/// out-of-memory: "There is not enough memory for the dual."
+[[nodiscard]] HALFEDGE_COLD Error no_memory_for(std::string_view what);
+
 /// An error on its way to whom it concerns, or none: one pointer, since what each call returns must
 /// cost next to nothing where all goes well, which is the rule.
 class Failure {

@@ -19,9 +19,7 @@ Error corrupt(ItemKind kind, Index index) {
                        name_of(kind), index)};
 }
 
-Error no_room_for_lists() {
-  return {"out-of-memory", "There is not enough memory for the adjacency lists."};
-}
+Error no_room_for_lists() { return no_memory_for("the adjacency lists"); }
 
 // Whether valences differ so much that a processor can't guess where the laps around vertices end.
 // Looks at a few vertices, and at none of a small mesh, where it doesn't matter.

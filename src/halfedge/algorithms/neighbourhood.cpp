@@ -58,9 +58,7 @@ struct MarkedItems {
   }
 };
 
-Error no_room_for_items() {
-  return {"out-of-memory", "There is not enough memory for the items of a neighbourhood."};
-}
+Error no_room_for_items() { return no_memory_for("the items of a neighbourhood"); }
 
 Error corrupt() {
   return {"corrupt-connectivity",

@@ -10,10 +10,6 @@ namespace halfedge {
 
 namespace {
 
-Error out_of_memory(const char* what) {
-  return {"out-of-memory", sentence::of("There is not enough memory for {}.", what)};
-}
-
 Error corrupt(const char* link, ItemKind kind, Index index) {
   return {
       "corrupt-connectivity",
@@ -44,7 +40,7 @@ void unite(Array<Index>& parent, Index a, Index b) {
 template <Storage kStored>
 Result<void> label_vertices(const BasicConnectivity<kStored>& mesh, Components& components) {
   Array<Index>& label = components.of_vertex;
-  if (!label.resize(mesh.vertex_slots())) return out_of_memory("the components of vertices");
+  if (!label.resize(mesh.vertex_slots())) return no_memory_for("the components of vertices");
   for (Index v = 0; v < label.size(); ++v) {
     const Index anchor = mesh.links().vertex_halfedge[v];
     label[v] = anchor == kNone || is_deleted_link(anchor) ? kNone : v;
@@ -64,7 +60,7 @@ Result<void> label_vertices(const BasicConnectivity<kStored>& mesh, Components& 
       label[v] = label[label[v]];
     } else {
       label[v] = Index(components.list.size());
-      if (!components.list.push_back({})) return out_of_memory("the list of components");
+      if (!components.list.push_back({})) return no_memory_for("the list of components");
     }
     ++components.list[label[v]].vertices;
   }
@@ -74,7 +70,7 @@ Result<void> label_vertices(const BasicConnectivity<kStored>& mesh, Components& 
 template <Storage kStored>
 Result<void> label_faces(const BasicConnectivity<kStored>& mesh, Components& components) {
   Array<Index>& label = components.of_face;
-  if (!label.resize(mesh.face_slots(), kNone)) return out_of_memory("the components of faces");
+  if (!label.resize(mesh.face_slots(), kNone)) return no_memory_for("the components of faces");
   for (const Face f : mesh.faces()) {
     const Halfedge h = mesh.face_halfedge(f);
     if (!mesh.is_live(mesh.edge(h))) return corrupt("halfedge", ItemKind::kFace, f.index());
@@ -113,10 +109,10 @@ requires StoresSurface<BasicConnectivity<kStored>> Result<Array<Halfedge>> bound
   for (Index h = 0; h < links.face.size(); ++h) {
     if (links.face[h] != kNone) continue;
     if (seen.empty() && !seen.resize(links.face.size(), false)) {
-      return out_of_memory("the marks of boundary halfedges");
+      return no_memory_for("the marks of boundary halfedges");
     }
     if (seen[h]) continue;
-    if (!loops.push_back(Halfedge(h))) return out_of_memory("the list of boundary loops");
+    if (!loops.push_back(Halfedge(h))) return no_memory_for("the list of boundary loops");
     Index at = h;
     while (!seen[at]) {
       seen[at] = true;

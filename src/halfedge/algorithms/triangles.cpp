@@ -23,9 +23,7 @@ Error corrupt(Face f) {
           {.faces = {f.index()}}};
 }
 
-Error no_room_for_triangles() {
-  return {"out-of-memory", "There is not enough memory for the triangles."};
-}
+Error no_room_for_triangles() { return no_memory_for("the triangles"); }
 
 class TriangleLister {
  public:

@@ -12,9 +12,7 @@ namespace halfedge {
 
 namespace {
 
-Error out_of_memory() {
-  return {"out-of-memory", "There is not enough memory for an order of the vertices."};
-}
+Error out_of_memory() { return no_memory_for("an order of the vertices"); }
 
 [[nodiscard]] bool is_live(const Links& links, std::size_t v) {
   return links.vertex_halfedge.empty() || !is_deleted_link(links.vertex_halfedge[v]);

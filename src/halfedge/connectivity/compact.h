@@ -58,7 +58,7 @@ class Compaction {
     CompactMaps maps;
     if (!number_live<Vertex>(mesh, maps.vertices) || !number_live<Edge>(mesh, maps.edges) ||
         !number_live<Face>(mesh, maps.faces)) {
-      return Error{"out-of-memory", "There is not enough memory for the maps of compact()."};
+      return no_memory_for("the maps of compact()");
     }
     return maps;
   }

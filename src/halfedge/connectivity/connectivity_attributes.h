@@ -24,7 +24,7 @@ Result<Attribute*> BasicConnectivity<kStored>::add_column(ItemKind kind, std::st
   // Undo grows it in room that is there, as it does the links.
   if (history() != nullptr && !added.value()->reserve(capacity(kind))) {
     remove_attribute(kind, name);
-    return Error{"out-of-memory", "There is not enough memory for the attribute."};
+    return no_memory_for("the attribute");
   }
   return added;
 }

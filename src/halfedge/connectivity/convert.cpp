@@ -7,10 +7,6 @@ namespace halfedge {
 
 namespace {
 
-Error no_memory_for(const char* what) {
-  return {"out-of-memory", sentence::of("There is not enough memory for {}.", what)};
-}
-
 bool is_live_halfedge(const Links& links, Index h) {
   return h < links.next.size() && !is_deleted_link(links.next[h]);
 }

@@ -35,7 +35,7 @@ class LinkConversion {
     }
     // So that nothing can fail once links have moved.
     if ((kTo.face || kTo.face_halfedge) && !from.attributes_.reserve(ItemKind::kFace, faces)) {
-      return Error{"out-of-memory", "There is not enough memory for attributes of faces."};
+      return no_memory_for("attributes of faces");
     }
     const auto take = [](bool wanted, bool stored, Array<Index>& link, Array<Index>& made) {
       return wanted ? std::move(stored ? link : made) : Array<Index>{};
@@ -111,7 +111,7 @@ template <Storage kFrom, Storage kTo>
 [[nodiscard]] Result<void> convert(BasicConnectivity<kFrom>&& from, BasicMesh<kTo>& to) {
   Array<float> origins;
   if (!origins.resize(3 * std::size_t{from.vertex_slots()}, 0.0F)) {
-    return Error{"out-of-memory", "There is not enough memory for positions."};
+    return no_memory_for("positions");
   }
   Result<void> done = LinkConversion::run(from, to);
   if (done) to.mutable_positions() = std::move(origins);

@@ -31,9 +31,7 @@ inline constexpr std::string_view kAttributeTag = "attr";
 
 [[nodiscard]] constexpr std::size_t padded(std::size_t size) { return (size + 7) / 8 * 8; }
 
-[[nodiscard]] inline Error no_memory_for_bytes() {
-  return {"out-of-memory", "There is not enough memory for a mesh and its bytes."};
-}
+[[nodiscard]] inline Error no_memory_for_bytes() { return no_memory_for("a mesh and its bytes"); }
 
 /// Copies numbers of `width` bytes, which are little-endian on one side.
 inline void copy_little_endian(const void* from, void* to, std::size_t size, std::size_t width) {

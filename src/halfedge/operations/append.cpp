@@ -47,7 +47,7 @@ void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, 
 
 }  // namespace
 
-Error out_of_memory() { return {"out-of-memory", "There is not enough memory for another mesh."}; }
+Error out_of_memory() { return no_memory_for("another mesh"); }
 
 Result<Counts> count_live(const RawLinks& links) {
   const auto is_live = [&](Halfedge h) {

@@ -9,7 +9,7 @@ namespace halfedge {
 
 namespace {
 
-Error out_of_memory() { return {"out-of-memory", "There is not enough memory for the dual."}; }
+Error out_of_memory() { return no_memory_for("the dual"); }
 
 class DualPlanner {
  public:

@@ -8,9 +8,7 @@ namespace halfedge::extracting {
 
 namespace {
 
-Error out_of_memory() {
-  return {"out-of-memory", "There is not enough memory for a mesh of these faces."};
-}
+Error out_of_memory() { return no_memory_for("a mesh of these faces"); }
 
 Error corrupt() {
   return {"corrupt-connectivity",

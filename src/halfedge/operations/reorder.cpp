@@ -75,7 +75,7 @@ Result<void> Reordering::plan(const Links& links, const Attributes& attributes,
   const bool is_reserved = reserve(links, attributes, vertex_slots, face_slots);
   if (is_reserved) number_vertices();
   if (!is_reserved || !number_faces(links) || !number_edges(links)) {
-    return Error{"out-of-memory", "There is not enough memory to reorder the mesh."};
+    return no_memory_for("reordering the mesh");
   }
   return {};
 }

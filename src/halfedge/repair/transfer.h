@@ -66,8 +66,7 @@ template <Storage kStored>
     from.rows.reset();
     if (!is_filled) {
       mesh.remove_attribute(kKinds[std::size_t(from.item)], from.name);
-      return Error{"out-of-memory",
-                   "There is not enough memory for the attributes of the file's mesh."};
+      return no_memory_for("the attributes of the file's mesh");
     }
   }
   return {};
