@@ -311,7 +311,7 @@ test('A window of another size shows all of the mesh, or as much as before if so
     for (const [i, number] of ((await numbersOf(turned)) ?? []).entries()) {
       expect(number).toBeCloseTo(near[i], 3);
     }
-    expect(near[0]).not.toBeCloseTo(expected[0], 2);
+    expect(near[15]).not.toBeCloseTo(expected[15], 2); // how far the middle of the mesh is
     await turned.close();
     await fresh.close();
   }
