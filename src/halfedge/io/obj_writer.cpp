@@ -121,30 +121,33 @@ class ObjWriter {
   }
   void choose(Label& label) {
     label.column = mesh_.take(ItemKind::kFace, label.attribute, [this](const Attribute& column) {
-      const bool is_label = !is_real(column) && column.components() == 1;
-      if (!is_label || fits_int32(mesh_, column)) return is_label;
-      mesh_.leave_out(column, "readers of OBJ take numbers up to 2147483647");
-      return false;
+      if (is_real(column) || column.components() != 1) return false;
+      if (!fits_int32(mesh_, column)) {
+        mesh_.leave_out(column, "readers of OBJ take numbers up to 2147483647");
+        return false;
+      }
+      // Such faces need no statement, and where there is none, readers find no labels.
+      if (is_zero_everywhere(column)) {
+        mesh_.leave_out(column, "it is 0 for all faces, for which OBJ has no statement");
+        return false;
+      }
+      return true;
     });
-    if (label.column == nullptr || is_zero_everywhere(label)) return;
+    if (label.column == nullptr) return;
     if (label.column->type() != Scalar::kInt32) {
       mesh_.note_change(*label.column, "as numbers that readers take for int32");
     }
     if (label.attribute != kSmoothing) label.names = names_of(label.attribute);
     if (label.names != nullptr) note_names(label);
   }
-  /// Faces of label 0 need no statement, and where there is none, readers find no labels.
-  [[nodiscard]] bool is_zero_everywhere(Label& label) const {
-    Index faces = 0;
-    Index others = 0;
+  [[nodiscard]] bool is_zero_everywhere(const Attribute& column) const {
+    bool has_faces = false;
+    bool is_zero = true;
     mesh_.for_each_face([&](Index f, std::span<const Index>) {
-      ++faces;
-      others += label.column->get(f, 0) != 0 ? 1U : 0U;
+      has_faces = true;
+      is_zero &= column.get(f, 0) == 0;
     });
-    if (faces == 0 || others > 0) return false;
-    mesh_.leave_out(*label.column, "it is 0 for all faces, for which OBJ has no statement");
-    label.column = nullptr;
-    return true;
+    return has_faces && is_zero;
   }
   /// Says which names readers will not give back as they are.
   void note_names(const Label& label) const {
