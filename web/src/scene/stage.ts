@@ -454,7 +454,7 @@ export class Stage {
     if (!isResized || before === 0) return;
     const fitted = this.#fitted;
     const { target, position } = this.goal;
-    const direction = position.sub(target);
+    const direction = position.clone().sub(target);
     if (direction.lengthSq() === 0) return;
     if (fitted) this.lookAtAll(fitted, direction);
     else this.look(target, direction, (direction.length() * this.#unit) / before);
