@@ -401,6 +401,19 @@ describe('Where there is little to measure,', () => {
     expect(pillow.volume()).toBe(0);
   });
 
+  test.each([
+    [[0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]],
+    [[0.1, 0.2, 0.3, 1.1, 1.3, 1.7, 1.4, 2.5, 1.9, 0.3, 1.2, 0.5]], // rounding leaves something of them
+  ])('also those of quads: %p', (positions) => {
+    const sides = [
+      [0, 1, 2, 3],
+      [1, 0, 3, 2],
+    ];
+    using pillow = HalfedgeMesh.fromPolygons(positions, sides);
+    expect(pillow.vertexNormal(0)).toEqual([0, 0, 0]);
+    expect([...pillow.allVertexNormals()]).toEqual(Array(12).fill(0));
+  });
+
   test.each([[[0, 1, 2, 1, 0, 2]], [[1, 0, 2, 0, 1, 2]], [[2, 0, 1, 0, 2, 1]]])(
     'also when rounding leaves something of them: %p',
     (indices) => {

@@ -1,10 +1,20 @@
 import { newArray } from './arguments.js';
 import * as directed from './directed-edges-links.js';
-import { type Floats, parts, writeUnitVectors } from './measures.js';
+import { type Floats, parts, sumsOf, writeUnitVectors } from './measures.js';
 
 // Constants of this module's own: see walks.ts.
 const { after, before, faceOf } = directed;
-const { LEAST, corner, lengthOf, measureCorner, noOrbit, writeDirection, writeVector } = parts;
+const {
+  LEAST,
+  corner,
+  lengthOf,
+  measureCorner,
+  noOrbit,
+  writeDirection,
+  writeTriangleVector,
+  writeUnit,
+} = parts;
+const { abs } = Math;
 type DirectedLinks = directed.DirectedLinks;
 
 // The measures of measures.ts over Directed Edges, to the last bit. They stand apart from those, as the circulators do:
@@ -17,26 +27,6 @@ const other = new Float64Array(4);
 
 // ---- faces --------------------------------------------------------------------------------------
 
-/** Writes the area vector of a triangle, given by its vertices, and its length. */
-function writeTriangleVector(
-  positions: Float32Array,
-  o: number,
-  a: number,
-  b: number,
-  out: Float64Array,
-): void {
-  const ox = positions[3 * o];
-  const oy = positions[3 * o + 1];
-  const oz = positions[3 * o + 2];
-  const ax = positions[3 * a] - ox;
-  const ay = positions[3 * a + 1] - oy;
-  const az = positions[3 * a + 2] - oz;
-  const bx = positions[3 * b] - ox;
-  const by = positions[3 * b + 1] - oy;
-  const bz = positions[3 * b + 2] - oz;
-  writeVector(out, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
-}
-
 /** Writes the area vector of a face, and its length. */
 function writeAreaVector({ toVertex, positions }: DirectedLinks, f: number, out: Float64Array) {
   writeTriangleVector(positions, toVertex[3 * f], toVertex[3 * f + 1], toVertex[3 * f + 2], out);
@@ -45,7 +35,7 @@ function writeAreaVector({ toVertex, positions }: DirectedLinks, f: number, out:
 /** Writes the unit normal of a face; zeros where it has no area. */
 export function writeFaceNormal(links: DirectedLinks, f: number, out: Floats, to: number): void {
   writeAreaVector(links, f, sum);
-  writeDirection(sum, 0, out, to);
+  writeUnit(sum, out, to);
 }
 
 export function faceArea(links: DirectedLinks, f: number): number {
@@ -185,28 +175,47 @@ export function angleDefect(links: DirectedLinks, v: number): number {
 
 /** The normals of all faces. */
 export function writeFaceNormals(links: DirectedLinks, out: Floats): void {
-  for (let f = 0; 3 * f < links.sides; f++) writeFaceNormal(links, f, out, 3 * f);
+  const { toVertex, sides, positions } = links;
+  for (let h = 0; h < sides; h += 3) {
+    writeTriangleVector(positions, toVertex[h], toVertex[h + 1], toVertex[h + 2], sum);
+    writeUnit(sum, out, h);
+  }
 }
 
 /** The normals of all vertices: those of faces are spread over their corners, in one pass. */
 export function writeVertexNormals(links: DirectedLinks, out: Floats): void {
-  const { toVertex, sides, vertices } = links;
-  const sums = newArray('the sums of normals', Float64Array, 3 * vertices);
+  const { toVertex, sides, vertices, positions } = links;
+  const sums = sumsOf(3 * vertices);
   let all = 0;
   for (let h = 0; h < sides; h += 3) {
-    writeTriangleVector(links.positions, toVertex[h], toVertex[h + 1], toVertex[h + 2], sum);
-    const x = sum[0];
-    const y = sum[1];
-    const z = sum[2];
-    all += Math.abs(x) + Math.abs(y) + Math.abs(z);
-    for (let k = 0; k < 3; k++) {
-      const v = 3 * toVertex[h + k];
-      sums[v] += x;
-      sums[v + 1] += y;
-      sums[v + 2] += z;
-    }
+    // As in measures.ts.
+    const o = 3 * toVertex[h];
+    const a = 3 * toVertex[h + 1];
+    const b = 3 * toVertex[h + 2];
+    const ox = positions[o];
+    const oy = positions[o + 1];
+    const oz = positions[o + 2];
+    const ax = positions[a] - ox;
+    const ay = positions[a + 1] - oy;
+    const az = positions[a + 2] - oz;
+    const bx = positions[b] - ox;
+    const by = positions[b + 1] - oy;
+    const bz = positions[b + 2] - oz;
+    const x = ay * bz - az * by;
+    const y = az * bx - ax * bz;
+    const z = ax * by - ay * bx;
+    all += abs(x) + abs(y) + abs(z);
+    sums[o] += x;
+    sums[o + 1] += y;
+    sums[o + 2] += z;
+    sums[a] += x;
+    sums[a + 1] += y;
+    sums[a + 2] += z;
+    sums[b] += x;
+    sums[b + 1] += y;
+    sums[b + 2] += z;
   }
-  writeUnitVectors(sums, LEAST * all, out, () => lengthsAround(links));
+  writeUnitVectors(sums, 3 * vertices, LEAST * all, out, () => lengthsAround(links));
 }
 
 /** By vertex, the lengths of the area vectors of its faces together. */

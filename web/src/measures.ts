@@ -25,8 +25,8 @@ const other = new Float64Array(4);
 /** Of a sum of vectors that cancel each other to less than this share of their lengths, rounding alone is left. */
 const LEAST = 1e-10;
 
-/** Looked up once: in Jest, where global names are looked up slowly, that takes longer than the root. */
-const { sqrt } = Math;
+/** Looked up once: in Jest, where global names are looked up slowly, that takes longer than a root. */
+const { abs, sqrt } = Math;
 
 // No Math.hypot, which takes ten times as long: squares of differences of floats don't overflow.
 const lengthOf = (x: number, y: number, z: number) => sqrt(x * x + y * y + z * z);
@@ -41,9 +41,10 @@ const noOrbit = () => corrupt('The halfedges around an item form no closed orbit
  * length twice the area (Newell's method).
  */
 export function writeAreaVector(surface: Surface, first: number, out: Float64Array): void {
-  const { next } = surface;
-  if (next[next[next[first]]] === first) writeTriangleVector(surface, first, out);
-  else writePolygonVector(surface, first, out);
+  const { next, toVertex, positions } = surface;
+  const second = next[first];
+  if (next[next[second]] !== first) writePolygonVector(surface, first, out);
+  else writeTriangleVector(positions, toVertex[first], toVertex[second], toVertex[first ^ 1], out);
 }
 
 /** Of any face. On its own, because V8 inlines nothing that is so long: triangles go past it. */
@@ -66,21 +67,23 @@ function writePolygonVector(surface: Surface, first: number, out: Float64Array):
   writeVector(out, x, y, z);
 }
 
-/** Of the triangle of `h`: the same to the last bit. */
-function writeTriangleVector(surface: Surface, h: number, out: Float64Array): void {
-  const { next, toVertex, positions } = surface;
-  const o = 3 * toVertex[h];
-  const a = 3 * toVertex[next[h]];
-  const b = 3 * toVertex[h ^ 1];
-  const ox = positions[o];
-  const oy = positions[o + 1];
-  const oz = positions[o + 2];
-  const ax = positions[a] - ox;
-  const ay = positions[a + 1] - oy;
-  const az = positions[a + 2] - oz;
-  const bx = positions[b] - ox;
-  const by = positions[b + 1] - oy;
-  const bz = positions[b + 2] - oz;
+/** Of the triangle of three vertices: the same to the last bit. */
+function writeTriangleVector(
+  positions: Float32Array,
+  o: number,
+  a: number,
+  b: number,
+  out: Float64Array,
+): void {
+  const ox = positions[3 * o];
+  const oy = positions[3 * o + 1];
+  const oz = positions[3 * o + 2];
+  const ax = positions[3 * a] - ox;
+  const ay = positions[3 * a + 1] - oy;
+  const az = positions[3 * a + 2] - oz;
+  const bx = positions[3 * b] - ox;
+  const by = positions[3 * b + 1] - oy;
+  const bz = positions[3 * b + 2] - oz;
   writeVector(out, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx);
 }
 
@@ -106,8 +109,17 @@ function writeDirection(total: Float64Array, at: number, out: Floats, to: number
 /** Writes the unit normal of a face; zeros where it has no area. */
 export function writeFaceNormal(surface: Surface, f: number, out: Floats, to: number): void {
   writeAreaVector(surface, surface.faceHalfedge[f], sum);
-  writeDirection(sum, 0, out, to);
+  writeUnit(sum, out, to);
 }
+
+/** Writes the direction of a vector whose length is known; zeros where it is 0 or not finite. */
+const writeUnit = (vector: Float64Array, out: Floats, to: number) => {
+  const length = vector[3];
+  const isGood = length > 0 && length < Infinity;
+  out[to] = isGood ? vector[0] / length : 0;
+  out[to + 1] = isGood ? vector[1] / length : 0;
+  out[to + 2] = isGood ? vector[2] / length : 0;
+};
 
 export function faceArea(surface: Surface, f: number): number {
   writeAreaVector(surface, surface.faceHalfedge[f], sum);
@@ -285,39 +297,89 @@ export function angleDefect(surface: Surface, v: number): number {
 
 /** By face slot, the normals of all faces. */
 export function writeFaceNormals(surface: Surface, slots: number, out: Floats): void {
-  const { faceHalfedge } = surface;
+  // Views are looked up once: V8 doesn't move that out of a loop that writes to arrays.
+  const { next, toVertex, faceHalfedge, positions } = surface;
   for (let f = 0; f < slots; f++) {
     const h = faceHalfedge[f];
-    if (h >= 0) writeAreaVector(surface, h, sum);
-    else sum.fill(0);
-    writeDirection(sum, 0, out, 3 * f);
+    const second = next[h];
+    if (!(h >= 0)) sum.fill(0);
+    else if (next[next[second]] !== h) writePolygonVector(surface, h, sum);
+    else writeTriangleVector(positions, toVertex[h], toVertex[second], toVertex[h ^ 1], sum);
+    writeUnit(sum, out, 3 * f);
   }
 }
 
 /** By vertex slot, the normals of all vertices: those of faces are spread over their corners, in one pass. */
 export function writeVertexNormals(surface: Surface, slots: number, out: Floats): void {
-  const { next, toVertex, faceHalfedge } = surface;
-  const sums = newArray('the sums of normals', Float64Array, 3 * slots);
+  const { next, toVertex, faceHalfedge, positions } = surface;
+  const sums = sumsOf(3 * slots);
   let all = 0;
   for (let f = 0; f < faceHalfedge.length; f++) {
-    const first = faceHalfedge[f];
-    if (!(first >= 0)) continue;
-    writeAreaVector(surface, first, sum);
-    const x = sum[0];
-    const y = sum[1];
-    const z = sum[2];
-    all += Math.abs(x) + Math.abs(y) + Math.abs(z);
-    let h = first;
-    do {
-      const v = 3 * toVertex[h];
-      sums[v] += x;
-      sums[v + 1] += y;
-      sums[v + 2] += z;
-      h = next[h];
-    } while (h !== first);
+    const h = faceHalfedge[f];
+    if (!(h >= 0)) continue;
+    const second = next[h];
+    if (next[next[second]] !== h) {
+      all += spreadPolygon(surface, h, sums);
+      continue;
+    }
+    // `writeTriangleVector`, written out: by way of `sum`, it takes a fifth more.
+    const o = 3 * toVertex[h];
+    const a = 3 * toVertex[second];
+    const b = 3 * toVertex[h ^ 1];
+    const ox = positions[o];
+    const oy = positions[o + 1];
+    const oz = positions[o + 2];
+    const ax = positions[a] - ox;
+    const ay = positions[a + 1] - oy;
+    const az = positions[a + 2] - oz;
+    const bx = positions[b] - ox;
+    const by = positions[b + 1] - oy;
+    const bz = positions[b + 2] - oz;
+    const x = ay * bz - az * by;
+    const y = az * bx - ax * bz;
+    const z = ax * by - ay * bx;
+    all += abs(x) + abs(y) + abs(z);
+    sums[o] += x;
+    sums[o + 1] += y;
+    sums[o + 2] += z;
+    sums[a] += x;
+    sums[a + 1] += y;
+    sums[a + 2] += z;
+    sums[b] += x;
+    sums[b + 1] += y;
+    sums[b + 2] += z;
   }
-  writeUnitVectors(sums, LEAST * all, out, () => lengthsAround(surface, slots));
+  writeUnitVectors(sums, 3 * slots, LEAST * all, out, () => lengthsAround(surface, slots));
 }
+
+/** Adds the area vector of a face to those at its corners. Returns the sum of its absolute values. */
+function spreadPolygon(surface: Surface, first: number, sums: Float64Array): number {
+  const { next, toVertex } = surface;
+  writePolygonVector(surface, first, sum);
+  const { 0: x, 1: y, 2: z } = sum;
+  let h = first;
+  do {
+    const v = 3 * toVertex[h];
+    sums[v] += x;
+    sums[v + 1] += y;
+    sums[v + 2] += z;
+    h = next[h];
+  } while (h !== first);
+  return abs(x) + abs(y) + abs(z);
+}
+
+/**
+ * At least so many zeros to add vectors up in. The array is kept for the next mesh as long as nothing else needs the
+ * memory: for a quarter of a million vertices, new memory took longer than their normals.
+ */
+export function sumsOf(length: number): Float64Array {
+  const kept = sums?.deref();
+  if (kept !== undefined && kept.length >= length) return kept.fill(0, 0, length);
+  const fresh = newArray('the sums of normals', Float64Array, length);
+  sums = new WeakRef(fresh);
+  return fresh;
+}
+let sums: WeakRef<Float64Array> | undefined;
 
 /** By vertex slot, the lengths of the area vectors of its faces together. */
 function lengthsAround(surface: Surface, slots: number): Float64Array {
@@ -337,31 +399,32 @@ function lengthsAround(surface: Surface, slots: number): Float64Array {
 }
 
 /**
- * Writes the directions of sums around vertices. One that is longer than `least`, a share of all faces together, is
+ * Writes the directions of the first `length` / 3 sums around vertices. One that is longer than `least`, a share of all faces together, is
  * long beside its own faces; for the others, these are asked: `lengthsOf` adds up their lengths, by vertex.
  */
 export function writeUnitVectors(
   sums: Float64Array,
+  length: number,
   least: number,
   out: Floats,
   lengthsOf: () => Float64Array,
 ): void {
   let lengths: Float64Array | undefined;
-  for (let i = 0; i < sums.length; i += 3) {
+  for (let i = 0; i < length; i += 3) {
     const x = sums[i];
     const y = sums[i + 1];
     const z = sums[i + 2];
-    const length = lengthOf(x, y, z);
-    if (length > least) {
-      out[i] = x / length;
-      out[i + 1] = y / length;
-      out[i + 2] = z / length;
+    const long = lengthOf(x, y, z);
+    if (long > least) {
+      out[i] = x / long;
+      out[i + 1] = y / long;
+      out[i + 2] = z / long;
     } else {
       lengths ??= lengthsOf();
-      const isGood = length > LEAST * lengths[i / 3];
-      out[i] = isGood ? x / length : 0;
-      out[i + 1] = isGood ? y / length : 0;
-      out[i + 2] = isGood ? z / length : 0;
+      const isGood = long > LEAST * lengths[i / 3];
+      out[i] = isGood ? x / long : 0;
+      out[i + 1] = isGood ? y / long : 0;
+      out[i + 2] = isGood ? z / long : 0;
     }
   }
 }
@@ -453,5 +516,6 @@ export const parts = {
   measureCorner,
   noOrbit,
   writeDirection,
-  writeVector,
+  writeTriangleVector,
+  writeUnit,
 };

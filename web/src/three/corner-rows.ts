@@ -114,7 +114,7 @@ export class CornerRows extends GeometryRows {
   #writeSmoothNormals(vertices: readonly number[], moved: readonly number[]): void {
     if (this.normal === undefined) return;
     if (isMost(moved, this.mesh)) {
-      const normals = this.mesh.allVertexNormals();
+      const normals = this.allNormals();
       const { slots, buffer } = this.triangles;
       for (let row = 0; row < 3 * slots.end; row++) {
         if (slots.faceOf[Math.floor(row / 3)] >= 0)

@@ -32,6 +32,7 @@ export abstract class GeometryRows {
   readonly normal: RowBuffer | undefined;
   protected readonly mesh: HalfedgeMesh;
   protected readonly triangles: TriangleIndex;
+  #allNormals: Float32Array | undefined;
   readonly #shown: readonly { readonly info: AttributeInfo; readonly buffer: RowBuffer }[];
 
   constructor({ mesh, attributes, normals }: ShownRows, triangles: TriangleIndex) {
@@ -74,6 +75,12 @@ export abstract class GeometryRows {
   /** Makes room for so many rows. */
   protected reserve(rows: number): void {
     for (const [, buffer] of this.buffers) buffer.reserve(rows);
+  }
+
+  /** By vertex, in the same array each time: where most vertices have moved, they will as a rule move again. */
+  protected allNormals(): Float32Array {
+    this.#allNormals = this.mesh.allVertexNormals(this.#allNormals);
+    return this.#allNormals;
   }
 
   /** The attributes shown, as they lie in memory until something allocates. */

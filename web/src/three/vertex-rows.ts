@@ -17,7 +17,7 @@ export class VertexRows extends GeometryRows {
     const { mesh } = this;
     this.#reserveVertices();
     this.points.set(mesh.positions);
-    this.normal?.array.set(mesh.allVertexNormals());
+    if (this.normal) mesh.allVertexNormals(this.normal.array as Float32Array);
     for (const { buffer, values } of this.columns()) buffer.array.set(values);
   }
 
@@ -47,7 +47,7 @@ export class VertexRows extends GeometryRows {
   ): void {
     if (this.normal === undefined) return;
     if (isMost(moved, this.mesh)) {
-      const normals = this.mesh.allVertexNormals();
+      const normals = this.allNormals();
       for (const v of this.mesh.vertices()) this.normal.write(v, normals, 3 * v);
       return;
     }
