@@ -42,8 +42,8 @@ class NewDirectedEdges {
   Address address_;
 };
 
-val build(Address positions, std::size_t position_count, Address corners,
-          std::size_t corner_count) {
+val build_directed(Address positions, std::size_t position_count, Address corners,
+                   std::size_t corner_count) {
   NewDirectedEdges mesh;
   if (!mesh) return failure(no_room_for_a_mesh());
   BuildReport report;
@@ -72,7 +72,7 @@ val to_full(Address address) {
 }
 
 /// The words that `DirectedLinks.refresh` reads. They are good until the next call.
-Address layout(Address address) {
+Address directed_layout(Address address) {
   static std::array<std::uint32_t, 9> words;
   const auto at = [](const auto* data) {
     return static_cast<std::uint32_t>(reinterpret_cast<Address>(data));
@@ -99,10 +99,10 @@ val validate_directed(Address mesh, int level) {
 
 EMSCRIPTEN_BINDINGS(directed_edges) {
   using emscripten::function;
-  function("buildDirectedEdges", &build);
+  function("buildDirectedEdges", &build_directed);
   function("directedEdgesFromMesh", &from_full);
   function("directedEdgesToMesh", &to_full);
   function("destroyDirectedEdges", &destroy);
-  function("directedEdgesLayout", &layout);
+  function("directedEdgesLayout", &directed_layout);
   function("validateDirectedEdges", &validate_directed);
 }
