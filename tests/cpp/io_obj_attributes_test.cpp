@@ -1,6 +1,7 @@
 // Attributes of OBJ files: what is read, where it goes, and that it is written back.
 
 #include <gtest/gtest.h>
+#include <halfedge/mend/mend.h>
 #include <halfedge/operations/deletion.h>
 
 #include <cstdint>
@@ -73,6 +74,51 @@ TEST(ObjAttributes, AreReadByCornerAndByName) {
   EXPECT_EQ(file.value().names[2].names, (Strings{"", "two words"}));
   EXPECT_EQ(file.value().names[3].attribute, "library");
   EXPECT_EQ(file.value().names[3].names, (Strings{"a.mtl b c.mtl"}));
+}
+
+// Four triangles around a square hole, of which each has a seam to the next.
+TEST(ObjAttributes, OfCornersReachAcrossABoundary) {
+  test::MeshFile read = read_mesh(R"(
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 0
+v 0.5 -1 0
+v 2 0.5 0
+v 0.5 2 0
+v -1 0.5 0
+vt 0.1 0
+vt 0.2 0
+vt 0.3 0
+vt 0.4 0
+vt 0.5 0
+vt 0.6 0
+vt 0.7 0
+vt 0.8 0
+vt 0.9 0
+f 2/1 1/2 5/9
+f 3/3 2/4 6/9
+f 4/5 3/6 7/9
+f 1/7 4/8 8/9
+)");
+  ASSERT_EQ(read.error, "");
+  Mesh& mesh = read.mesh;
+  const Attribute& uv = *mesh.find_attribute(ItemKind::kHalfedge, "uv");
+  for (const Halfedge h : mesh.halfedges()) {
+    if (!mesh.is_boundary(h)) continue;
+    EXPECT_EQ(uv.get(h.index(), 0), uv.get(Mesh::opposite(mesh.next(h)).index(), 0));
+    EXPECT_GT(uv.get(h.index(), 0), 0);
+  }
+  const Index before = mesh.face_count();
+  const Result<mend::Report> report = mend::fill_holes(mesh, {.max_edges = 4, .max_angle = 180});
+  ASSERT_TRUE(report);
+  ASSERT_EQ(mesh.face_count(), before + 2);
+  for (const Index f : report.value().faces) {
+    for (const Halfedge h : mesh.face_halfedges_ccw(Face(f))) {
+      EXPECT_GT(uv.get(h.index(), 0), 0);
+      EXPECT_LT(uv.get(h.index(), 0), 0.9F);
+    }
+  }
 }
 
 TEST(ObjAttributes, MayBeLeftOut) {

@@ -148,6 +148,12 @@ describe('readGltf', () => {
       [1, 1],
       [1, 1],
     ]);
+    // What would fill a hole gets what the face beside it has.
+    for (const h of mesh.halfedges()) {
+      if (mesh.face(h) !== -1) continue;
+      const beside = mesh.opposite(mesh.next(h));
+      expect(uv.slice(2 * h, 2 * h + 2)).toEqual(uv.slice(2 * beside, 2 * beside + 2));
+    }
   });
 
   test('reads quantised and interleaved positions, whose last row ends with the file', async () => {

@@ -210,7 +210,7 @@ export abstract class Mending extends Modelling {
   /**
    * Fills boundary loops with triangles, without new vertices, so that they fold little against each other
    * and the faces around. New faces and edges have default attributes; corners get those of the
-   * boundary halfedges, which are zeros in a mesh from a file.
+   * boundary halfedges, which in a mesh from a file are those of the faces beside the hole.
    *
    * Three kinds of loops are left: those with more edges than allowed (`large-hole`), those whose filling
    * would fold over (`folding-hole`), and those for which each triangulation found joins vertices that are

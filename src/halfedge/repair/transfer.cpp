@@ -80,6 +80,10 @@ bool Transfer::find_corners() {
     }
     begin += size;
   }
+  // Where a hole may be filled: what the next face around the vertex has there.
+  for (std::size_t h = 0; h < links_.face.size(); ++h) {
+    if (links_.face[h] == kNone) corners_[h] = corners_[links_.next[h] ^ 1U];
+  }
   return true;
 }
 

@@ -48,11 +48,18 @@ export function addAttributes(
   if (attributes.length === 0) return;
   const corners = cornersOf(mesh, report, indices);
   const toVertex = mesh.connectivity.toVertex.slice(); // adding attributes can detach the views
+  const beside = withBoundary(mesh, corners);
   for (const attribute of attributes) {
     const rows = rowsByVertex(attribute, corners, toVertex, report.vertexOrigin);
-    if (rows === undefined) fill(mesh, 'halfedge', attribute, corners);
+    if (rows === undefined) fill(mesh, 'halfedge', attribute, beside);
     else fill(mesh, 'vertex', attribute, rows);
   }
+}
+
+/** A halfedge without a face gets what the next face around its vertex has there, as in files that the core reads. */
+function withBoundary(mesh: HalfedgeMesh, corners: Int32Array): Int32Array {
+  const { next, face } = mesh.connectivity;
+  return corners.map((row, h) => (face[h] < 0 ? corners[next[h] ^ 1] : row));
 }
 
 /** By halfedge of the mesh of a soup: the vertex of the soup in the corner where it ends, or -1. */
