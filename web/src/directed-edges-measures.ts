@@ -10,11 +10,11 @@ const {
   lengthOf,
   measureCorner,
   noOrbit,
+  spreadTriangle,
   writeDirection,
   writeTriangleVector,
   writeUnit,
 } = parts;
-const { abs } = Math;
 type DirectedLinks = directed.DirectedLinks;
 
 // The measures of measures.ts over Directed Edges, to the last bit. They stand apart from those, as the circulators do:
@@ -188,32 +188,7 @@ export function writeVertexNormals(links: DirectedLinks, out: Floats): void {
   const sums = sumsOf(3 * vertices);
   let all = 0;
   for (let h = 0; h < sides; h += 3) {
-    // As in measures.ts.
-    const o = 3 * toVertex[h];
-    const a = 3 * toVertex[h + 1];
-    const b = 3 * toVertex[h + 2];
-    const ox = positions[o];
-    const oy = positions[o + 1];
-    const oz = positions[o + 2];
-    const ax = positions[a] - ox;
-    const ay = positions[a + 1] - oy;
-    const az = positions[a + 2] - oz;
-    const bx = positions[b] - ox;
-    const by = positions[b + 1] - oy;
-    const bz = positions[b + 2] - oz;
-    const x = ay * bz - az * by;
-    const y = az * bx - ax * bz;
-    const z = ax * by - ay * bx;
-    all += abs(x) + abs(y) + abs(z);
-    sums[o] += x;
-    sums[o + 1] += y;
-    sums[o + 2] += z;
-    sums[a] += x;
-    sums[a + 1] += y;
-    sums[a + 2] += z;
-    sums[b] += x;
-    sums[b + 1] += y;
-    sums[b + 2] += z;
+    all += spreadTriangle(positions, sums, toVertex[h], toVertex[h + 1], toVertex[h + 2]);
   }
   writeUnitVectors(sums, 3 * vertices, LEAST * all, out, () => lengthsAround(links));
 }
