@@ -42,7 +42,8 @@ class Transfer {
 /// Adds the columns beside a soup to the mesh that was built of it, as its attributes. They follow
 /// their items where a repair has welded, doubled, dropped or turned over: what was welded has the
 /// value of the vertex whose position it has; a copy has that of its original; a corner keeps its
-/// own. Halfedges without a face have what the face has that follows on them around their vertex.
+/// own. Halfedges without a face have what the face has that follows on them around their vertex;
+/// in a mesh that doesn't store which these are, zeros.
 ///
 /// `report` is that of `build_from_soup`, or null after a strict build. The columns are used up one
 /// after the other, so that memory is needed for one more at most.
