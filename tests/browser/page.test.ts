@@ -103,6 +103,29 @@ describe('The page', () => {
     await explorer.close();
   });
 
+  test('has cards of glass only where a graphics card draws, and nobody asks for less transparency', async () => {
+    const explorer = await ExplorerPage.open();
+    const { page } = explorer;
+    const look = () =>
+      page.$eval('.panel.card', (card) => {
+        const { backgroundColor, backdropFilter } = getComputedStyle(card);
+        return [backgroundColor, backdropFilter];
+      });
+    const opaque = ['color(srgb 1 1 1)', 'none'];
+    expect(await page.getAttribute('html', 'data-cards')).toBe('opaque'); // this one has no graphics card
+    expect(await look()).toEqual(opaque);
+    await page.evaluate(() => {
+      document.documentElement.dataset.cards = 'glass';
+    });
+    expect(await look()).toEqual(['rgba(255, 255, 255, 0.88)', 'blur(14px) saturate(1.3)']);
+    const session = await page.context().newCDPSession(page);
+    const features = [{ name: 'prefers-reduced-transparency', value: 'reduce' }];
+    await session.send('Emulation.setEmulatedMedia', { features });
+    expect(await look()).toEqual(opaque);
+    await session.detach();
+    await explorer.close();
+  });
+
   test.each([false, true])('fits a telephone (dark: %s)', async (dark) => {
     const explorer = await ExplorerPage.open({ width: 390, height: 844, phone: true, dark });
     const { page } = explorer;

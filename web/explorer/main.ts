@@ -25,6 +25,7 @@ import { AddressFollower, hasLink } from './ui/address.js';
 import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { emptyState } from './ui/empty-state.js';
+import { chooseGlass } from './ui/glass.js';
 import { listenToKeys } from './ui/keyboard.js';
 import { leftNotice } from './ui/left-notice.js';
 import {
@@ -64,6 +65,7 @@ async function start(): Promise<void> {
   const app = h('div', { id: 'app' }, stage);
   document.body.append(app);
   const view = new View(explorer, canvas, labels);
+  chooseGlass(canvas);
   theme.current.subscribe(() => view.applyTheme());
   const side = panel(explorer, {
     goTo: (item) => {
