@@ -40,6 +40,43 @@ describe('A file', () => {
     await explorer.screenshot('dropped-1280-light');
   });
 
+  test('whose z points up is stood up, and stays upright when it is turned', async () => {
+    const { page } = explorer;
+    // Three times as high as wide.
+    await explorer.drop('tower.off', TETRAHEDRON.replace('0 0 1\n', '0 0 3\n'));
+    await explorer.ready('tower.off');
+    /** How far the top is to the right of the foot on the screen, and how far above it. */
+    const rise = async () => {
+      const at = await explorer.projection();
+      const [[x, y], [topX, topY]] = [at([0, 0, 0]), at([0, 0, 3])];
+      return [topX - x, y - topY] as const;
+    };
+    expect(Math.abs((await rise())[0])).toBeGreaterThan(20);
+    await page.click('[data-tab-button=mesh]');
+    await page.click('.up-choice label:has-text("z")');
+    const expectUpright = async () => {
+      const [right, up] = await rise();
+      expect(up).toBeGreaterThan(100);
+      // Lines that are upright meet far below and above the picture.
+      expect(Math.abs(right)).toBeLessThan(0.2 * up);
+    };
+    await expectUpright();
+    await explorer.screenshot('z-up-1280-light');
+    await page.focus('main.stage canvas');
+    await explorer.press('ArrowLeft', 'ArrowLeft', 'ArrowUp');
+    await expectUpright();
+    await page.mouse.move(300, 500);
+    await page.mouse.down();
+    await page.mouse.move(420, 470, { steps: 4 });
+    await page.mouse.up();
+    await expectUpright();
+    await explorer.press('0');
+    await expectUpright();
+    await explorer.press('y');
+    expect(Math.abs((await rise())[0])).toBeGreaterThan(20);
+    expect(await page.isChecked('.up-choice [value=y]')).toBe(true);
+  });
+
   test('that is chosen in the dialog opens', async () => {
     const chooser = explorer.page.waitForEvent('filechooser');
     await explorer.page.click('[data-open]');

@@ -72,6 +72,25 @@ describe('a link', () => {
     expect([explorer.tab.value, explorer.pickMode.value]).toEqual(['records', 'halfedge']);
   });
 
+  test('has the axis that points up, unless it is y', async () => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const plain = share.linkOf(explorer, sight);
+    expect(plain).not.toContain('up=');
+    explorer.setUp('z');
+    const link = share.linkOf(explorer, sight);
+    expect(link).toContain('&up=z&');
+    await share.follow(plain, explorer, sight);
+    expect(explorer.up.value).toBe('y');
+    await share.follow(link, explorer, sight);
+    expect(explorer.up.value).toBe('z');
+    const wrong = link.replace('up=z', 'up=x');
+    await expect(share.follow(wrong, explorer, sight)).rejects.toThrow(
+      'It has up=x; expected y or z.',
+    );
+  });
+
   test('has the problem that is lit of a sample, not of a file, of which it has the mesh alone', async () => {
     const sight = sightAt([1, 2, 3, 0, 0, 0]);
     const light = (explorer: InstanceType<typeof Explorer>) => {

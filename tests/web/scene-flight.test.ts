@@ -1,4 +1,4 @@
-import { Vector3 } from 'three';
+import { Quaternion, Vector3 } from 'three';
 import { Flight, type Pose } from '../../dist/scene/flight.js';
 
 const pose = (x: number, y: number, z: number, target = new Vector3()): Pose => ({
@@ -46,9 +46,28 @@ test('A flight goes around the shorter way', () => {
 test('A flight begins gently, unless the camera is moving already', () => {
   const [from, goal] = [pose(0, 0, 5), pose(5, 0, 0)];
   const moved = (isUnderWay: boolean) => {
-    const [first, second] = wayOf(new Flight(from, goal, 0, isUnderWay));
+    const [first, second] = wayOf(new Flight(from, goal, 0, { isUnderWay }));
     return degrees(first, second);
   };
   expect(moved(false)).toBeLessThan(1);
   expect(moved(true)).toBeGreaterThan(6);
+});
+
+test('A flight where z points up is the same, laid on its side', () => {
+  const upright = new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(0, 1, 0));
+  const down = upright.clone().invert();
+  const laid = ({ target, position }: Pose): Pose => ({
+    target: target.clone().applyQuaternion(down),
+    position: position.clone().applyQuaternion(down),
+  });
+  const [from, goal] = [pose(0.2, 1, 5), pose(1, 2, -4, new Vector3(1, 2, 3))];
+  const [usual, turned] = [
+    wayOf(new Flight(from, goal, 0)),
+    wayOf(new Flight(laid(from), laid(goal), 0, { upright })),
+  ];
+  expect(turned).toHaveLength(usual.length);
+  usual.map(laid).forEach(({ target, position }, i) => {
+    expect(turned[i].position.distanceTo(position)).toBeLessThan(1e-9);
+    expect(turned[i].target.distanceTo(target)).toBeLessThan(1e-9);
+  });
 });

@@ -1,4 +1,5 @@
 import type { AttributeNames, Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
+import type { UpAxis } from 'halfedge/scene';
 import {
   type Circulator,
   CirculatorPlayer,
@@ -87,10 +88,16 @@ export class Explorer {
   readonly labels = new Signal<LabelChoice>(NO_LABELS);
   /** Whether the links (1)–(7) of the selected item are drawn as arrows. */
   readonly pointers = new Signal(false);
+  /** Which axis of the mesh points up in the picture. */
+  readonly up = new Signal<UpAxis>('y');
   /** A remark on the last key or entry that led nowhere; read out by screen readers. */
   readonly remark = new Signal('');
   readonly editor: Editor;
 
+  /** What was chosen for a mesh, or for the one that it was made of. */
+  readonly #ups = new WeakMap<HalfedgeMesh, UpAxis>();
+  /** What was chosen for a file last: files don't tell, and those of one program have the same. */
+  #upOfFiles: UpAxis = 'y';
   readonly #preferred = new Map<string, { group: number; name: string }>();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #measuring: ReturnType<typeof setTimeout> | undefined;
@@ -254,6 +261,15 @@ export class Explorer {
     this.#measure();
   }
 
+  /** Lets another axis point up, for this mesh and for the files to come. */
+  setUp(axis: UpAxis): void {
+    this.up.value = axis;
+    const { value: opened } = this.document;
+    if (!opened) return;
+    this.#ups.set(opened.mesh, axis);
+    if (opened.sample === null) this.#upOfFiles = axis;
+  }
+
   /** Walks along the link with that key, as the inspector shows it. */
   walk(key: WalkKey): void {
     const { value: selected } = this.selected;
@@ -349,6 +365,7 @@ export class Explorer {
     if (madeBy !== null) editor.goOn(madeBy);
     else if (isEdited) editor.goOn(`open ${opened.name}`);
     else editor.replace(`open ${opened.name}`);
+    if (madeBy !== null) this.#ups.set(opened.mesh, this.up.value);
     this.#put(opened);
     if (isEdited) editor.left.value = before?.name ?? null;
     else if (madeBy === null) before?.mesh.dispose();
@@ -364,6 +381,8 @@ export class Explorer {
     this.facts.value = null;
     this.#leaveProblems();
     this.#offerQueries();
+    const usual = opened.sample === null ? this.#upOfFiles : 'y';
+    this.up.value = this.#ups.get(opened.mesh) ?? usual;
     this.document.value = opened;
     this.#measure();
   }

@@ -1,5 +1,6 @@
 import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { type AttributeNames, type Direction, HalfedgeMesh, type Problem } from 'halfedge';
+import type { UpAxis } from 'halfedge/scene';
 import {
   type Deed,
   type DialectId,
@@ -40,7 +41,7 @@ const MOST_LETTERS_READ = 200_000;
 
 /**
  * The state of the page as the part of an address after `#`: sample or mesh, edits, selection,
- * circulator, names, tab and camera, each a word that can be read and changed by hand.
+ * circulator, names, tab, upright axis and camera, each a word that can be read and changed by hand.
  *
  * @throws Error with a sentence where the mesh is too large for a link
  */
@@ -83,6 +84,7 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   }
   if (explorer.tab.value !== firstTab(opened)) link.set('tab', explorer.tab.value);
   if (explorer.pickMode.value !== 'auto') link.set('pick', explorer.pickMode.value);
+  if (explorer.up.value !== 'y') link.set('up', explorer.up.value);
   const viewpoint = sight.viewpoint();
   if (viewpoint) link.set('camera', cameraText(viewpoint));
   // These read better as they are, and are allowed there.
@@ -113,6 +115,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   const link = new URLSearchParams(text);
   if (!(await openMeshOf(link, explorer))) return;
   repeatEdits(link.get('edits'), explorer);
+  explorer.setUp(upOf(link.get('up') ?? 'y'));
   const camera = link.get('camera');
   const selected = link.get('select');
   if (selected !== null) selectIn(selected, explorer);
@@ -285,6 +288,11 @@ function cameraText(viewpoint: Viewpoint): string {
   const decimals = Math.ceil(4 - Math.log10(distance));
   if (!(Math.abs(decimals) <= 100)) return viewpoint.join(',');
   return viewpoint.map((x) => Number(x.toFixed(Math.max(0, decimals)))).join(',');
+}
+
+function upOf(text: string): UpAxis {
+  if (text !== 'y' && text !== 'z') throw new Error(`It has up=${text}; expected y or z.`);
+  return text;
 }
 
 function viewpointOf(text: string): Viewpoint {

@@ -75,6 +75,9 @@ export class View {
     this.stage.onFrame(() => {
       this.lacksRoomForNames.value = this.#namesNeedRoom() && !this.#picture.hasRoomForNames;
     });
+    explorer.up.subscribe((axis) => {
+      this.stage.up = axis;
+    });
     explorer.document.subscribe((opened) => this.#show(opened));
     explorer.editor.edit.subscribe((edit) => {
       if (edit) this.#picture.change(edit);
@@ -214,7 +217,8 @@ export class View {
     const { surface } = shown;
     this.#measure();
     this.#soup.set(opened.diagnosis, surface.placement);
-    this.stage.lookAtAll(surface.points, new Vector3(...opened.view));
+    const view = new Vector3(...opened.view).applyQuaternion(this.stage.upright.invert());
+    this.stage.lookAtAll(surface.points, view);
     // The vertex that the sample names, or one in plain sight.
     const { start } = opened;
     const first = start === null ? null : ({ kind: 'vertex', index: start } as const);

@@ -20,6 +20,7 @@ export function listenToKeys(explorer: Explorer, view: View, openHelp: () => voi
     c: () => explorer.setDirection(explorer.direction.value === 'ccw' ? 'cw' : 'ccw'),
     z: () => view.focus(),
     '0': () => view.travel.fit(),
+    y: () => explorer.setUp(explorer.up.value === 'y' ? 'z' : 'y'),
     r: () => explorer.showFile(!explorer.showsFile.value),
     k: () => {
       explorer.pointers.value = !explorer.pointers.value;

@@ -57,8 +57,27 @@ export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePictu
     validity,
     problems.element,
     loops.element,
+    upChoice(explorer),
     downloads(explorer, takePicture),
   );
+}
+
+/** Which axis points up: files don't tell, and those of CAD and of scanners mostly mean z. */
+function upChoice(explorer: Explorer): HTMLElement {
+  const axes = h('div', { class: 'segments', role: 'radiogroup', 'aria-labelledby': 'up-title' });
+  for (const axis of ['y', 'z'] as const) {
+    const input = h('input', {
+      type: 'radio',
+      name: 'up',
+      value: axis,
+      onchange: () => explorer.setUp(axis),
+    });
+    explorer.up.subscribe((current) => {
+      input.checked = current === axis;
+    });
+    axes.append(h('label', { title: `${axis} points up (Y)` }, input, axis));
+  }
+  return h('div', { class: 'up-choice' }, h('span', { id: 'up-title' }, 'Points up'), axes);
 }
 
 function count(

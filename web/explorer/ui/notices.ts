@@ -162,6 +162,7 @@ const KEYS: readonly [string[], string][] = [
   [['Z', '0'], 'zoom to the selection, to the mesh'],
   [['←', '→', '↑', '↓'], 'orbit'],
   [['+', '−'], 'zoom'],
+  [['Y'], 'y or z points up'],
   [['K'], 'draw the links (1)–(7) of the selected item as arrows'],
   [['L'], 'names of items: at the selection, at the pointer, of all, none'],
   [['G'], 'go to an item by name'],

@@ -1,9 +1,16 @@
-import { Spherical, type Vector3 } from 'three';
+import { Quaternion, Spherical, type Vector3 } from 'three';
 
 /** Where a camera stands, and what it looks at. */
 export interface Pose {
   readonly target: Vector3;
   readonly position: Vector3;
+}
+
+export interface FlightOptions {
+  /** What turns the upright axis into y. */
+  readonly upright?: Quaternion;
+  /** Whether the camera is moving already, and need not get going first. */
+  readonly isUnderWay?: boolean;
 }
 
 const FLIGHT_MS = 420;
@@ -17,17 +24,23 @@ export class Flight {
   readonly #from: Pose;
   readonly #began: number;
   readonly #isUnderWay: boolean;
+  readonly #upright: Quaternion;
   readonly #start: Spherical;
   readonly #end: Spherical;
 
-  /** `isUnderWay`: the camera is moving already, and need not get going first. */
-  constructor(from: Pose, goal: Pose, began: number, isUnderWay = false) {
+  constructor(
+    from: Pose,
+    goal: Pose,
+    began: number,
+    { upright = new Quaternion(), isUnderWay = false }: FlightOptions = {},
+  ) {
     this.#from = from;
     this.goal = goal;
     this.#began = began;
     this.#isUnderWay = isUnderWay;
-    this.#start = around(from);
-    this.#end = around(goal);
+    this.#upright = upright.clone();
+    this.#start = around(from, upright);
+    this.#end = around(goal, upright);
     // Straight above, nothing tells how far around it stands: it comes as it was.
     if (Math.sin(this.#end.phi) < 1e-4) this.#end.theta = this.#start.theta;
     const turn = this.#end.theta - this.#start.theta;
@@ -43,11 +56,13 @@ export class Flight {
     const mix = (p: number, q: number) => p + t * (q - p);
     const radius = a.radius * (b.radius / a.radius) ** t;
     target.lerpVectors(this.#from.target, this.goal.target, t);
-    position.setFromSphericalCoords(radius, mix(a.phi, b.phi), mix(a.theta, b.theta)).add(target);
+    position.setFromSphericalCoords(radius, mix(a.phi, b.phi), mix(a.theta, b.theta));
+    position.applyQuaternion(this.#upright.clone().invert()).add(target);
     return x < 1;
   }
 }
 
-function around({ target, position }: Pose): Spherical {
-  return new Spherical().setFromVector3(position.clone().sub(target)).makeSafe();
+function around({ target, position }: Pose, upright: Quaternion): Spherical {
+  const offset = position.clone().sub(target).applyQuaternion(upright);
+  return new Spherical().setFromVector3(offset).makeSafe();
 }

@@ -17,7 +17,7 @@ export { OwnScreen, type Screen } from './screen.js';
 export { SharedScreen } from './shared-screen.js';
 export { ShownTriangles } from './shown-triangles.js';
 export { SLIDER_STYLES } from './slider-styles.js';
-export { FILE_LAYER, type Insets, MESH_LAYER, Stage } from './stage.js';
+export { FILE_LAYER, type Insets, MESH_LAYER, Stage, type UpAxis } from './stage.js';
 export { Surface } from './surface.js';
 export { SurfaceLook } from './surface-view.js';
 export { type Shown, type Sight, Travel } from './travel.js';

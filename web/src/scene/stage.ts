@@ -5,6 +5,7 @@ import {
   type Mesh,
   type Object3D,
   PerspectiveCamera,
+  Quaternion,
   Scene,
   type ShaderMaterial,
   Vector2,
@@ -32,6 +33,9 @@ export interface Covered {
   readonly left: number;
 }
 
+/** The axis of the mesh that points up in the picture. */
+export type UpAxis = 'y' | 'z';
+
 /** The layer of what shows the mesh. */
 export const MESH_LAYER = 0;
 /** The layer of what shows the file that the mesh was made of: the camera sees one of both. */
@@ -46,6 +50,7 @@ const SHARE = 0.86;
 const MARGIN = 12;
 /** Pixels of an exported picture to the CSS pixel. */
 const CAPTURE_RATIO = 2;
+const UP = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
 /**
  * Canvas, camera and orbit controls. Nothing runs while nothing changes: a frame is drawn when
@@ -54,7 +59,6 @@ const CAPTURE_RATIO = 2;
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.001, 100);
-  readonly controls: OrbitControls;
   readonly size = new Vector2(1, 1);
   readonly #screen: Screen;
   readonly #observer = new ResizeObserver(() => this.#resize());
@@ -65,6 +69,7 @@ export class Stage {
   readonly #ended = new AbortController();
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
+  #controls: OrbitControls;
   #insets: Insets = { top: 0, right: 0, bottom: 0, left: 0 };
   #covered: Covered | null = null;
   /** What was fitted into the picture last, if nobody has moved the camera since. */
@@ -86,21 +91,7 @@ export class Stage {
     this.#key.position.set(-0.5, 0.8, 1.2);
     this.camera.add(this.#key, this.#key.target);
     this.#key.target.position.set(0, 0, -1);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.dampingFactor = 0.12;
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.invalidate());
-    this.controls.addEventListener('start', () => {
-      this.#flight = null;
-      this.#fitted = null;
-      this.#held = true;
-      // It may have been asked for since.
-      this.controls.enableDamping = !prefersReducedMotion();
-      this.controls.saveState();
-    });
-    this.controls.addEventListener('end', () => {
-      this.#held = false;
-    });
+    this.#controls = this.#newControls();
     const takeBack = ({ pointerType }: PointerEvent) => {
       if (pointerType === 'touch') this.#takeBack();
     };
@@ -111,6 +102,51 @@ export class Stage {
     );
     this.#observer.observe(canvas);
     this.#fit();
+  }
+
+  /** What turns the camera by hand; another object once another axis points up. */
+  get controls(): OrbitControls {
+    return this.#controls;
+  }
+
+  #newControls(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.#screen.canvas);
+    controls.dampingFactor = 0.12;
+    controls.zoomToCursor = true;
+    controls.addEventListener('change', () => this.invalidate());
+    controls.addEventListener('start', () => {
+      this.#flight = null;
+      this.#fitted = null;
+      this.#held = true;
+      // It may have been asked for since.
+      controls.enableDamping = !prefersReducedMotion();
+      controls.saveState();
+    });
+    controls.addEventListener('end', () => {
+      this.#held = false;
+    });
+    return controls;
+  }
+
+  /** The axis that points up in the picture; y at first. The picture stands up with it. */
+  set up(axis: UpAxis) {
+    if (this.camera.up[axis] === 1) return;
+    const fitted = this.#fitted;
+    const { target, position } = this.goal;
+    const offset = position.clone().sub(target).applyQuaternion(this.upright);
+    this.camera.up.copy(UP[axis]);
+    this.#hemisphere.position.copy(UP[axis]);
+    // Controls take over the axis when they are made.
+    this.#controls.dispose();
+    this.#controls = this.#newControls();
+    offset.applyQuaternion(this.upright.invert());
+    if (fitted) this.lookAtAll(fitted, offset);
+    else this.look(target, offset, offset.length());
+  }
+
+  /** What turns the axis that points up into y: around it, all that goes by angles is computed. */
+  get upright(): Quaternion {
+    return new Quaternion().setFromUnitVectors(this.camera.up, UP.y);
   }
 
   /** Whether nobody sees the picture: then no frame is drawn, until it is seen again. */
@@ -307,7 +343,9 @@ export class Stage {
       this.look(goal.target, direction, distance);
       return;
     }
-    this.#flight = new Flight(this.pose, goal, performance.now(), this.#flight !== null);
+    const { upright } = this;
+    const isUnderWay = this.#flight !== null;
+    this.#flight = new Flight(this.pose, goal, performance.now(), { upright, isUnderWay });
     this.#fitted = null;
     this.invalidate();
   }

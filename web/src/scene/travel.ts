@@ -73,11 +73,12 @@ export class Travel {
 
   /** Turns the camera around the middle of the picture, by angles in radians. */
   orbit(horizontal: number, vertical: number): void {
-    const offset = new Spherical().setFromVector3(this.#offset(this.#stage.pose));
+    const { upright, pose } = this.#stage;
+    const offset = new Spherical().setFromVector3(this.#offset(pose).applyQuaternion(upright));
     offset.theta += horizontal;
     offset.phi += vertical;
     offset.makeSafe();
-    const direction = new Vector3().setFromSpherical(offset);
+    const direction = new Vector3().setFromSpherical(offset).applyQuaternion(upright.invert());
     this.#stage.look(this.#stage.controls.target.clone(), direction, offset.radius);
   }
 
