@@ -63,7 +63,11 @@ describe('A file', () => {
     await expectUpright();
     await explorer.screenshot('z-up-1280-light');
     await page.focus('main.stage canvas');
-    await explorer.press('ArrowLeft', 'ArrowLeft', 'ArrowUp');
+    const [, height] = await rise();
+    await explorer.press('ArrowLeft', 'ArrowLeft');
+    // It is turned around its own axis, and seen from as high as before.
+    expect((await rise())[1] / height).toBeCloseTo(1, 1);
+    await explorer.press('ArrowUp');
     await expectUpright();
     await page.mouse.move(300, 500);
     await page.mouse.down();
