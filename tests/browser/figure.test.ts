@@ -198,6 +198,7 @@ OFF
     ['src="shape:cube" overlays="glitter"', 'overlays has “glitter”; expected some of halfedges'],
     ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on an edge'],
     ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
+    ['src="shape:cube" up="x"', 'up is “x”; expected y or z.'],
     ['src="shape:cube" step="abc"', 'step is no number; expected how many steps are made.'],
     ['src="shape:cube" speed="fast"', 'speed is no number; expected steps a second, more than 0.'],
     ['src="shape:cube" speed="0"', 'speed is 0; expected steps a second'],
@@ -367,6 +368,39 @@ OFF
       it.map(({ textContent }) => textContent),
     );
     expect(tags).toEqual(['1', '2', 'v3']);
+  });
+
+  test.each([true, false])('stands meshes up whose z points up (WebGL: %s)', async (webgl) => {
+    const tower = 'OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
+    const page = await figures(
+      `<halfedge-figure camera="-2 -3 1"><template>${tower}</template></halfedge-figure>`,
+      { webgl },
+    );
+    await page.ready();
+    /** Where the name of a vertex is in the window, once it is selected. */
+    const placeOf = async (name: string) => {
+      await page.page.$eval(
+        'halfedge-figure',
+        (figure, vertex) => figure.setAttribute('select', vertex),
+        name,
+      );
+      if (webgl) await page.settled();
+      const label = page.page.locator(`halfedge-figure ${webgl ? '.tag' : '.poster text'}`, {
+        hasText: name,
+      });
+      const { x, y } = (await label.boundingBox()) ?? { x: NaN, y: NaN };
+      return { x, y };
+    };
+    const rise = async () => {
+      const [foot, top] = [await placeOf('v0'), await placeOf('v3')];
+      return [top.x - foot.x, foot.y - top.y] as const;
+    };
+    const [aside] = await rise();
+    expect(Math.abs(aside)).toBeGreaterThan(20);
+    await page.figure((figure) => figure.setAttribute('up', 'z'));
+    const [right, up] = await rise();
+    expect(up).toBeGreaterThan(100);
+    expect(Math.abs(right)).toBeLessThan(0.2 * up);
   });
 
   test('without WebGL names faintly what is hidden, and follows keys', async () => {

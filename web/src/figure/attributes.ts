@@ -1,4 +1,5 @@
 import { LitElement } from 'lit';
+import type { UpAxis } from '../scene/up.js';
 import type { Settings } from './model.js';
 import type { Source } from './source.js';
 import type { Trail } from './trail-story.js';
@@ -26,6 +27,7 @@ export abstract class FigureAttributes extends LitElement {
     dialect: { reflect: true },
     controls: { reflect: true },
     camera: { reflect: true },
+    up: { reflect: true },
     theme: { reflect: true },
     speed: { type: Number, reflect: true },
     autoplay: { type: Boolean, reflect: true },
@@ -60,6 +62,8 @@ export abstract class FigureAttributes extends LitElement {
   declare controls: string | null;
   /** A direction to look from, or where the camera stands and what it looks at. */
   declare camera: string | null;
+  /** Which axis of the mesh points up: `y` (as where it is absent) or `z`. */
+  declare up: string | null;
   /** `light`, `dark` or `auto`. */
   declare theme: string | null;
   /** Steps a second. */
@@ -84,7 +88,7 @@ export abstract class FigureAttributes extends LitElement {
   constructor() {
     super();
     this.src = this.select = this.query = this.operation = this.overlays = null;
-    this.controls = this.camera = this.theme = this.alt = this.loading = null;
+    this.controls = this.camera = this.up = this.theme = this.alt = this.loading = null;
     this.bytes = this.trail = null;
     this.direction = 'ccw';
     this.dialect = 'halfedge';
@@ -126,13 +130,21 @@ export abstract class FigureAttributes extends LitElement {
     return isOne && viewpoint.every(Number.isFinite) ? viewpoint : null;
   }
 
+  /** The axis that points up, also where `up` is none. */
+  protected get upAxis(): UpAxis {
+    return this.up === 'z' ? 'z' : 'y';
+  }
+
   /** What is wrong with an attribute that needs no mesh to tell; null for nothing. */
   protected get mistake(): Error | null {
-    const { camera, step, speed, theme, loading, controlNames } = this;
+    const { camera, up, step, speed, theme, loading, controlNames } = this;
     if (camera !== null && !this.viewpoint) {
       return new Error(
         `camera is “${camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
       );
+    }
+    if (up !== null && up !== 'y' && up !== 'z') {
+      return new Error(`up is “${up}”; expected y or z.`);
     }
     if (Number.isNaN(step)) {
       return new Error('step is no number; expected how many steps are made.');

@@ -136,7 +136,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const isGone = selected !== null && !isLive(mesh, selected);
     if (isGone && sameItem(parseItemName(this.select ?? ''), selected)) this.select = null;
     this.#model.refresh(this.settings);
-    this.#view?.show(this.viewpoint ?? this.#view.viewpoint());
+    this.#view?.show(this.viewpoint ?? this.#view.viewpoint(), this.upAxis);
     this.#drawing.forget();
     if (this.#model.story !== story) this.#resume();
     this.requestUpdate();
@@ -164,7 +164,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const another = changed.has('src') || changed.has('build') || changed.has('bytes');
     if (another && this.state !== 'waiting') void this.#load();
     if (this.state !== 'ready') return;
-    const anew = this.#follow(changed.has('camera'));
+    const anew = this.#follow(changed.has('camera') || changed.has('up'));
     // A step that the player has made itself is no reason to rest.
     const { story } = this.#model;
     if ((anew || changed.has('step')) && story && story.position !== this.step) {
@@ -224,7 +224,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   #poster(): TemplateResult | typeof nothing {
     if (this.#view && this.state === 'ready') return nothing;
-    const drawn = this.state === 'ready' ? this.#drawing.draw(this.#model, this.viewpoint) : null;
+    const drawn =
+      this.state === 'ready' ? this.#drawing.draw(this.#model, this.viewpoint, this.upAxis) : null;
     return html`<div class=${`poster ${this.state}`} part="poster">
       <slot name="poster">${drawn}</slot>
     </div>`;
@@ -271,7 +272,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#model.player.speed = this.pace;
     // The view still has the mesh that was shown before.
     this.#follow(false, false);
-    this.#view?.show(this.viewpoint);
+    this.#view?.show(this.viewpoint, this.upAxis);
     this.#view?.update();
     this.#model.player.seek(this.position);
     this.#complain();
@@ -304,7 +305,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const settings = this.settings;
     if (!camera && this.#model.follows(settings)) return false;
     const edit = this.#model.tell(settings);
-    if (camera) this.#view?.look(this.viewpoint);
+    if (camera) this.#view?.look(this.viewpoint, this.upAxis);
     if (draws) this.#view?.update(edit);
     return this.#model.story !== story;
   }

@@ -3,6 +3,7 @@ import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
 import { facesAt } from '../scene/anchors.js';
 import { Surface } from '../scene/surface.js';
+import { UP, type UpAxis, uprightOf } from '../scene/up.js';
 import { type Item, itemName, verticesOf } from '../teaching/items.js';
 import { newellNormal } from '../three/index.js';
 import { ItemPicker } from '../three/item-picker.js';
@@ -27,6 +28,7 @@ const BEHIND = 0.32;
 export class Poster {
   readonly #camera = new PerspectiveCamera(32, WIDTH / HEIGHT, 0.01, 100);
   readonly #moved: () => void;
+  /** Where the eye is, around the axis that points up. */
   readonly #eye = new Spherical(DISTANCE);
   #surface: Surface | null = null;
   #picker: ItemPicker | null = null;
@@ -65,12 +67,12 @@ export class Poster {
     this.#surface = null;
   }
 
-  /** The drawing, seen from `viewpoint`: a direction, or where the eye is and what it looks at. */
-  draw(state: FigureState, viewpoint: readonly number[] | null): TemplateResult | null {
+  /** The drawing, seen from `viewpoint`: a direction, or where the eye is and what it looks at. `up` points up. */
+  draw(state: FigureState, viewpoint: readonly number[] | null, up: UpAxis): TemplateResult | null {
     const { mesh, selected, story } = state;
     if (!mesh) return null;
     const surface = this.#surfaceOf(mesh);
-    this.#look(surface, viewpoint);
+    this.#look(surface, viewpoint, up);
     const lit = new Set(selected?.kind === 'face' ? facesAt(surface, selected) : []);
     const visits = story?.visits ?? [];
     return html`<svg viewBox="0 0 ${WIDTH} ${HEIGHT}" preserveAspectRatio="xMidYMid meet" aria-hidden="true">
@@ -98,16 +100,19 @@ export class Poster {
     return this.#surface;
   }
 
-  #look({ points }: Surface, viewpoint: readonly number[] | null): void {
-    const told = JSON.stringify(viewpoint);
+  #look({ points }: Surface, viewpoint: readonly number[] | null, up: UpAxis): void {
+    const upright = uprightOf(UP[up]);
+    const told = JSON.stringify([viewpoint, up]);
     if (told !== this.#viewpoint) {
       const [position, target] = [0, 3].map((at) => new Vector3().fromArray(viewpoint ?? [], at));
       const from = viewpoint?.length === 6 ? position.sub(target) : position;
-      this.#eye.setFromVector3(viewpoint ? from : frontOf(points));
+      const direction = viewpoint ? from : frontOf(points, up);
+      this.#eye.setFromVector3(direction.applyQuaternion(upright));
       this.#eye.radius = DISTANCE;
       this.#viewpoint = told;
     }
-    this.#camera.position.setFromSpherical(this.#eye);
+    this.#camera.up.copy(UP[up]);
+    this.#camera.position.setFromSpherical(this.#eye).applyQuaternion(upright.invert());
     this.#camera.lookAt(0, 0, 0);
     this.#camera.updateMatrixWorld();
   }

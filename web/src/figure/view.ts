@@ -6,6 +6,7 @@ import { type Captions, MeshPicture } from '../scene/picture.js';
 import { listenToPointer } from '../scene/pointer.js';
 import { SharedScreen } from '../scene/shared-screen.js';
 import { Stage } from '../scene/stage.js';
+import type { UpAxis } from '../scene/up.js';
 import { type Item, linksOf } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { frontOf } from './front.js';
@@ -67,22 +68,26 @@ export class FigureView {
     this.#picture.setPalette(this.#palette);
   }
 
-  /** Shows the mesh of the figure, seen from `camera`: a direction, or where it stands and what it looks at. */
-  show(camera: readonly number[] | null): void {
+  /**
+   * Shows the mesh of the figure, seen from `camera`: a direction, or where it stands and what it looks at. `up` points
+   * up.
+   */
+  show(camera: readonly number[] | null, up: UpAxis): void {
     const { mesh, overlays } = this.#state();
     this.#picture.show(mesh);
     this.#picture.setLayers({
       arrows: overlays.has('halfedges'),
       boundary: overlays.has('boundary'),
     });
-    this.look(camera);
+    this.look(camera, up);
   }
 
   /** See {@link FigureView.show}; without a camera, a place from which the whole mesh is seen well. */
-  look(camera: readonly number[] | null): void {
+  look(camera: readonly number[] | null, up: UpAxis): void {
     const surface = this.#picture.shown?.surface;
     if (!surface) return;
-    const direction = camera ? new Vector3().fromArray(camera) : frontOf(surface.points);
+    this.stage.up = up;
+    const direction = camera ? new Vector3().fromArray(camera) : frontOf(surface.points, up);
     this.stage.lookAtAll(surface.points, direction);
     const { selected } = this.#state();
     if (camera?.length === 6) this.#picture.lookFrom(camera);

@@ -5,7 +5,7 @@ import {
   type Mesh,
   type Object3D,
   PerspectiveCamera,
-  Quaternion,
+  type Quaternion,
   Scene,
   type ShaderMaterial,
   Vector2,
@@ -16,6 +16,7 @@ import type { PickView } from '../three/projection.js';
 import { Flight, type Pose } from './flight.js';
 import { prefersReducedMotion } from './reduced-motion.js';
 import type { Screen } from './screen.js';
+import { UP, type UpAxis, uprightOf } from './up.js';
 
 /** Space that panels cover, in CSS pixels: the picture is centred in what is left. */
 export interface Insets {
@@ -33,9 +34,6 @@ export interface Covered {
   readonly left: number;
 }
 
-/** The axis of the mesh that points up in the picture. */
-export type UpAxis = 'y' | 'z';
-
 /** The layer of what shows the mesh. */
 export const MESH_LAYER = 0;
 /** The layer of what shows the file that the mesh was made of: the camera sees one of both. */
@@ -50,7 +48,6 @@ const SHARE = 0.86;
 const MARGIN = 12;
 /** Pixels of an exported picture to the CSS pixel. */
 const CAPTURE_RATIO = 2;
-const UP = { y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
 /**
  * Canvas, camera and orbit controls. Nothing runs while nothing changes: a frame is drawn when
@@ -137,16 +134,19 @@ export class Stage {
     this.camera.up.copy(UP[axis]);
     this.#hemisphere.position.copy(UP[axis]);
     // Controls take over the axis when they are made.
+    const { enableZoom, enablePan, domElement } = this.#controls;
+    const touchAction = domElement?.style.touchAction ?? '';
     this.#controls.dispose();
-    this.#controls = this.#newControls();
+    this.#controls = Object.assign(this.#newControls(), { enableZoom, enablePan });
+    if (domElement) domElement.style.touchAction = touchAction;
     offset.applyQuaternion(this.upright.invert());
     if (fitted) this.lookAtAll(fitted, offset);
     else this.look(target, offset, offset.length());
   }
 
-  /** What turns the axis that points up into y: around it, all that goes by angles is computed. */
+  /** What turns the axis that points up into y. */
   get upright(): Quaternion {
-    return new Quaternion().setFromUnitVectors(this.camera.up, UP.y);
+    return uprightOf(this.camera.up);
   }
 
   /** Whether nobody sees the picture: then no frame is drawn, until it is seen again. */
