@@ -295,8 +295,8 @@ export class Attributes {
     if (column.changes === links.changes && view.length === length) return view;
     const { core } = links;
     const address = core._attribute_values(column.address) >>> 0;
-    const isGood =
-      view.length === length && view.byteOffset === address && view.buffer === core.memory.buffer;
+    const isThere = view.byteOffset === address && view.buffer === core.memory.buffer;
+    const isGood = view.length === length && (length === 0 || isThere);
     column.changes = links.changes;
     if (!isGood) {
       const View = TYPES[info.type];
