@@ -128,6 +128,16 @@ describe('An attribute', () => {
     expect(atW.sort((a, b) => a - b)).toEqual([1, 1, 11, 11]);
   });
 
+  test('of no items has one view, too, until there are some', () => {
+    using mesh = new HalfedgeMesh();
+    mesh.addVertex();
+    const kept = mesh.attributes.add('face', 'a');
+    mesh.setPosition(0, [1, 1, 1]);
+    expect(mesh.attributes.get('face', 'a')).toBe(kept);
+    mesh.makeLoop();
+    expect(mesh.attributes.get('face', 'a')).toHaveLength(2);
+  });
+
   test('has views that are good as long as get returns the same', () => {
     using mesh = grid();
     const kept = mesh.attributes.add('vertex', 'a', { default: 2 });

@@ -290,6 +290,38 @@ describe('A group', () => {
     expect(stateOf(mesh)).toEqual(before);
   });
 
+  test.each(['undo', 'redo', 'throw'])(
+    'that grew and then closed gaps leaves no ghosts beyond the last item: %s',
+    (way) => {
+      using mesh = triangles();
+      mesh.reserve(100, 100, 100); // so that no array moves
+      mesh.history.enabled = true;
+      const normals = mesh.allVertexNormals();
+      const edit = () => {
+        for (const f of mesh.faces().toArray()) mesh.poke(f, 1);
+        for (const f of mesh
+          .faces()
+          .toArray()
+          .slice(0, way === 'redo' ? 4 : 20))
+          mesh.deleteFace(f);
+        mesh.compact();
+        if (way === 'throw') throw new Error('no');
+      };
+      if (way === 'throw') expect(() => mesh.history.group(edit)).toThrow('no');
+      else mesh.history.group(edit);
+      if (way !== 'throw') mesh.history.undo();
+      if (way === 'redo') mesh.history.redo();
+      else expect(mesh.allVertexNormals()).toEqual(normals);
+      const { vertexSlots, halfedgeSlots, edgeSlots, faceSlots } = mesh;
+      expect(mesh.isLiveVertex(vertexSlots)).toBe(false);
+      expect(mesh.isLiveEdge(edgeSlots)).toBe(false);
+      expect(mesh.isLiveFace(faceSlots)).toBe(false);
+      expect(() => mesh.next(halfedgeSlots)).toThrow(RangeError);
+      expect(() => mesh.vertexHalfedge(vertexSlots)).toThrow(RangeError);
+      expect(() => mesh.degree(faceSlots)).toThrow(RangeError);
+    },
+  );
+
   test('may dispose of the mesh', () => {
     const mesh = triangles();
     mesh.history.enabled = true;

@@ -183,6 +183,16 @@ describe('Views', () => {
     expect(mesh.positions).toBe(points);
   });
 
+  test('are fresh after room was made for more slots, needed or not', () => {
+    using mesh = build();
+    const kept = mesh.connectivity;
+    const points = mesh.positions;
+    mesh.reserve(1000, 1000, 1000);
+    expect(mesh.connectivity).not.toBe(kept);
+    expect(mesh.positions).not.toBe(points);
+    expect(Array.from(mesh.positions)).toEqual(positions);
+  });
+
   test('are fresh after growth of the memory, which leaves kept ones empty', () => {
     using mesh = build();
     const { connectivity, positions: points } = mesh;

@@ -158,8 +158,8 @@ export class Attributes {
   /**
    * The live values of an attribute, zero-copy: `components` numbers for each slot, in an array of the
    * attribute's type. Write to it to set them. It becomes stale in the same way as `positions`: when the
-   * number of slots changes, when the WebAssembly memory grows, or when the mesh is disposed of. It is good
-   * exactly as long as the next `get` returns the same array.
+   * number of slots changes or room is made for more of them, when the WebAssembly memory grows, or when the
+   * mesh is disposed of. It is good exactly as long as the next `get` returns the same array.
    *
    * @throws RangeError if there is no such attribute
    */
@@ -295,8 +295,8 @@ export class Attributes {
     if (column.changes === links.changes && view.length === length) return view;
     const { core } = links;
     const address = core._attribute_values(column.address) >>> 0;
-    const isGood =
-      view.length === length && view.byteOffset === address && view.buffer === core.memory.buffer;
+    const isThere = view.byteOffset === address && view.buffer === core.memory.buffer;
+    const isGood = view.length === length && (length === 0 || isThere);
     column.changes = links.changes;
     if (!isGood) {
       const View = TYPES[info.type];

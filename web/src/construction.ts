@@ -317,7 +317,7 @@ export abstract class Construction extends Geometry {
 
   /**
    * Reserves room for this many slots, live and deleted, so that no array moves while items are added up to
-   * these numbers.
+   * these numbers. The arrays move now, if they have to, and views of them are stale.
    */
   reserve(vertices: number, edges: number, faces: number): void {
     const links = linksOf(this);

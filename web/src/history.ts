@@ -103,7 +103,7 @@ export class History {
     if (typeof edit !== 'function') refuse('edit', edit, 'a function');
     const links = this.#links;
     links.checkAlive();
-    links.groups += 1;
+    links.beginGroup();
     let succeeded = false;
     try {
       const result = edit() as T;
@@ -111,7 +111,7 @@ export class History {
       succeeded = true;
       return result;
     } finally {
-      links.groups -= 1;
+      links.endGroup();
       if (links.groups === 0 && this.#enabled && !links.disposed) this.#endGroup(succeeded);
     }
   }
@@ -142,7 +142,7 @@ export class History {
     const { core, address } = links;
     checkNoGroup(links, `${way}()`, 'called');
     const moved = way === 'undo' ? core._undo(address) : core._redo(address);
-    links.update();
+    links.updateAfterTravel();
     return moved !== 0;
   }
 
@@ -158,7 +158,7 @@ export class History {
       return;
     }
     core._abandon_step(address);
-    this.#links.update();
+    this.#links.updateAfterTravel();
   }
 }
 

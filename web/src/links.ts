@@ -27,6 +27,16 @@ const ADDRESSES = 7;
 /** What the views hold beyond the last slot: neither an item nor NONE, as in a deleted slot. */
 const BEYOND = -2;
 
+/** Slots of vertices, halfedges and faces. */
+type Slots = [vertices: number, halfedges: number, faces: number];
+
+/** Makes each of `slots` at least what is given. */
+function raise(slots: Slots, vertices: number, halfedges: number, faces: number): void {
+  if (slots[0] < vertices) slots[0] = vertices;
+  if (slots[1] < halfedges) slots[1] = halfedges;
+  if (slots[2] < faces) slots[2] = faces;
+}
+
 /**
  * Live zero-copy views of a mesh's links: index them with the items. Empty links are -1, deleted
  * slots hold other negative values.
@@ -104,6 +114,14 @@ export class Links implements Viewer {
   /** Another number after each call that may have changed or moved something. */
   changes = 0;
 
+  /**
+   * The most slots that there were between the edits of the last group, and in any group that had fewer
+   * both before and after.
+   */
+  #most: Slots = [0, 0, 0];
+  readonly #passed: Slots = [0, 0, 0];
+  #atStart: Slots = [0, 0, 0];
+
   readonly #core: Core;
   readonly #address: number;
   readonly #watch: Watch;
@@ -165,6 +183,7 @@ export class Links implements Viewer {
    * costs next to nothing unless arrays have moved.
    */
   update(): void {
+    if (this.groups > 0) raise(this.#most, this.vertexSlots, this.halfedgeSlots, this.faceSlots);
     const words = this.#words;
     if (this.#haveMoved(words)) {
       this.refresh();
@@ -179,6 +198,42 @@ export class Links implements Viewer {
     if (this.halfedgeSlots >= halfedgeSlots) return;
     for (const links of [this.next, this.prev, this.toVertex, this.face]) {
       links.fill(BEYOND, this.halfedgeSlots);
+    }
+  }
+
+  /** Begins a group of edits that are one step of history, or one within it. */
+  beginGroup(): void {
+    if (this.groups === 0) {
+      this.#atStart = [this.vertexSlots, this.halfedgeSlots, this.faceSlots];
+      this.#most = [0, 0, 0];
+    }
+    this.groups += 1;
+  }
+
+  /** Ends what `beginGroup` has begun. */
+  endGroup(): void {
+    this.groups -= 1;
+    if (this.groups > 0) return;
+    const ends = this.#atStart;
+    raise(ends, this.vertexSlots, this.halfedgeSlots, this.faceSlots);
+    const [vertices, halfedges, faces] = this.#most.map((most, i) => (most > ends[i] ? most : 0));
+    raise(this.#passed, vertices, halfedges, faces);
+  }
+
+  /**
+   * As `update`, after a step of history was undone or done again. If it is a group that has added items
+   * and then closed gaps, that went through more slots than there are now, and left what they held.
+   */
+  updateAfterTravel(): void {
+    this.update();
+    const [vertices, halfedges, faces] = this.#passed;
+    if (vertices > this.vertexSlots) {
+      this.vertexHalfedge.fill(BEYOND, this.vertexSlots, vertices);
+    }
+    if (faces > this.faceSlots) this.faceHalfedge.fill(BEYOND, this.faceSlots, faces);
+    if (halfedges <= this.halfedgeSlots) return;
+    for (const links of [this.next, this.prev, this.toVertex, this.face]) {
+      links.fill(BEYOND, this.halfedgeSlots, halfedges);
     }
   }
 
