@@ -270,6 +270,46 @@ describe('readGltf', () => {
     );
   });
 
+  test('reads rows that reach over the end of a stride, the last as well', async () => {
+    // Rows of 16 bytes; the last position has 12, and the normals begin behind it.
+    const floats = new Float32Array(30);
+    for (let v = 0; v < 4; v++) {
+      floats.set(SQUARE.subarray(3 * v, 3 * v + 3), 4 * v);
+      floats.set([0, 0.6, 0.8], 15 + 4 * v);
+    }
+    const json = document(
+      [
+        { values: floats, type: 'SCALAR' },
+        { values: CORNERS, type: 'SCALAR' },
+      ],
+      { meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 2 }, indices: 1 }] }] },
+    );
+    Object.assign(json.bufferViews[0], { byteStride: 16 });
+    Object.assign(json.accessors[0], { type: 'VEC3', count: 4 });
+    json.accessors.push({ ...json.accessors[0], ...{ byteOffset: 60 } });
+    const { mesh } = await read(json);
+    expect(mesh.positions).toEqual(SQUARE);
+    expect(mesh.attributes.get('vertex', 'normal')).toEqual(
+      Float32Array.from({ length: 12 }, (_, i) => [0, 0.6, 0.8][i % 3]),
+    );
+  });
+
+  test('reads indices with bytes between them, though glTF has none', async () => {
+    const indices = new Uint16Array(12).fill(9);
+    for (const [i, vertex] of CORNERS.entries()) indices[2 * i] = vertex;
+    const json = document(
+      [
+        { values: SQUARE, type: 'VEC3' },
+        { values: indices, type: 'SCALAR' },
+      ],
+      { meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] },
+    );
+    Object.assign(json.bufferViews[1], { byteStride: 4 });
+    json.accessors[1].count = 6;
+    const { mesh } = await read(json);
+    expect([...mesh.toTriangles().indices]).toEqual([...CORNERS]);
+  });
+
   test('says how many corners are left behind the last triangle', async () => {
     const json = square();
     json.accessors[1].count = 5;

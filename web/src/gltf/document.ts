@@ -128,14 +128,18 @@ const COMPONENTS: Record<string, number> = {
   ...{ SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 },
 };
 
+/** Bytes of one number. */
+export const numberSize = ({ componentType }: { readonly componentType: number }): number =>
+  SIZES[componentType];
+
 /** Bytes of the numbers of a row. */
-export const rowSize = ({ componentType, type }: GltfAccessor): number =>
-  SIZES[componentType] * COMPONENTS[type];
+export const rowSize = (accessor: GltfAccessor): number =>
+  numberSize(accessor) * COMPONENTS[accessor.type];
 
 function checkAccessors(accessors: Dictionary[], views: Dictionary[]): void {
   for (const [i, accessor] of accessors.entries()) {
     const what = `accessors[${i}]`;
-    const size = numberSize(`${what}.componentType`, accessor.componentType);
+    const size = checkedSize(`${what}.componentType`, accessor.componentType);
     if (typeof accessor.type !== 'string' || !Object.hasOwn(COMPONENTS, accessor.type)) {
       throw wrong(`${what}.type`, accessor.type, Object.keys(COMPONENTS).join(', '));
     }
@@ -149,7 +153,7 @@ function checkAccessors(accessors: Dictionary[], views: Dictionary[]): void {
     const indices = dictionary(`${what}.sparse.indices`, sparse.indices);
     const values = dictionary(`${what}.sparse.values`, sparse.values);
     const some = count(`${what}.sparse.count`, sparse.count);
-    const width = numberSize(`${what}.sparse.indices.componentType`, indices.componentType);
+    const width = checkedSize(`${what}.sparse.indices.componentType`, indices.componentType);
     checkRange(`${what}.sparse.indices`, indices, { rows: some, bytes: width, size: width }, views);
     checkRange(`${what}.sparse.values`, values, { rows: some, bytes, size }, views);
   }
@@ -181,7 +185,7 @@ function checkRange(
   }
 }
 
-function numberSize(what: string, type: unknown): number {
+function checkedSize(what: string, type: unknown): number {
   if (typeof type === 'number' && Object.hasOwn(SIZES, type)) return SIZES[type];
   throw wrong(what, type, `one of ${Object.keys(SIZES).join(', ')}`);
 }

@@ -20,7 +20,7 @@ import { checkDocument, type GltfDocument } from './document.js';
 import { cornersLeft, join, type Triangles, trianglesOf } from './geometry.js';
 import { isCompressed } from './meshopt.js';
 import { type GltfDecoders, prepare } from './prepare.js';
-import { packSparse } from './sparse.js';
+import { packRows } from './rows.js';
 import { loadLoader, loadMeshoptDecoder, loadThree } from './three.js';
 
 /** How to read a glTF file. */
@@ -108,7 +108,7 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
   const base = isUrl ? { baseUrl: data as URL } : {};
   const joined = await joinBuffers(document, file, { ...base, ...options });
-  const packed = packSparse(joined.document, joined.binary);
+  const packed = packRows(joined.document, joined.binary);
   const glb = makeGlb(packed.document, packed.binary);
   const { scene, parser } = await loadScene(glb, await decodersFor(document, options));
   const { Matrix4 } = await loadThree();
