@@ -380,6 +380,29 @@ describe('readGltf', () => {
     expect((await read(json, { weld: false })).mesh.vertexCount).toBe(6);
   });
 
+  test('reads buffers in data: addresses without base64, byte by byte', async () => {
+    const json = square();
+    const [{ uri, byteLength }] = json.buffers;
+    const bytes = Buffer.from(uri.slice(uri.indexOf(',') + 1), 'base64');
+    // Four bytes that are two letters of UTF-8, as the exponents of floats may be.
+    bytes.set([0xc3, 0xa9, 0xc3, 0x3f], 0);
+    const escaped = bytes.toString('hex').replace(/../g, '%$&');
+    const { mesh } = await read({ ...json, buffers: [{ uri: `data:,${escaped}`, byteLength }] });
+    const [x] = new Float32Array(Uint8Array.of(0xc3, 0xa9, 0xc3, 0x3f).buffer);
+    expect([...mesh.positions]).toEqual([x, ...SQUARE.subarray(1)]);
+  });
+
+  test('reads a large buffer in a data: address without a list of its letters', async () => {
+    const size = 48_000_000;
+    const uri = `data:application/octet-stream;base64,${Buffer.alloc(size).toString('base64')}`;
+    const json = { asset: { version: '2.0' }, buffers: [{ uri, byteLength: size }] };
+    const { cpuUsage } = process;
+    const before = cpuUsage();
+    await read(json);
+    const { user, system } = cpuUsage(before);
+    expect((user + system) / 1e6).toBeLessThan(9); // it took twice as long
+  });
+
   test('gets buffers in other files from where it is told', async () => {
     const json = square();
     const [{ uri, byteLength }] = json.buffers;
