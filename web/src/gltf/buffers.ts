@@ -1,5 +1,6 @@
-import { bytesOf, describe, newArray } from '../arguments.js';
+import { bytesOf, describe } from '../arguments.js';
 import { counted } from '../counted.js';
+import { bytesIn } from '../letters.js';
 import { messageOf } from '../loader.js';
 import { fileError, type GltfFile } from './container.js';
 import type { GltfDocument, GltfView } from './document.js';
@@ -132,13 +133,6 @@ function unescaped(text: string): string {
   return text.replace(/%([\da-f]{2})/gi, (_, byte) =>
     String.fromCharCode(Number.parseInt(byte, 16)),
   );
-}
-
-/** A byte for each letter. By a loop: `Uint8Array.from` first makes a list of all letters. */
-function bytesIn(letters: string): Uint8Array {
-  const bytes = newArray('a buffer', Uint8Array, letters.length);
-  for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
-  return bytes;
 }
 
 /** Another file, which Node's fetch can't get from the disk. */
