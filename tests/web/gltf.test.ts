@@ -320,6 +320,28 @@ describe('readGltf', () => {
     );
   });
 
+  test('says which attributes do not fit the positions', async () => {
+    const json = document(
+      [
+        { values: SQUARE, type: 'VEC3' },
+        { values: CORNERS, type: 'SCALAR' },
+        { values: new Float32Array(9), type: 'VEC3' }, // a row too few
+        { values: new Float32Array(12), type: 'VEC3' }, // a number too many
+      ],
+      {
+        meshes: [
+          { primitives: [{ attributes: { POSITION: 0, NORMAL: 2, TEXCOORD_0: 3 }, indices: 1 }] },
+        ],
+      },
+    );
+    const { mesh, report } = await read(json);
+    expect(mesh.attributes.list()).toEqual([]);
+    expect(report.summary).toContain(
+      'Ignored normal of primitives where it does not fit the positions (1). ' +
+        'Ignored uv of primitives where it does not fit the positions (1).',
+    );
+  });
+
   test('mends what makes no manifold, or refuses it', async () => {
     const clashing = document(
       [

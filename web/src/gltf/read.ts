@@ -17,7 +17,7 @@ import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
 import { checkDocument, type GltfDocument } from './document.js';
-import { cornersLeft, join, type Triangles, trianglesOf } from './geometry.js';
+import { cornersLeft, join, type Triangles, trianglesOf, unfitting } from './geometry.js';
 import { isCompressed } from './meshopt.js';
 import { type GltfDecoders, prepare } from './prepare.js';
 import { packRows } from './rows.js';
@@ -121,6 +121,10 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   checkCorners(meshes);
   const left = meshes.reduce((sum, { geometry }) => sum + cornersLeft(geometry), 0);
   if (left > 0) notes.push(`Ignored corners behind the last triangle of a primitive (${left}).`);
+  for (const name of new Set(meshes.flatMap(({ geometry }) => unfitting(geometry)))) {
+    const count = meshes.filter(({ geometry }) => unfitting(geometry).includes(name)).length;
+    notes.push(`Ignored ${name} of primitives where it does not fit the positions (${count}).`);
+  }
   for (const mesh of meshes) {
     const which = parser.associations.get(mesh)?.meshes ?? -1;
     const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path
