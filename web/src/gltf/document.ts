@@ -105,7 +105,7 @@ function checkViews(views: Dictionary[], buffers: Dictionary[]): void {
     const length = count(`${what}.byteLength`, view.byteLength);
     const size = buffers[buffer].byteLength as number;
     if (offset + length > size) {
-      throw wrong(
+      throw wrongly(
         what,
         `bytes ${offset} to ${offset + length}`,
         `at most ${size} of buffer ${buffer}`,
@@ -209,7 +209,7 @@ function checkMeshes(meshes: Dictionary[], accessors: Dictionary[]): void {
         const { type, componentType } = accessorOf(`${what}.indices`, indices);
         if (type !== 'SCALAR' || !INDEX_TYPES.includes(componentType)) {
           const rows = `${type} of ${componentType}`;
-          throw wrong(`accessors[${indices}]`, rows, 'SCALAR of 5121, 5123 or 5125 for indices');
+          throw wrongly(`accessors[${indices}]`, rows, 'SCALAR of 5121, 5123 or 5125 for indices');
         }
       }
       if (!(Number.isInteger(mode) && (mode as number) >= 0 && (mode as number) <= 6)) {
@@ -228,7 +228,7 @@ function checkNodes(nodes: Dictionary[], meshes: number, accessors: number): voi
     if (node.mesh !== undefined) reference(`${what}.mesh`, node.mesh, meshes);
     for (const child of references(`${what}.children`, node.children, nodes.length)) {
       if (parents[child] >= 0 || child === i) {
-        throw wrong(
+        throw wrongly(
           `nodes[${child}]`,
           `a child of nodes ${Math.max(parents[child], 0)} and ${i}`,
           'one parent',
@@ -262,7 +262,7 @@ function checkNodes(nodes: Dictionary[], meshes: number, accessors: number): voi
     let depth = 0;
     for (let i = start; i >= 0; i = parents[i]) {
       if (++depth > MAX_DEPTH) {
-        throw wrong(
+        throw wrongly(
           `nodes[${start}]`,
           `below ${MAX_DEPTH} others, or below itself`,
           'less than that',
@@ -277,9 +277,14 @@ const MAX_DEPTH = 1000;
 
 // ---- what a value is -------------------------------------------------------------------------------
 
+/** A value of the file. */
 export function wrong(what: string, value: unknown, expected: string): Error {
-  const text = typeof value === 'string' && value.includes(' ') ? value : describe(value);
-  return fileError('parse-error', `glTF: ${what} is ${text}, expected ${expected}.`);
+  return wrongly(what, describe(value), expected);
+}
+
+/** What is wrong, in words. */
+export function wrongly(what: string, words: string, expected: string): Error {
+  return fileError('parse-error', `glTF: ${what} is ${words}, expected ${expected}.`);
 }
 
 function dictionary(what: string, value: unknown): Dictionary {
