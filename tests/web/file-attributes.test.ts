@@ -76,6 +76,13 @@ describe('attributes of files', () => {
     expect(HalfedgeMesh.parse(again).report.names).toEqual(report.names);
   });
 
+  test('have the byte-order marks that begin names', () => {
+    const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl \ufeffoak\nf 1 2 3\n';
+    const { mesh, report } = HalfedgeMesh.parse(text);
+    expect(report.names).toEqual({ material: ['', '\ufeffoak'] });
+    expect(mesh.write('obj', { names: report.names })).toBe(text);
+  });
+
   test('come back in OBJ, with names and seams', () => {
     const mesh = sample();
     mesh.attributes.add('vertex', 'color', { components: 3 });

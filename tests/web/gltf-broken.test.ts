@@ -53,6 +53,7 @@ describe('A glTF file that is none', () => {
     [set('accessors.0.count', 2 ** 60), 'parse-error', 'accessors[0].count is 1152921504606847000'],
     [set('accessors.0.componentType', 5124), 'parse-error', 'componentType is 5124'],
     [set('accessors.0.type', 'toString'), 'parse-error', 'accessors[0].type is "toString"'],
+    [set('accessors.0.type', 'a b\n'), 'parse-error', 'accessors[0].type is "a b\\n", expected'],
     [set('accessors.0.byteOffset', 2), 'parse-error', 'byteOffset is 2, expected a multiple of 4'],
     [
       set('accessors.0', { componentType: FLOAT, count: 4e9, type: 'VEC3' }),
@@ -95,6 +96,14 @@ describe('A glTF file that is none', () => {
     expect(error).toBeInstanceOf(HalfedgeError);
     expect(error.message).toContain(sentence);
     expect(error.code).toBe(code);
+  });
+
+  test('is told on one line, also where names or text are quoted', async () => {
+    const texts = ['v 0 0 0\nv 1 0 0\n', '{"asset":\n\x1b[2J\n', set('extensionsUsed', 'a\nb c')];
+    texts.push(set('meshes.0.primitives.0.attributes', { 'POSITION\n': 9 }));
+    for (const text of texts) {
+      expect((await rejection(readGltf(text))).message).not.toMatch(/\p{Cc}/u);
+    }
   });
 
   test('is told from what is no file', async () => {

@@ -270,6 +270,46 @@ describe('readGltf', () => {
     );
   });
 
+  test('reads rows that reach over the end of a stride, the last as well', async () => {
+    // Rows of 16 bytes; the last position has 12, and the normals begin behind it.
+    const floats = new Float32Array(30);
+    for (let v = 0; v < 4; v++) {
+      floats.set(SQUARE.subarray(3 * v, 3 * v + 3), 4 * v);
+      floats.set([0, 0.6, 0.8], 15 + 4 * v);
+    }
+    const json = document(
+      [
+        { values: floats, type: 'SCALAR' },
+        { values: CORNERS, type: 'SCALAR' },
+      ],
+      { meshes: [{ primitives: [{ attributes: { POSITION: 0, NORMAL: 2 }, indices: 1 }] }] },
+    );
+    Object.assign(json.bufferViews[0], { byteStride: 16 });
+    Object.assign(json.accessors[0], { type: 'VEC3', count: 4 });
+    json.accessors.push({ ...json.accessors[0], ...{ byteOffset: 60 } });
+    const { mesh } = await read(json);
+    expect(mesh.positions).toEqual(SQUARE);
+    expect(mesh.attributes.get('vertex', 'normal')).toEqual(
+      Float32Array.from({ length: 12 }, (_, i) => [0, 0.6, 0.8][i % 3]),
+    );
+  });
+
+  test('reads indices with bytes between them, though glTF has none', async () => {
+    const indices = new Uint16Array(12).fill(9);
+    for (const [i, vertex] of CORNERS.entries()) indices[2 * i] = vertex;
+    const json = document(
+      [
+        { values: SQUARE, type: 'VEC3' },
+        { values: indices, type: 'SCALAR' },
+      ],
+      { meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }] },
+    );
+    Object.assign(json.bufferViews[1], { byteStride: 4 });
+    json.accessors[1].count = 6;
+    const { mesh } = await read(json);
+    expect([...mesh.toTriangles().indices]).toEqual([...CORNERS]);
+  });
+
   test('says how many corners are left behind the last triangle', async () => {
     const json = square();
     json.accessors[1].count = 5;
@@ -277,6 +317,28 @@ describe('readGltf', () => {
     expect(mesh.faceCount).toBe(1);
     expect(report.summary).toMatch(
       / Ignored corners behind the last triangle of a primitive \(2\)\.$/,
+    );
+  });
+
+  test('says which attributes do not fit the positions', async () => {
+    const json = document(
+      [
+        { values: SQUARE, type: 'VEC3' },
+        { values: CORNERS, type: 'SCALAR' },
+        { values: new Float32Array(9), type: 'VEC3' }, // a row too few
+        { values: new Float32Array(12), type: 'VEC3' }, // a number too many
+      ],
+      {
+        meshes: [
+          { primitives: [{ attributes: { POSITION: 0, NORMAL: 2, TEXCOORD_0: 3 }, indices: 1 }] },
+        ],
+      },
+    );
+    const { mesh, report } = await read(json);
+    expect(mesh.attributes.list()).toEqual([]);
+    expect(report.summary).toContain(
+      'Ignored normal of primitives where it does not fit the positions (1). ' +
+        'Ignored uv of primitives where it does not fit the positions (1).',
     );
   });
 
@@ -338,6 +400,29 @@ describe('readGltf', () => {
     );
     expect((await read(json)).mesh.vertexCount).toBe(4);
     expect((await read(json, { weld: false })).mesh.vertexCount).toBe(6);
+  });
+
+  test('reads buffers in data: addresses without base64, byte by byte', async () => {
+    const json = square();
+    const [{ uri, byteLength }] = json.buffers;
+    const bytes = Buffer.from(uri.slice(uri.indexOf(',') + 1), 'base64');
+    // Four bytes that are two letters of UTF-8, as the exponents of floats may be.
+    bytes.set([0xc3, 0xa9, 0xc3, 0x3f], 0);
+    const escaped = bytes.toString('hex').replace(/../g, '%$&');
+    const { mesh } = await read({ ...json, buffers: [{ uri: `data:,${escaped}`, byteLength }] });
+    const [x] = new Float32Array(Uint8Array.of(0xc3, 0xa9, 0xc3, 0x3f).buffer);
+    expect([...mesh.positions]).toEqual([x, ...SQUARE.subarray(1)]);
+  });
+
+  test('reads a large buffer in a data: address without a list of its letters', async () => {
+    const size = 48_000_000;
+    const uri = `data:application/octet-stream;base64,${Buffer.alloc(size).toString('base64')}`;
+    const json = { asset: { version: '2.0' }, buffers: [{ uri, byteLength: size }] };
+    const { cpuUsage } = process;
+    const before = cpuUsage();
+    await read(json);
+    const { user, system } = cpuUsage(before);
+    expect((user + system) / 1e6).toBeLessThan(9); // it took twice as long
   });
 
   test('gets buffers in other files from where it is told', async () => {

@@ -1,5 +1,6 @@
 import { type InitOptions, moduleFrom, wasmOption } from './compile.js';
 import { coreBase64 } from './core-base64.js';
+import { bytesIn } from './letters.js';
 import { load } from './loader.js';
 
 export * from './api.js';
@@ -11,9 +12,5 @@ export type { InitOptions } from './compile.js';
  */
 export async function init(options: InitOptions = {}): Promise<void> {
   const wasm = wasmOption(options);
-  await load(() => moduleFrom(wasm ?? decode(coreBase64)));
-}
-
-function decode(base64: string): Uint8Array {
-  return Uint8Array.from(atob(base64), (character) => character.charCodeAt(0));
+  await load(() => moduleFrom(wasm ?? bytesIn(atob(coreBase64))));
 }

@@ -87,7 +87,7 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
  * Latin-1, as older programs write.
  */
 export function namesIn(raw: AttributeNames): AttributeNames {
-  const decoder = new TextDecoder('utf-8', { fatal: true });
+  const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
   const decoded = (name: string) => {
     if (!/[^\0-\x7f]/.test(name)) return name;
     try {

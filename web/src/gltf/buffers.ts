@@ -1,5 +1,6 @@
 import { bytesOf, describe } from '../arguments.js';
 import { counted } from '../counted.js';
+import { bytesIn } from '../letters.js';
 import { messageOf } from '../loader.js';
 import { fileError, type GltfFile } from './container.js';
 import type { GltfDocument, GltfView } from './document.js';
@@ -113,15 +114,25 @@ async function content(i: number, uri: string, resources: GltfResources): Promis
 }
 
 function decodeData(i: number, isBase64: boolean, text: string): Uint8Array {
+  let letters = unescaped(text);
   try {
-    const characters = isBase64 ? atob(decodeURIComponent(text)) : decodeURIComponent(text);
-    return Uint8Array.from(characters, (character) => character.charCodeAt(0));
+    if (isBase64) letters = atob(letters);
+    else if (/[^\0-\xff]/.test(letters)) throw new RangeError('a letter that is no byte');
   } catch {
     throw fileError(
       'parse-error',
       `glTF: buffers[${i}].uri is a broken data: address, expected base64.`,
     );
   }
+  return bytesIn(letters);
+}
+
+/** Each %41 as the letter of that byte. */
+function unescaped(text: string): string {
+  if (!text.includes('%')) return text;
+  return text.replace(/%([\da-f]{2})/gi, (_, byte) =>
+    String.fromCharCode(Number.parseInt(byte, 16)),
+  );
 }
 
 /** Another file, which Node's fetch can't get from the disk. */

@@ -14,8 +14,9 @@ const MAGIC = 0x46546c67; // "glTF"
 const JSON_CHUNK = 0x4e4f534a;
 const BINARY_CHUNK = 0x004e4942;
 
-/** An error of a file, with what was expected. */
-export const fileError = (code: string, message: string) => new HalfedgeError(code, message);
+/** An error of a file, with what was expected. On one line, also where it quotes names or text of the file. */
+export const fileError = (code: string, message: string) =>
+  new HalfedgeError(code, message.replace(/\p{Cc}+/gu, ' '));
 
 /** Whether the bytes are a GLB file, or text that begins as a JSON object does, and not as Geomview's: `{ OFF 8 6 12`. */
 export function looksLikeGltf(bytes: Uint8Array): boolean {

@@ -105,7 +105,7 @@ function checkViews(views: Dictionary[], buffers: Dictionary[]): void {
     const length = count(`${what}.byteLength`, view.byteLength);
     const size = buffers[buffer].byteLength as number;
     if (offset + length > size) {
-      throw wrong(
+      throw wrongly(
         what,
         `bytes ${offset} to ${offset + length}`,
         `at most ${size} of buffer ${buffer}`,
@@ -128,14 +128,18 @@ const COMPONENTS: Record<string, number> = {
   ...{ SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 },
 };
 
+/** Bytes of one number. */
+export const numberSize = ({ componentType }: { readonly componentType: number }): number =>
+  SIZES[componentType];
+
 /** Bytes of the numbers of a row. */
-export const rowSize = ({ componentType, type }: GltfAccessor): number =>
-  SIZES[componentType] * COMPONENTS[type];
+export const rowSize = (accessor: GltfAccessor): number =>
+  numberSize(accessor) * COMPONENTS[accessor.type];
 
 function checkAccessors(accessors: Dictionary[], views: Dictionary[]): void {
   for (const [i, accessor] of accessors.entries()) {
     const what = `accessors[${i}]`;
-    const size = numberSize(`${what}.componentType`, accessor.componentType);
+    const size = checkedSize(`${what}.componentType`, accessor.componentType);
     if (typeof accessor.type !== 'string' || !Object.hasOwn(COMPONENTS, accessor.type)) {
       throw wrong(`${what}.type`, accessor.type, Object.keys(COMPONENTS).join(', '));
     }
@@ -149,7 +153,7 @@ function checkAccessors(accessors: Dictionary[], views: Dictionary[]): void {
     const indices = dictionary(`${what}.sparse.indices`, sparse.indices);
     const values = dictionary(`${what}.sparse.values`, sparse.values);
     const some = count(`${what}.sparse.count`, sparse.count);
-    const width = numberSize(`${what}.sparse.indices.componentType`, indices.componentType);
+    const width = checkedSize(`${what}.sparse.indices.componentType`, indices.componentType);
     checkRange(`${what}.sparse.indices`, indices, { rows: some, bytes: width, size: width }, views);
     checkRange(`${what}.sparse.values`, values, { rows: some, bytes, size }, views);
   }
@@ -181,7 +185,7 @@ function checkRange(
   }
 }
 
-function numberSize(what: string, type: unknown): number {
+function checkedSize(what: string, type: unknown): number {
   if (typeof type === 'number' && Object.hasOwn(SIZES, type)) return SIZES[type];
   throw wrong(what, type, `one of ${Object.keys(SIZES).join(', ')}`);
 }
@@ -205,7 +209,7 @@ function checkMeshes(meshes: Dictionary[], accessors: Dictionary[]): void {
         const { type, componentType } = accessorOf(`${what}.indices`, indices);
         if (type !== 'SCALAR' || !INDEX_TYPES.includes(componentType)) {
           const rows = `${type} of ${componentType}`;
-          throw wrong(`accessors[${indices}]`, rows, 'SCALAR of 5121, 5123 or 5125 for indices');
+          throw wrongly(`accessors[${indices}]`, rows, 'SCALAR of 5121, 5123 or 5125 for indices');
         }
       }
       if (!(Number.isInteger(mode) && (mode as number) >= 0 && (mode as number) <= 6)) {
@@ -224,7 +228,7 @@ function checkNodes(nodes: Dictionary[], meshes: number, accessors: number): voi
     if (node.mesh !== undefined) reference(`${what}.mesh`, node.mesh, meshes);
     for (const child of references(`${what}.children`, node.children, nodes.length)) {
       if (parents[child] >= 0 || child === i) {
-        throw wrong(
+        throw wrongly(
           `nodes[${child}]`,
           `a child of nodes ${Math.max(parents[child], 0)} and ${i}`,
           'one parent',
@@ -258,7 +262,7 @@ function checkNodes(nodes: Dictionary[], meshes: number, accessors: number): voi
     let depth = 0;
     for (let i = start; i >= 0; i = parents[i]) {
       if (++depth > MAX_DEPTH) {
-        throw wrong(
+        throw wrongly(
           `nodes[${start}]`,
           `below ${MAX_DEPTH} others, or below itself`,
           'less than that',
@@ -273,9 +277,14 @@ const MAX_DEPTH = 1000;
 
 // ---- what a value is -------------------------------------------------------------------------------
 
+/** A value of the file. */
 export function wrong(what: string, value: unknown, expected: string): Error {
-  const text = typeof value === 'string' && value.includes(' ') ? value : describe(value);
-  return fileError('parse-error', `glTF: ${what} is ${text}, expected ${expected}.`);
+  return wrongly(what, describe(value), expected);
+}
+
+/** What is wrong, in words. */
+export function wrongly(what: string, words: string, expected: string): Error {
+  return fileError('parse-error', `glTF: ${what} is ${words}, expected ${expected}.`);
 }
 
 function dictionary(what: string, value: unknown): Dictionary {

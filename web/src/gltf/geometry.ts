@@ -38,8 +38,7 @@ export function trianglesOf({ geometry }: Mesh, matrix: Matrix4): Triangles {
   const attributes: CornerAttribute[] = [];
   for (const { theirs, name, components } of ATTRIBUTES) {
     const attribute = geometry.getAttribute(theirs) as AnyAttribute | undefined;
-    if (attribute === undefined || attribute.count !== position.count) continue;
-    if (!(components as readonly number[]).includes(attribute.itemSize)) continue;
+    if (attribute === undefined || !fits(attribute, components, position)) continue;
     const values = name === 'color' ? colors(attribute) : floats(attribute);
     if (name === 'normal') turn(values as Float32Array, matrix);
     attributes.push({ name, components: attribute.itemSize, values });
@@ -54,6 +53,23 @@ export function trianglesOf({ geometry }: Mesh, matrix: Matrix4): Triangles {
     }
   }
   return { positions, indices, attributes };
+}
+
+/** Whether there is a row for each position, with as many numbers as it may have. */
+function fits(
+  attribute: AnyAttribute,
+  components: readonly number[],
+  position: { readonly count: number },
+): boolean {
+  return attribute.count === position.count && components.includes(attribute.itemSize);
+}
+
+/** Our names of attributes that are there, but not read, as they don't fit. */
+export function unfitting({ attributes }: BufferGeometry): string[] {
+  return ATTRIBUTES.filter(({ theirs, components }) => {
+    const attribute = attributes[theirs] as AnyAttribute | undefined;
+    return attribute !== undefined && !fits(attribute, components, attributes.position);
+  }).map(({ name }) => name);
 }
 
 /** How many corners are left behind the last triangle. */

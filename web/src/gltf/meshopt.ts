@@ -1,5 +1,5 @@
 import { fileError } from './container.js';
-import { count, type GltfBuffer, type GltfView, reference, wrong } from './document.js';
+import { count, type GltfBuffer, type GltfView, reference, wrong, wrongly } from './document.js';
 
 /** Both names of the extension for views whose bytes lie compressed in another buffer. */
 export const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
@@ -44,7 +44,7 @@ export function checkCompressed(
   const source = buffers[reference(`${what}.buffer`, buffer, buffers.length)];
   const end = count(`${what}.byteOffset`, byteOffset) + count(`${what}.byteLength`, bytes);
   if (end > source.byteLength) {
-    throw wrong(what, `bytes up to ${end}`, `at most ${source.byteLength} of buffer ${buffer}`);
+    throw wrongly(what, `bytes up to ${end}`, `at most ${source.byteLength} of buffer ${buffer}`);
   }
   const fits = Object.hasOwn(MODES, String(mode)) ? MODES[mode as string] : undefined;
   if (fits === undefined) throw wrong(`${what}.mode`, mode, Object.keys(MODES).join(', '));
@@ -52,7 +52,11 @@ export function checkCompressed(
   if (!fits(stride)) throw wrong(`${what}.byteStride`, stride, `a size of rows of ${mode}`);
   const size = count(`${what}.count`, rows) * stride;
   if (size < byteLength) {
-    throw wrong(what, `${size} bytes, ${rows} rows of ${stride}`, `${byteLength} as the view has`);
+    throw wrongly(
+      what,
+      `${size} bytes, ${rows} rows of ${stride}`,
+      `${byteLength} as the view has`,
+    );
   }
   if (size > MOST_BYTES) {
     throw fileError(

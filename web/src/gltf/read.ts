@@ -17,10 +17,10 @@ import { type GltfResources, joinBuffers, load } from './buffers.js';
 import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
 import { checkDocument, type GltfDocument } from './document.js';
-import { cornersLeft, join, type Triangles, trianglesOf } from './geometry.js';
+import { cornersLeft, join, type Triangles, trianglesOf, unfitting } from './geometry.js';
 import { isCompressed } from './meshopt.js';
 import { type GltfDecoders, prepare } from './prepare.js';
-import { packSparse } from './sparse.js';
+import { packRows } from './rows.js';
 import { loadLoader, loadMeshoptDecoder, loadThree } from './three.js';
 
 /** How to read a glTF file. */
@@ -108,7 +108,7 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
   const base = isUrl ? { baseUrl: data as URL } : {};
   const joined = await joinBuffers(document, file, { ...base, ...options });
-  const packed = packSparse(joined.document, joined.binary);
+  const packed = packRows(joined.document, joined.binary);
   const glb = makeGlb(packed.document, packed.binary);
   const { scene, parser } = await loadScene(glb, await decodersFor(document, options));
   const { Matrix4 } = await loadThree();
@@ -121,6 +121,10 @@ async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loade
   checkCorners(meshes);
   const left = meshes.reduce((sum, { geometry }) => sum + cornersLeft(geometry), 0);
   if (left > 0) notes.push(`Ignored corners behind the last triangle of a primitive (${left}).`);
+  for (const name of new Set(meshes.flatMap(({ geometry }) => unfitting(geometry)))) {
+    const count = meshes.filter(({ geometry }) => unfitting(geometry).includes(name)).length;
+    notes.push(`Ignored ${name} of primitives where it does not fit the positions (${count}).`);
+  }
   for (const mesh of meshes) {
     const which = parser.associations.get(mesh)?.meshes ?? -1;
     const name = document.meshes[which]?.name ?? ''; // three.js changes it to what may be in a path

@@ -7,6 +7,7 @@ import { linksOf } from '../navigation.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import { triangulateFaces } from '../three/triangulate.js';
 import type { OwnBytes } from '../write.js';
+import { base64Of } from './base64.js';
 import { withAlpha } from './colors.js';
 import { makeGlb } from './container.js';
 import type { Buffers, Note } from './corners.js';
@@ -127,14 +128,7 @@ class BlobReader {
   }
 
   readAsDataURL(blob: Blob): void {
-    this.#read(blob, (buffer) => {
-      const bytes = new Uint8Array(buffer);
-      let text = '';
-      for (let i = 0; i < bytes.length; i += 0x8000) {
-        text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
-      }
-      return `data:${blob.type};base64,${btoa(text)}`;
-    });
+    this.#read(blob, (buffer) => `data:${blob.type};base64,${base64Of(new Uint8Array(buffer))}`);
   }
 
   /**
