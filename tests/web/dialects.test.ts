@@ -1,4 +1,4 @@
-import { HalfedgeMesh, init } from 'halfedge';
+import { DirectedEdgesMesh, HalfedgeMesh, init } from 'halfedge';
 import { HE_mesh, Polyhedron, PolyMesh, VertexHandle } from 'halfedge/dialects';
 import {
   annulus,
@@ -32,6 +32,14 @@ test('Dialects of what is no mesh are refused', () => {
     expect(() => new Dialect({} as never)).toThrow(/^mesh is an Object; expected a HalfedgeMesh/);
     expect(() => new Dialect(undefined as never)).toThrow(TypeError);
   }
+});
+
+test("OpenMesh's names, which can set links, are refused of Directed Edges, which lack some", () => {
+  using mesh = build(tetrahedron());
+  using triangles = DirectedEdgesMesh.fromMesh(mesh);
+  expect(() => new PolyMesh(triangles as never)).toThrow(
+    new TypeError('mesh is a DirectedEdgesMesh; expected a HalfedgeMesh.'),
+  );
 });
 
 const idx = (handles: { idx(): number }[]) => handles.map((handle) => handle.idx());
@@ -181,6 +189,8 @@ describe("OpenMesh's names", () => {
       expect(call).toThrow(new TypeError(message));
     refused(() => om.vv_range(0 as never), 'v is 0; expected a VertexHandle.');
     refused(() => om.vv_range(f as never), 'v is a FaceHandle; expected a VertexHandle.');
+    const reference = { kind: 'vertex', index: 0, generation: 0 };
+    refused(() => om.vv_range(reference as never), 'v is an Object; expected a VertexHandle.');
     refused(() => om.fv_range(v as never), 'f is a VertexHandle; expected a FaceHandle.');
     refused(() => om.voh_range(f as never), 'h is a FaceHandle; expected a HalfedgeHandle.');
     refused(

@@ -352,6 +352,8 @@ describe('Directed Edges', () => {
         () => mesh.edgeVertices(4),
         new RangeError('e is 4, which is no edge; expected the smaller of its two halfedges, 0.'),
       ],
+      [() => mesh.edgeHalfedge(0, 2 as 1), new RangeError('side is 2; expected 0 or 1.')],
+      [() => mesh.edgeHalfedge(0, '1' as never), new TypeError('side is "1"; expected 0 or 1.')],
       [
         () => mesh.vertexFaces(0, 'up' as Direction),
         new RangeError("direction is \"up\"; expected 'ccw' or 'cw'."),

@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { dirname, join, relative, resolve } from 'node:path';
-import { DirectedEdgesMesh, HalfedgeMesh } from 'halfedge';
+import { gzipSync } from 'node:zlib';
+import { DirectedEdgesMesh, HalfedgeMesh, init } from 'halfedge';
 import { filesBelow } from '../../scripts/lib/files.mjs';
 import { root } from '../../scripts/lib/run.mjs';
 
@@ -61,4 +62,31 @@ test.each([
   const names = namesOf(type);
   expect(names.length).toBeGreaterThan(least);
   expect(names.filter((name) => !shown.has(name))).toEqual([]);
+});
+
+test.each([
+  ['bundlers.md', 'core-base64.js', /larger, or (\d+) kB\s+with gzip/],
+  ['figure.md', 'figure/standalone.js', /file is ([\d,]+) kB with gzip/],
+  ['exercise.md', 'exercise/standalone.js', /file is ([\d,]+) kB with gzip/],
+])('docs/%s tells the size of dist/%s', (page, file, sentence) => {
+  const [, size] = sentence.exec(prose(join(root, 'docs', page))) ?? [];
+  const told = 1000 * Number(size?.replace(',', ''));
+  const actual = gzipSync(readFileSync(join(root, 'dist', file)), { level: 9 }).length;
+  expect(Math.abs(told / actual - 1)).toBeLessThan(0.03);
+});
+
+test('the calls that the README lists run one after the other', async () => {
+  await init();
+  const [, text] = /^## Meshes and circulators\s+```js\n(.*?)^```/ms.exec(
+    readFileSync(join(root, 'README.md'), 'utf8'),
+  ) as RegExpExecArray;
+  const given = {
+    HalfedgeMesh,
+    positions: Float32Array.from([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 2, 0, 1, 2, 0, 2, 2, 0]),
+    indices: Uint32Array.of(0, 1, 2, 0, 2, 3),
+    faces: [0],
+    ...{ h: 0, v: 0, e: 0, f: 0, a: 0, b: 1, x: 1, y: 2, z: 3 },
+  };
+  const run = new Function(...Object.keys(given), `${text}\nreturn mesh.disposed;`);
+  expect(run(...Object.values(given))).toBe(true);
 });

@@ -449,6 +449,34 @@ describe('readGltf', () => {
   });
 });
 
+describe('A wrong option of readGltf', () => {
+  const json = square();
+  const elsewhere = { ...json, buffers: [{ ...json.buffers[0], uri: 'square.bin' }] };
+
+  test.each([
+    [
+      { baseUrl: '/models/' },
+      RangeError,
+      'options.baseUrl is "/models/"; expected the whole address',
+    ],
+    [{ baseUrl: 7 }, TypeError, 'options.baseUrl is 7; expected a URL or a string.'],
+    [
+      { resource: 'square.bin' },
+      TypeError,
+      'options.resource is "square.bin"; expected a function.',
+    ],
+    [{ resource: null }, TypeError, 'options.resource is null; expected a function.'],
+    [{ repair: null }, TypeError, 'options.repair is null; expected true or false.'],
+    [{ dracoLoader: null }, TypeError, 'options.dracoLoader is null; expected a DRACOLoader'],
+    [{ dracoLoader: {} }, TypeError, 'options.dracoLoader is an Object; expected a DRACOLoader'],
+    [{ meshoptDecoder: {} }, TypeError, 'options.meshoptDecoder is an Object; expected a Meshopt'],
+  ])('is named, with what was expected: %j', async (options, type, sentence) => {
+    const error = await rejection(readGltf(JSON.stringify(elsewhere), options as never));
+    expect(error).toBeInstanceOf(type);
+    expect(error.message).toContain(sentence);
+  });
+});
+
 describe('readGltfParts', () => {
   test('makes a mesh of each primitive of each node, with the name of its mesh', async () => {
     const parts = await readGltfParts(

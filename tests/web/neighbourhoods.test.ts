@@ -126,9 +126,25 @@ describe('Star, closure and link', () => {
     const refused = { faces: new Set([3, 99]) };
     expect(() => mesh.star(refused)).toThrow('items.faces[1] is 99; expected a face from 0 to 29.');
     expect(() => mesh.extract(new Map([[1, 2]]) as never)).toThrow(
-      'faces[0] is an array of 2 elements; expected an index',
+      'faces[0] is an array of 2 elements; expected a face, which is an integer.',
     );
-    expect(() => mesh.extract('12' as never)).toThrow('faces is "12"; expected an array');
+    expect(() => mesh.extract('12' as never)).toThrow('faces is "12"; expected an array of faces.');
+  });
+
+  test('say which items there are, of a number that is none of them', () => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const outside = mesh.face(mesh.boundaryLoops()[0]); // NONE
+    for (const faces of [[0, outside], Int32Array.of(0, outside), new Set([0, outside])]) {
+      expect(() => mesh.extract(faces)).toThrow(
+        new RangeError('faces[1] is -1; expected a face from 0 to 3.'),
+      );
+    }
+    expect(() => mesh.allVertexFaces('ccw', [1.5])).toThrow(
+      new RangeError('vertices[0] is 1.5; expected a vertex from 0 to 8.'),
+    );
+    expect(() => mesh.star({ edges: [Number.NaN] })).toThrow(
+      new RangeError('items.edges[0] is NaN; expected an edge from 0 to 11.'),
+    );
   });
 
   test('refuse what are no items, and leak nothing', () => {

@@ -278,6 +278,26 @@ describe('MeshPicker', () => {
       'ray is a Raycaster; expected a Ray of three.js, such as raycaster.ray.',
     );
     expect(() => picker.cast(undefined as never)).toThrow(/^ray is undefined; expected a Ray/);
+    const likeOne = { origin: new THREE.Vector3(), direction: new THREE.Vector3(0, 0, 1) };
+    expect(() => picker.cast(likeOne as never)).toThrow(/^ray is an Object; expected a Ray/);
+  });
+
+  test.each([
+    [[undefined], 'point is undefined; expected a Vector3 of three.js.'],
+    [
+      [[0, 0, 0], new THREE.PerspectiveCamera()],
+      'point is an array of 3 elements; expected a Vector3',
+    ],
+    [
+      [new THREE.Vector3()],
+      'camera is undefined; expected a PerspectiveCamera or an OrthographicCamera.',
+    ],
+    [[new THREE.Vector3(), new THREE.Camera()], 'camera is a Camera; expected a PerspectiveCamera'],
+  ])('does not tell whether the surface hides what is no point: %#', (list, message) => {
+    const { picker } = scene();
+    expect(() => (picker.hides as (...list: unknown[]) => unknown).apply(picker, list)).toThrow(
+      message,
+    );
   });
 });
 

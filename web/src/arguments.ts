@@ -95,15 +95,20 @@ export function anyNumbers(argument: string, source: unknown): NumberArray {
 
 /**
  * As {@link numbers}, of indices: integers from 0. Signed arrays are passed on unchecked: see
- * `checkNotNegative`.
+ * `checkNotNegative`. `refuse` throws what is wrong with an element that is no index.
  */
-export function indices(argument: string, source: unknown): NumberArray {
+export function indices(
+  argument: string,
+  source: unknown,
+  refuse = refuseIndex,
+  expected?: string,
+): NumberArray {
   const typed = numberArray(argument, source);
   const isFloat = typed !== undefined && typedArrayName(typed)?.startsWith('Float');
   if (typed !== undefined && !isFloat) return typed;
-  return convert(argument, source, Uint32Array, (value, i) =>
-    isIndex(value) ? value : refuseIndex(argument, i, value),
-  );
+  const check = (value: unknown, i: number) =>
+    isIndex(value) ? value : refuse(argument, i, value);
+  return convert(argument, source, Uint32Array, check, expected);
 }
 
 /** Whether `value` can be an index at all. */
@@ -207,8 +212,9 @@ function convert<T extends Float32Array | Uint32Array>(
   source: unknown,
   Kind: new (length: number) => T,
   check: (value: unknown, i: number, argument: string) => number,
+  expected?: string,
 ): T {
-  const length = lengthOfArrayLike(argument, source);
+  const length = lengthOfArrayLike(argument, source, expected);
   const from = source as ArrayLike<unknown>;
   if (length > 0) check(from[length - 1], length - 1, argument); // or a lying length costs memory
   const to = newArray(argument, Kind, length);

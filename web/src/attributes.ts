@@ -116,8 +116,8 @@ export class Attributes {
    * ```
    *
    * @returns its live view, like {@link get}
-   * @throws HalfedgeError `attribute-exists`, `bad-attribute` (no name, or components that don't fit),
-   * `out-of-memory`
+   * @throws HalfedgeError `attribute-exists`, `bad-attribute` (its name is empty), `out-of-memory`;
+   * RangeError for components that don't fit
    */
   add<Type extends AttributeType = 'float32'>(
     kind: ItemKind,

@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { refuse } from './checks.js';
 import { after, before, type DirectedLinks } from './directed-edges-links.js';
 import {
   type Edge,
@@ -236,9 +236,7 @@ export abstract class DirectedEdgesNavigation {
 
   /** The halfedge on `side` 0 or 1 of `e`; side 0 has the index of the edge, and a face. */
   edgeHalfedge(e: EdgeLike, side: 0 | 1 = 0): Halfedge {
-    if (side !== 0 && side !== 1) {
-      throw new RangeError(`side is ${describe(side)}; expected 0 or 1.`);
-    }
+    if (side !== 0 && side !== 1) refuse('side', side, '0 or 1', 'number');
     this.#links.checkEdge(e);
     return (side === 0 ? e : this.opposite(e as number)) as Halfedge;
   }

@@ -1,7 +1,7 @@
-import { describe, indices, listFrom, type NumberArray } from './arguments.js';
+import { describe, indices, listFrom, type NumberArray, refuseIndex } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
-import { type ItemKind, NONE } from './items.js';
+import { type ItemKind, NONE, PLURALS } from './items.js';
 import type { Core } from './loader.js';
 
 /**
@@ -476,7 +476,11 @@ export function listOfItems(
   argument: string,
   value: unknown,
 ): NumberArray {
-  const list = indices(argument, listFrom(value));
+  const refuseItem = (name: string, i: number, item: unknown): never => {
+    checkItem(links, kind, item as number, `${name}[${i}]`);
+    return refuseIndex(name, i, item);
+  };
+  const list = indices(argument, listFrom(value), refuseItem, `an array of ${PLURALS[kind]}`);
   links.revive();
   const starts = { vertex: links.vertexHalfedge, edge: links.next, face: links.faceHalfedge }[kind];
   const stride = kind === 'edge' ? 2 : 1;

@@ -253,8 +253,8 @@ export class HalfedgeMesh extends Shapes {
    * mesh needs to be safe is checked, including levels 0 to 2 of {@link validate}.
    *
    * @throws HalfedgeError `unknown-format`, `unsupported-version`, `truncated`, `parse-error` (with what was
-   * expected at which byte), `corrupt-connectivity`, `bad-attribute`, `out-of-memory`; TypeError for anything but
-   * bytes
+   * expected at which byte), `corrupt-connectivity`, `attribute-exists`, `bad-attribute`, `out-of-memory`;
+   * TypeError for anything but bytes
    */
   static fromBytes(bytes: ArrayBuffer | ArrayBufferView): HalfedgeMesh {
     return new HalfedgeMesh(linksOfBytes(bytes));

@@ -140,7 +140,7 @@ export class MeshWorker {
     return { mesh: meshOf(bytes), report };
   }
 
-  /** Ends the thread. Unfinished jobs are rejected; further ones throw. */
+  /** Ends the thread. Unfinished jobs are rejected, and so are further ones. */
   terminate(): void {
     this.#terminated = true;
     const error = new HalfedgeError('worker-terminated', 'The worker was terminated.');

@@ -1,4 +1,4 @@
-import { describe } from '../arguments.js';
+import { refuse } from '../checks.js';
 import { checkGivenPosition, type Position } from '../edit.js';
 import { named, printed } from '../inspect.js';
 import type { Direction, ItemKind } from '../items.js';
@@ -66,8 +66,8 @@ function indexOf(
   argument: string,
   expected: string,
 ): number {
-  if (handle?.kind === kind) return handle.idx();
-  throw new TypeError(`${argument} is ${describe(handle)}; expected ${expected}.`);
+  if (handle instanceof Handle && handle.kind === kind) return handle.idx();
+  refuse(argument, handle, expected);
 }
 
 /**
@@ -98,6 +98,7 @@ export class PolyMesh {
 
   constructor(readonly mesh: HalfedgeMesh) {
     checkReadable(mesh, 'a HalfedgeMesh');
+    if (!('isLiveVertex' in mesh)) refuse('mesh', mesh, 'a HalfedgeMesh'); // links can be set
   }
 
   /** Deleted ones included, as in OpenMesh before garbage_collection(). */

@@ -1,4 +1,5 @@
 import { bytesOf, describe } from '../arguments.js';
+import { refuse } from '../checks.js';
 import { counted } from '../counted.js';
 import { bytesIn } from '../letters.js';
 import { messageOf } from '../loader.js';
@@ -7,7 +8,7 @@ import type { GltfDocument, GltfView } from './document.js';
 
 /** Where the other files of a document come from. */
 export interface GltfResources {
-  /** The address of the file, to which the names of other files are relative. */
+  /** The whole address of the file, to which the names of other files are relative. */
   readonly baseUrl?: URL | string | undefined;
   /** Gets the content of another file by its name in the document, instead of fetching it. */
   readonly resource?:
@@ -105,12 +106,24 @@ async function content(i: number, uri: string, resources: GltfResources): Promis
   try {
     address = new URL(uri, resources.baseUrl);
   } catch {
+    checkBase(resources.baseUrl);
     throw fileError(
       'missing-resource',
       `glTF: buffers[${i}] is in another file, ${describe(uri)}; expected options.baseUrl or options.resource to get it.`,
     );
   }
   return load(address);
+}
+
+/** Throws for an address that leads nowhere by itself, such as `/models/` in a page. */
+function checkBase(baseUrl: URL | string | undefined): void {
+  if (baseUrl === undefined) return;
+  try {
+    new URL(baseUrl);
+  } catch {
+    const expected = 'the whole address of the file, such as new URL(path, document.baseURI)';
+    refuse('options.baseUrl', baseUrl, expected, 'string');
+  }
 }
 
 function decodeData(i: number, isBase64: boolean, text: string): Uint8Array {

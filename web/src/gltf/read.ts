@@ -1,5 +1,5 @@
 import type { InstancedMesh, Mesh } from 'three';
-import { checkFlag } from '../checks.js';
+import { checkCallback, checkFlag, refuse } from '../checks.js';
 import { HalfedgeError } from '../errors.js';
 import { contentOf } from '../file-content.js';
 import { messageOf } from '../loader.js';
@@ -93,6 +93,9 @@ export async function readParts(data: unknown, given: ReadGltfOptions): Promise<
   return made;
 }
 
+const isUrl = (value: unknown): value is URL =>
+  Object.prototype.toString.call(value) === '[object URL]';
+
 interface Loaded {
   readonly format: 'glb' | 'gltf';
   readonly parts: { readonly name: string; readonly triangles: Triangles }[];
@@ -102,11 +105,10 @@ interface Loaded {
 const CONTENT = 'a URL, or the content of a glTF file as a string, an ArrayBuffer or a Uint8Array';
 
 async function loadParts(data: unknown, options: ReadGltfOptions): Promise<Loaded> {
-  const isUrl = Object.prototype.toString.call(data) === '[object URL]';
-  const bytes = isUrl ? await load(data as URL) : contentOf(data, CONTENT);
+  const bytes = isUrl(data) ? await load(data) : contentOf(data, CONTENT);
   const file = openGltf(bytes);
   const { document, notes } = prepare(checkDocument(file.json), options, bytes.length);
-  const base = isUrl ? { baseUrl: data as URL } : {};
+  const base = isUrl(data) ? { baseUrl: data } : {};
   const joined = await joinBuffers(document, file, { ...base, ...options });
   const packed = packRows(joined.document, joined.binary);
   const glb = makeGlb(packed.document, packed.binary);
@@ -160,9 +162,21 @@ const MOST_CORNERS = 2 ** 26;
 /** Before anything is fetched; `HalfedgeMesh.fromSoup` checks them once more. */
 function takeReadOptions(given: ReadGltfOptions): ReadGltfOptions {
   const options = takeOptions(given, READ_GLTF_OPTIONS);
-  checkFlag('options.repair', options.repair ?? true);
+  const { repair = true, baseUrl = '', resource } = options;
+  checkFlag('options.repair', repair);
+  if (typeof baseUrl !== 'string' && !isUrl(baseUrl)) {
+    refuse('options.baseUrl', baseUrl, 'a URL or a string');
+  }
+  checkCallback('options.resource', resource);
+  checkDecoder('options.dracoLoader', options.dracoLoader, 'preload', 'a DRACOLoader of three.js');
+  checkDecoder('options.meshoptDecoder', options.meshoptDecoder, 'supported', 'a MeshoptDecoder');
   soupOptions(options);
   return options;
+}
+
+/** Throws unless it has what three.js asks of it first, or is nothing. */
+function checkDecoder(argument: string, decoder: unknown, has: string, expected: string): void {
+  if (decoder !== undefined && !(has in Object(decoder))) refuse(argument, decoder, expected);
 }
 
 /** Those that were given, and three.js's where a file needs one that comes as a module. */

@@ -118,13 +118,15 @@ export class ItemPicker {
 
   /** The face that a ray, in world space, hits first, from either side. */
   cast(ray: Ray): FaceHit | null {
-    const { origin, direction } = Object(ray) as Partial<Ray>;
-    if (!origin || !direction) refuse('ray', ray, 'a Ray of three.js, such as raycaster.ray');
+    const { origin, applyMatrix4 } = Object(ray) as Partial<Ray>;
+    if (!origin || !applyMatrix4) refuse('ray', ray, 'a Ray of three.js, such as raycaster.ray');
     return this.#hit(this.#sightOf(ray, origin));
   }
 
   /** Whether the surface hides a point, in world space, from a camera. */
   hides(point: Vector3, camera: Camera): boolean {
+    if (Object(point).isVector3 !== true) refuse('point', point, 'a Vector3 of three.js');
+    checkCamera('camera', camera);
     camera.updateWorldMatrix(true, false);
     const ray = sightTo(point, camera);
     const hit = this.#hit(this.#sightOf(fromNear(ray, camera), ray.origin));
@@ -263,8 +265,14 @@ function checkPlace(x: unknown, y: unknown, view: unknown): void {
   if (!camera?.isCamera) refuse('view.camera', camera, 'a Camera of three.js');
   if (typeof width !== 'number') refuse('view.width', width, 'a number of pixels');
   if (typeof height !== 'number') refuse('view.height', height, 'a number of pixels');
-  if (!('isPerspectiveCamera' in camera || 'isOrthographicCamera' in camera)) {
-    refuse('view.camera', camera, 'a PerspectiveCamera or an OrthographicCamera');
+  checkCamera('view.camera', camera);
+}
+
+/** Throws unless it is a camera that tells in which direction it sees a place. */
+function checkCamera(argument: string, camera: unknown): void {
+  const { isPerspectiveCamera, isOrthographicCamera } = Object(camera);
+  if (isPerspectiveCamera !== true && isOrthographicCamera !== true) {
+    refuse(argument, camera, 'a PerspectiveCamera or an OrthographicCamera');
   }
 }
 
