@@ -3,7 +3,7 @@
 
 import { HalfedgeMesh, init } from 'halfedge';
 import { writeGltf } from 'halfedge/gltf';
-import { toBufferGeometry } from 'halfedge/three';
+import { type GeometryOptions, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 
 beforeAll(() => init());
 
@@ -21,6 +21,43 @@ const expectLinear = (run: () => unknown, linear: () => unknown) => {
   const least = Math.min(timeOf(linear), timeOf(linear));
   expect(timeOf(run)).toBeLessThan(30 * least + 300);
 };
+
+const LAYOUTS: [string, GeometryOptions][] = [
+  ['indexed', { attributes: [] }],
+  ['with flat normals', { attributes: [], normals: 'flat' }],
+  ['with seams and smooth normals', { attributes: ['uv'] }],
+];
+
+describe.each(LAYOUTS)('A MeshGeometry %s', (_, options) => {
+  test('of a cone is made in linear time', () => {
+    const mesh = HalfedgeMesh.cone(MANY);
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    expectLinear(
+      () => new MeshGeometry(mesh, options),
+      () => new MeshGeometry(mesh, { ...options, normals: 'none' }),
+    );
+    mesh.dispose();
+  });
+
+  test.each([1, MANY / 10])('follows %d corners of a large polygon in linear time', (moved) => {
+    const mesh = HalfedgeMesh.cone(MANY);
+    mesh.attributes.add('halfedge', 'uv', { components: 2 });
+    const geometry = new MeshGeometry(mesh, options);
+    for (let v = 0; v < moved; v++) mesh.positions[3 * v + 1] += 0.01;
+    expectLinear(
+      () => geometry.update(),
+      () => new MeshGeometry(mesh, options),
+    );
+    const anew = new MeshGeometry(mesh, options);
+    const { array } = geometry.attributes.normal;
+    const end = 3 * (geometry.index ? mesh.vertexSlots : geometry.drawRange.count);
+    let worst = 0;
+    for (let i = 0; i < end; i++)
+      worst = Math.max(worst, Math.abs(array[i] - anew.attributes.normal.array[i]));
+    expect(worst).toBeLessThan(1e-6);
+    mesh.dispose();
+  });
+});
 
 describe('toBufferGeometry', () => {
   test('finds the copies of a vertex with many in linear time', () => {
