@@ -3,7 +3,16 @@
 
 import { HalfedgeMesh, init } from 'halfedge';
 import { writeGltf } from 'halfedge/gltf';
-import { type GeometryOptions, MeshGeometry, toBufferGeometry } from 'halfedge/three';
+import {
+  CirculatorHelper,
+  type GeometryOptions,
+  HalfedgeGlyphs,
+  HalfedgesHelper,
+  MeshGeometry,
+  type MeshHelper,
+  toBufferGeometry,
+} from 'halfedge/three';
+import type { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 
 beforeAll(() => init());
 
@@ -21,6 +30,15 @@ const expectLinear = (run: () => unknown, linear: () => unknown) => {
   const least = Math.min(timeOf(linear), timeOf(linear));
   expect(timeOf(run)).toBeLessThan(30 * least + 300);
 };
+
+/** A face of many corners and nothing else, seen from above. */
+function plate(corners: number): HalfedgeMesh {
+  const positions = Float32Array.from({ length: 3 * corners }, (_, i) => {
+    const angle = (2 * Math.PI * Math.floor(i / 3)) / corners;
+    return [Math.cos(angle), Math.sin(angle), 0][i % 3];
+  });
+  return HalfedgeMesh.fromPolygons(positions, [Array.from({ length: corners }, (_, v) => v)]);
+}
 
 const LAYOUTS: [string, GeometryOptions][] = [
   ['indexed', { attributes: [] }],
@@ -103,3 +121,49 @@ function cornersOf(mesh: HalfedgeMesh): { halfedges: number[] } {
     }),
   };
 }
+
+const endsOf = (helper: MeshHelper) => {
+  const { instanceStart } = (helper.children[0] as LineSegments2).geometry.attributes;
+  return Array.from({ length: helper.segments }, (_, i) => [
+    instanceStart.getX(i),
+    instanceStart.getY(i),
+    instanceStart.getZ(i),
+  ]);
+};
+
+describe('Helpers', () => {
+  test('draw the arrows of a large face and of its boundary in linear time', () => {
+    const mesh = plate(8000);
+    const glyphs = new HalfedgeGlyphs({ mesh, points: mesh.positions });
+    const once = () => glyphs.face(0, { inset: 1e-6, trim: 1e-6, barb: 1e-6 });
+    const [outside] = mesh.boundaryLoops();
+    expectLinear(() => new HalfedgesHelper(mesh), once);
+    expectLinear(() => new CirculatorHelper(mesh, 'halfedgeLoop', outside), once);
+    expectLinear(() => new CirculatorHelper(mesh, 'faceHalfedges', 0), once);
+    mesh.dispose();
+  });
+
+  test.each(['ccw', 'cw'] as const)('draw each arrow as it is alone, %s', (direction) => {
+    const mesh = HalfedgeMesh.cone(7);
+    mesh.deleteFace(2);
+    const [outside] = mesh.boundaryLoops();
+    const traces: CirculatorHelper[] = [
+      new CirculatorHelper(mesh, 'halfedgeLoop', outside, { direction }),
+      ...mesh
+        .faces()
+        .toArray()
+        .map((f) => new CirculatorHelper(mesh, 'faceHalfedges', f, { direction })),
+      ...mesh
+        .vertices()
+        .toArray()
+        .map((v) => new CirculatorHelper(mesh, 'vertexOutgoingHalfedges', v, { direction })),
+    ];
+    for (const trace of traces) {
+      const alone = trace
+        .trace()
+        .flatMap((h) => endsOf(new CirculatorHelper(mesh, 'halfedgeLoop', h, { steps: 1 })));
+      expect(endsOf(trace)).toEqual(alone);
+    }
+    mesh.dispose();
+  });
+});
