@@ -355,6 +355,25 @@ describe('MeshGeometry', () => {
     expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
   });
 
+  test('tells all listeners of an update, and throws what the first of them throws', () => {
+    using mesh = HalfedgeMesh.cube();
+    const geometry = new MeshGeometry(mesh);
+    const told: unknown[] = [];
+    geometry.onChange(() => {
+      throw new Error('The first of them is busy.');
+    });
+    geometry.onChange((faces) => {
+      told.push(faces);
+      throw new Error('The second as well.');
+    });
+    geometry.onChange((faces) => told.push(faces));
+    mesh.poke(0);
+    expect(() => geometry.update()).toThrow('The first of them is busy.');
+    expect(told).toHaveLength(2);
+    expect(geometry.update()).toEqual({ faces: 0, bytes: 0 });
+    expect(told).toHaveLength(2);
+  });
+
   test('refuses to show an attribute that is gone or another, until it is back', () => {
     using mesh = HalfedgeMesh.cube();
     const { attributes } = mesh;

@@ -205,21 +205,18 @@ export function buffersOf(
   const vertexOf = Array.from(vertices);
   const cornerOf: number[] = new Array(vertices.length).fill(-1);
   const nextCopy: number[] = new Array(vertices.length).fill(-1);
-  const isAlike = (h: number, row: number) =>
-    cornerOf[row] < 0 ||
-    ofCorners.every(({ values, components }) => areEqual(values, components, h, cornerOf[row]));
+  const copies = new CopyFinder(ofCorners, cornerOf, nextCopy);
   const indices = newArray('the indices', Uint32Array, halfedges.length);
   for (let i = 0; i < halfedges.length; i++) {
     const h = halfedges[i];
     const v = toVertex[h];
-    let row = rank[v];
-    while (!isAlike(h, row) && nextCopy[row] >= 0) row = nextCopy[row];
-    if (!isAlike(h, row)) {
-      nextCopy[row] = vertexOf.length;
+    let row = copies.find(h, rank[v]);
+    if (row < 0) {
       row = vertexOf.length;
       vertexOf.push(v);
       cornerOf.push(-1);
       nextCopy.push(-1);
+      copies.add(h, rank[v], row);
     }
     cornerOf[row] = h;
     indices[i] = row;
@@ -230,6 +227,75 @@ export function buffersOf(
     return { ...column, values: gather(column, rows) };
   });
   return { positions, indices, attributes, vertexOf };
+}
+
+/** More copies of a vertex than these are found by their values: the tip of a cone has as many as it has sides. */
+const FEW_COPIES = 16;
+
+/** Finds, among the copies of a vertex, the one whose corners are like another. */
+class CopyFinder {
+  readonly #columns: readonly Column[];
+  readonly #cornerOf: readonly number[];
+  readonly #nextCopy: number[];
+  /** By the first row of a vertex with many copies: the last of them, and each by what its corners have. */
+  readonly #many = new Map<number, { last: number; readonly rows: Map<string, number> }>();
+
+  /** By row of the buffers: a corner that it stands for, and the next copy of its vertex; -1 for none. */
+  constructor(columns: readonly Column[], cornerOf: readonly number[], nextCopy: number[]) {
+    this.#columns = columns;
+    this.#cornerOf = cornerOf;
+    this.#nextCopy = nextCopy;
+  }
+
+  /** The row for the corner where `h` ends, of the vertex whose first row this is; -1 if it needs another one. */
+  find(h: number, first: number): number {
+    let row = first;
+    for (let left = FEW_COPIES; left > 0; left--) {
+      if (this.#isAlike(h, row)) return row;
+      row = this.#nextCopy[row];
+      if (row < 0) return -1;
+    }
+    return this.#manyOf(first).rows.get(this.#keyOf(h)) ?? -1;
+  }
+
+  /** Takes up a row for that corner, because none was found. */
+  add(h: number, first: number, row: number): void {
+    const many = this.#many.get(first);
+    many?.rows.set(this.#keyOf(h), row);
+    let last = many?.last ?? first;
+    while (this.#nextCopy[last] >= 0) last = this.#nextCopy[last];
+    this.#nextCopy[last] = row;
+    if (many) many.last = row;
+  }
+
+  #manyOf(first: number): { last: number; readonly rows: Map<string, number> } {
+    let many = this.#many.get(first);
+    if (many === undefined) {
+      many = { last: first, rows: new Map() };
+      for (let row = first; row >= 0; row = this.#nextCopy[row]) {
+        many.rows.set(this.#keyOf(this.#cornerOf[row]), row);
+        many.last = row;
+      }
+      this.#many.set(first, many);
+    }
+    return many;
+  }
+
+  #isAlike(h: number, row: number): boolean {
+    const other = this.#cornerOf[row];
+    return (
+      other < 0 ||
+      this.#columns.every(({ values, components }) => areEqual(values, components, h, other))
+    );
+  }
+
+  /** Alike for corners that are alike: -0 is written as 0. */
+  #keyOf(h: number): string {
+    const keys = this.#columns.map(({ values, components }) =>
+      values.subarray(h * components, (h + 1) * components).join(),
+    );
+    return keys.join(';');
+  }
 }
 
 /** Rows in this order; zeros for -1. */

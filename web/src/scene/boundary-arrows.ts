@@ -47,9 +47,13 @@ export class BoundaryArrows extends KeptLines {
     const pixel = pixelOfStep(look);
     const first = links.faceHalfedge[face];
     this.#count = 0;
+    let before = -1;
     let h = first;
     do {
-      if (links.face[h ^ 1] < 0) this.#trace(h ^ 1, pixel);
+      if (links.face[h ^ 1] < 0) {
+        this.#trace(h ^ 1, pixel, before);
+        before = h ^ 1;
+      }
       h = links.next[h];
     } while (h !== first);
     return this.#count;
@@ -64,10 +68,10 @@ export class BoundaryArrows extends KeptLines {
     for (let s = first; s < first + this.#count; s++) this.#color.toArray(colors, 3 * s);
   }
 
-  /** Adds the arrow of a boundary halfedge. */
-  #trace(h: number, pixel: number): void {
+  /** Adds the arrow of a boundary halfedge, after that of another one beside the same face. */
+  #trace(h: number, pixel: number, before: number): void {
     const glyphs = this.#glyphs as HalfedgeGlyphs;
-    glyphs.boundary(h, arrowSizes(pixel));
+    glyphs.boundary(h, arrowSizes(pixel), before);
     const { arrows } = glyphs;
     const dashes = dashCount(arrows, 0, 3, DASH_PX * pixel, DUTY);
     this.#reserve(this.#count + dashes + 1);

@@ -27,13 +27,14 @@ export class Glyphs extends HalfedgeGlyphs {
     return super.face(face, sizes ?? this.sizesAt(data[at], data[at + 1], data[at + 2]));
   }
 
-  override boundary(h: number, sizes?: ArrowSizes): void {
+  override boundary(h: number, sizes?: ArrowSizes, before?: number): void {
     const { points, mesh } = this.#surface;
     const from = 3 * mesh.connectivity.toVertex[h ^ 1];
-    super.boundary(h, sizes ?? this.sizesAt(points[from], points[from + 1], points[from + 2]));
+    const own = sizes ?? this.sizesAt(points[from], points[from + 1], points[from + 2]);
+    super.boundary(h, own, before);
   }
 
-  override halfedge(h: number, sizes?: ArrowSizes): number {
-    return super.halfedge(h, sizes as ArrowSizes);
+  override halfedge(h: number, sizes?: ArrowSizes, before?: number): number {
+    return super.halfedge(h, sizes as ArrowSizes, before);
   }
 }

@@ -3,6 +3,7 @@ import { type Surface, writeFaceNormal, writeVertexNormal } from '../measures.js
 import {
   eachOutgoing,
   GeometryRows,
+  isMoreThanAll,
   isMost,
   type ShownColumn,
   type ShownRows,
@@ -46,7 +47,8 @@ export class CornerRows extends GeometryRows {
       position[to + 1] = positions[from + 1];
       position[to + 2] = positions[from + 2];
       if (normals === undefined) continue;
-      if (smooth === undefined && row % 3 === 0) this.#faceNormal(surface, faces, row / 3);
+      if (smooth === undefined && row % 3 === 0 && faces[row / 3] !== faces[row / 3 - 1])
+        this.#faceNormal(surface, faces, row / 3);
       const source = smooth ?? normal;
       const at = smooth ? from : 0;
       normals[to] = source[at];
@@ -113,7 +115,9 @@ export class CornerRows extends GeometryRows {
 
   #writeSmoothNormals(vertices: readonly number[], moved: readonly number[]): void {
     if (this.normal === undefined) return;
-    if (isMost(moved, this.mesh)) {
+    const { items } = this.#stale;
+    const surface = isMost(moved, this.mesh) ? null : this.findStale(vertices, moved, this.#stale);
+    if (surface === null || isMoreThanAll(items, surface)) {
       const normals = this.allNormals();
       const { slots, buffer } = this.triangles;
       for (let row = 0; row < 3 * slots.end; row++) {
@@ -122,9 +126,8 @@ export class CornerRows extends GeometryRows {
       }
       return;
     }
-    const surface = this.findStale(vertices, moved, this.#stale);
     const { next, face, vertexHalfedge } = surface;
-    for (const v of this.#stale.items) {
+    for (const v of items) {
       writeVertexNormal(surface, v, normal, 0);
       eachOutgoing(next, vertexHalfedge[v], (h) => this.#writeNormalAt(v, face[h]));
     }

@@ -2,7 +2,7 @@ import type { AttributeInfo, AttributeView } from '../attributes.js';
 import type { Surface } from '../measures.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { arrayFor, isNormalized } from './columns.js';
-import type { ItemSet } from './item-set.js';
+import { ItemSet } from './item-set.js';
 import { surfaceOf } from './normals.js';
 import { RowBuffer } from './rows.js';
 import type { Placement, TriangleIndex } from './triangle-index.js';
@@ -33,6 +33,7 @@ export abstract class GeometryRows {
   protected readonly mesh: HalfedgeMesh;
   protected readonly triangles: TriangleIndex;
   #allNormals: Float32Array | undefined;
+  readonly #besideMoved = new ItemSet();
   readonly #shown: readonly { readonly info: AttributeInfo; readonly buffer: RowBuffer }[];
 
   constructor({ mesh, attributes, normals }: ShownRows, triangles: TriangleIndex) {
@@ -99,16 +100,23 @@ export abstract class GeometryRows {
     stale: ItemSet,
   ): Surface {
     const surface = surfaceOf(this.mesh);
-    const { next, toVertex, face, vertexHalfedge } = surface;
+    const { next, toVertex, face, vertexHalfedge, faceHalfedge } = surface;
+    const faces = this.#besideMoved;
     stale.begin(vertexHalfedge.length);
+    faces.begin(faceHalfedge.length);
     for (const v of vertices) if (vertexHalfedge[v] >= -1) stale.add(v);
     for (const v of moved) {
       stale.add(v);
       eachOutgoing(next, vertexHalfedge[v], (h) => {
         stale.add(toVertex[h]);
-        if (face[h] < 0) return;
-        for (let g = next[h]; g !== h; g = next[g]) stale.add(toVertex[g]);
+        faces.add(face[h]);
       });
+    }
+    // Each once, however many of its corners have moved.
+    for (const f of faces.items) {
+      const first = faceHalfedge[f];
+      stale.add(toVertex[first]);
+      for (let h = next[first]; h !== first; h = next[h]) stale.add(toVertex[h]);
     }
     return surface;
   }
@@ -117,6 +125,26 @@ export abstract class GeometryRows {
 /** Whether these are so many that all of the mesh is written sooner than what is around each of them. */
 export function isMost(vertices: readonly number[], mesh: HalfedgeMesh): boolean {
   return 4 * vertices.length > mesh.vertexCount;
+}
+
+/** So many corners are looked at in no time. */
+const FEW_CORNERS = 10_000;
+
+/**
+ * Whether all normals of a mesh are sooner computed than those of some vertices, one by one: the normal at each corner
+ * of a large polygon takes all of its corners.
+ */
+export function isMoreThanAll(vertices: readonly number[], surface: Surface): boolean {
+  const { next, face, vertexHalfedge } = surface;
+  let left = Math.max(FEW_CORNERS, next.length);
+  for (const v of vertices) {
+    eachOutgoing(next, vertexHalfedge[v], (h) => {
+      if (face[h] < 0) return;
+      for (let g = next[h]; g !== h && left > 0; g = next[g]) left -= 1;
+    });
+    if (left <= 0) return true;
+  }
+  return false;
 }
 
 /** Calls `use` with each halfedge that leaves a vertex, by one of them; none for a negative one. */

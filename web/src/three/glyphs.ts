@@ -23,6 +23,8 @@ export class HalfedgeGlyphs {
   readonly #vertices: number[] = [];
   readonly #path = new Float64Array(12);
   readonly #normal = new Float64Array(3);
+  /** Which arrow of its face was traced last. */
+  #place = 0;
 
   constructor(drawn: DrawnMesh) {
     this.#drawn = drawn;
@@ -40,8 +42,12 @@ export class HalfedgeGlyphs {
     return degree;
   }
 
-  /** The arrow of a boundary halfedge, outside of the face across its edge and in the plane of it. */
-  boundary(h: number, sizes: ArrowSizes): void {
+  /**
+   * The arrow of a boundary halfedge, outside of the face across its edge and in the plane of it. `before` is the
+   * halfedge that was traced just before, on a surface that has stayed as it was: what both have in common is measured
+   * once. Left out, there is none.
+   */
+  boundary(h: number, sizes: ArrowSizes, before = -1): void {
     const { mesh, points } = this.#drawn;
     const { toVertex, next, face } = mesh.connectivity;
     const read = (i: number, v: number) => {
@@ -51,23 +57,28 @@ export class HalfedgeGlyphs {
     read(1, toVertex[h ^ 1]);
     read(2, toVertex[h]);
     read(3, toVertex[next[h]]);
-    const degree = this.#readCorners(face[h ^ 1]);
-    const normal = newellNormal(this.#corners, degree, this.#normal);
-    this.#tracer.traceBoundary(this.#path, normal, sizes, this.arrows, 0);
+    if (!(before >= 0 && face[before] < 0 && face[before ^ 1] === face[h ^ 1])) {
+      const degree = this.#readCorners(face[h ^ 1]);
+      newellNormal(this.#corners, degree, this.#normal);
+    }
+    this.#tracer.traceBoundary(this.#path, this.#normal, sizes, this.arrows, 0);
   }
 
-  /** The arrow of any halfedge; returns its offset in `arrows`. */
-  halfedge(h: number, sizes: ArrowSizes): number {
+  /** The arrow of any halfedge; returns its offset in `arrows`. `before` is as for `boundary`, with the same sizes. */
+  halfedge(h: number, sizes: ArrowSizes, before = -1): number {
     const { face, next, faceHalfedge } = this.#drawn.mesh.connectivity;
     if (face[h] < 0) {
-      this.boundary(h, sizes);
+      this.boundary(h, sizes, before);
       return 0;
     }
-    this.face(face[h], sizes);
     // Corner i is the to-vertex of the i-th halfedge, so arrow i belongs to the one after it.
-    let place = 0;
-    for (let at = next[faceHalfedge[face[h]]]; at !== h; at = next[at]) place += 1;
-    return place * ARROW_FLOATS;
+    const first = next[faceHalfedge[face[h]]];
+    if (!(before >= 0 && face[before] === face[h])) this.face(face[h], sizes);
+    else if (h !== first && next[before] === h) return ++this.#place * ARROW_FLOATS;
+    else if (before !== first && next[h] === before) return --this.#place * ARROW_FLOATS;
+    this.#place = 0;
+    for (let at = first; at !== h; at = next[at]) this.#place += 1;
+    return this.#place * ARROW_FLOATS;
   }
 
   /** Writes the corners of a face, and xyz of them; returns its degree. */

@@ -109,10 +109,10 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     return { color: this.color, linewidth, lines: this.#lines, pixel: this.pixel };
   }
 
-  /** Draws the arrow of a halfedge: dotted on the boundary. */
-  protected drawHalfedge(h: number, color: Color): void {
+  /** Draws the arrow of a halfedge: dotted on the boundary. `before` is the one drawn just before, if there is one. */
+  protected drawHalfedge(h: number, color: Color, before?: number): void {
     this.drawArrow(
-      this.glyphs.halfedge(h, arrowSizes(this.pixel)),
+      this.glyphs.halfedge(h, arrowSizes(this.pixel), before),
       this.mesh.isBoundaryHalfedge(h),
       color,
     );

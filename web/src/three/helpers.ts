@@ -76,11 +76,13 @@ export class HalfedgesHelper extends MeshHelper {
       if (this.faces === undefined && left-- === 0) return;
       if (!(faceHalfedge[f] >= 0)) continue; // deleted since it was named
       this.drawFace(f, this.color);
+      let before = -1;
       let h = faceHalfedge[f];
       do {
         if (face[h ^ 1] < 0) {
-          this.glyphs.boundary(h ^ 1, arrowSizes(this.pixel));
+          this.glyphs.boundary(h ^ 1, arrowSizes(this.pixel), before);
           this.drawArrow(0, true, this.boundaryColor);
+          before = h ^ 1;
         }
         h = next[h];
       } while (h !== faceHalfedge[f]);
@@ -190,7 +192,8 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   protected override draw(): void {
     const halfedges = this.trace();
     halfedges.forEach((h, i) => {
-      this.drawHalfedge(h, i === halfedges.length - 1 ? this.currentColor : this.color);
+      const color = i === halfedges.length - 1 ? this.currentColor : this.color;
+      this.drawHalfedge(h, color, halfedges[i - 1]);
     });
   }
 }

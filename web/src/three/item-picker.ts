@@ -205,11 +205,13 @@ export class ItemPicker {
     const { toVertex, next, face } = mesh.connectivity;
     let found = -1;
     let least = TO_BOUNDARY * reach;
+    let before = -1;
     for (const h of boundary) {
       if (!(next[h] >= 0 && face[h] < 0)) continue; // deleted or filled since it was named
       const from = 3 * toVertex[h ^ 1];
       const pixel = projection.pixelAt(points[from], points[from + 1], points[from + 2]);
-      this.#glyphs.boundary(h, arrowSizes(pixel));
+      this.#glyphs.boundary(h, arrowSizes(pixel), before);
+      before = h;
       const distance = distanceToArrow(at, this.#glyphs, 0, projection);
       if (!(distance < least)) continue;
       const start = new Vector3().fromArray(this.#glyphs.arrows).applyMatrix4(matrixWorld);

@@ -127,7 +127,10 @@ export class MeshGeometry extends BufferGeometry {
     return this.#rows.points;
   }
 
-  /** Calls `listener` at each update that finds changes. Returns a function that stops this. */
+  /**
+   * Calls `listener` at each update that finds changes. Returns a function that stops this. What it throws, `update`
+   * throws once all listeners were called.
+   */
   onChange(listener: ChangeListener): () => void {
     if (typeof listener !== 'function') refuse('listener', listener, 'a function');
     this.#listeners.add(listener);
@@ -261,7 +264,16 @@ export class MeshGeometry extends BufferGeometry {
   }
 
   #tell(faces: readonly number[] | null): void {
-    for (const listener of this.#listeners) listener(faces);
+    const errors: unknown[] = [];
+    for (const listener of this.#listeners) {
+      try {
+        listener(faces);
+      } catch (error) {
+        errors.push(error);
+      }
+    }
+    // Once all of them know: no later update would tell them of these faces.
+    if (errors.length > 0) throw errors[0];
   }
 }
 

@@ -1,5 +1,5 @@
 import { writeVertexNormal } from '../measures.js';
-import { eachOutgoing, GeometryRows, isMost } from './geometry-rows.js';
+import { eachOutgoing, GeometryRows, isMoreThanAll, isMost } from './geometry-rows.js';
 import { ItemSet } from './item-set.js';
 import { roomFor } from './rows.js';
 import type { Placement } from './triangle-index.js';
@@ -46,13 +46,14 @@ export class VertexRows extends GeometryRows {
     moved: readonly number[],
   ): void {
     if (this.normal === undefined) return;
-    if (isMost(moved, this.mesh)) {
+    const { items } = this.#stale;
+    const surface = isMost(moved, this.mesh) ? null : this.findStale(vertices, moved, this.#stale);
+    if (surface === null || isMoreThanAll(items, surface)) {
       const normals = this.allNormals();
       for (const v of this.mesh.vertices()) this.normal.write(v, normals, 3 * v);
       return;
     }
-    const surface = this.findStale(vertices, moved, this.#stale);
-    for (const v of this.#stale.items) {
+    for (const v of items) {
       writeVertexNormal(surface, v, normal, 0);
       this.normal.write(v, normal, 0);
     }
