@@ -1,4 +1,4 @@
-import { Color, Matrix4, Vector3 } from 'three';
+import { Color, Matrix4, Object3D, Vector3 } from 'three';
 import type { HalfedgeMesh, ItemKind } from '../api.js';
 import type { Item } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
@@ -59,6 +59,8 @@ export class MeshPicture {
   readonly #isolated: IsolatedVertices;
   readonly #labels: Labels;
   readonly #pointers: Pointers;
+  /** All that is drawn of the mesh. */
+  readonly #objects = new Object3D();
   #palette: Palette | null = null;
   /** The labels of the overlay. */
   #marked: readonly Label[] = [];
@@ -83,6 +85,8 @@ export class MeshPicture {
     this.stage = stage;
     this.#source = source;
     this.travel = new Travel(stage);
+    const { children } = stage.scene;
+    const others = children.length;
     stage.scene.add(this.#surfaceView.object);
     this.#wire = new Wire(stage);
     this.#arrows = new ArrowLayer(stage);
@@ -91,6 +95,8 @@ export class MeshPicture {
     this.#labels = new Labels(stage, labels);
     this.#pointers = new Pointers(stage);
     this.#morph = new Morph(stage, this.look);
+    this.#objects.add(...children.slice(others));
+    stage.scene.add(this.#objects);
     stage.onFrame(() => this.#beforeFrame());
   }
 
@@ -131,7 +137,12 @@ export class MeshPicture {
     this.#morph.stop();
     this.#shown?.surface.tree.dispose();
     this.#shown = this.travel.shown = null;
-    if (!mesh) return;
+    this.#objects.visible = mesh !== null;
+    if (!mesh) {
+      this.#labels.set([]);
+      this.stage.invalidate();
+      return;
+    }
     this.#present(new Surface(mesh, this.#options));
     this.#rest(AT_REST, null);
   }
