@@ -65,13 +65,7 @@ val enable_generations(Address mesh) {
   return result ? val::object() : failure(result.error());
 }
 
-void disable_generations(Address mesh) {
-  AnyMesh& m = mesh_at(mesh);
-  for (const ItemKind kind : kItemKinds) {
-    const Attribute* stamps = m.find_attribute(kind, "generation");
-    if (stamps != nullptr && stamps->is_generation()) m.remove_attribute(kind, "generation");
-  }
-}
+void disable_generations(Address mesh) { mesh_at(mesh).disable_generations(); }
 
 }  // namespace
 
@@ -102,10 +96,7 @@ HALFEDGE_EXPORT int set_attribute(Address mesh, Index mode, Address attribute, I
   });
 }
 
-HALFEDGE_EXPORT int has_generations(Address mesh) {
-  const Attribute* stamps = mesh_at(mesh).find_attribute(ItemKind::kVertex, "generation");
-  return int{stamps != nullptr && stamps->is_generation()};
-}
+HALFEDGE_EXPORT int has_generations(Address mesh) { return int{mesh_at(mesh).has_generations()}; }
 
 /// The stamp of an item; 0 while there are none.
 HALFEDGE_EXPORT Index generation(Address mesh, int kind, Index item) {

@@ -14,7 +14,7 @@ TEST(Generations, TellTheItemsOfOneSlotApart) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_history());
   ASSERT_TRUE(mesh.enable_generations());
-  EXPECT_EQ(mesh.enable_generations().error().code, "attribute-exists");
+  ASSERT_TRUE(mesh.enable_generations()) << "they are there, and stay";
   const Halfedge spoke = decorator::create_center_vertex(mesh, Halfedge(0)).value();
   mesh.end_step();
   const Vertex v = mesh.to_vertex(spoke);
@@ -97,6 +97,42 @@ TEST(Generations, TellApartWhatTookTheSlotOfSomethingUndone) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NE(next[i], undone[i]) << i;
 }
 
+TEST(Generations, TellApartWhatTookThePlaceOfSomethingUndoneOnceThereIsNoHistory) {
+  for (const bool copies : {false, true}) {
+    Mesh mesh = reference_build(tetrahedron());
+    ASSERT_TRUE(mesh.enable_history());
+    ASSERT_TRUE(mesh.enable_generations());
+    const Vertex v = mesh.add_vertex({});
+    mesh.end_generations();  // as whatever renumbers items does
+    const Index undone = mesh.generation(v);
+    mesh.end_step();
+    ASSERT_TRUE(mesh.undo());
+    Mesh copy;
+    if (copies) {
+      ASSERT_TRUE(copy.assign(mesh));
+    } else {
+      mesh.disable_history();
+    }
+    Mesh& next = copies ? copy : mesh;
+    ASSERT_EQ(next.add_vertex({}), v);
+    EXPECT_NE(next.generation(v), undone);
+  }
+}
+
+TEST(Generations, HaveNoNameThatAttributesCouldHave) {
+  Mesh mesh = reference_build(tetrahedron());
+  Attribute& own =
+      *mesh.add_attribute(ItemKind::kVertex, "generation", {.type = Scalar::kUint32}).value();
+  own.set(0, 0, 77, nullptr);
+  ASSERT_TRUE(mesh.enable_generations());
+  Mesh other = reference_build(triangle());
+  ASSERT_TRUE(other.enable_generations());
+  ASSERT_TRUE(append(mesh, other));
+  EXPECT_EQ(own.get(0, 0), 77);
+  EXPECT_EQ(own.get(4, 0), 0) << "the default, as the other mesh has no such attribute";
+  EXPECT_EQ(mesh.add_attribute(ItemKind::kFace, "", {}).error().code, "bad-attribute");
+}
+
 TEST(Generations, ForgetTheStepsFromBeforeTheyWereEnabled) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_history());
@@ -123,9 +159,9 @@ TEST(Generations, EndWhenTheyAreTurnedOff) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_generations());
   const Index before = mesh.generation(Face(0));
-  for (const ItemKind kind : {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace}) {
-    mesh.remove_attribute(kind, "generation");
-  }
+  mesh.disable_generations();
+  EXPECT_FALSE(mesh.has_generations());
+  EXPECT_EQ(mesh.generation(Face(0)), 0U);
   ASSERT_TRUE(mesh.enable_generations());
   EXPECT_NE(mesh.generation(Face(0)), before);
 }

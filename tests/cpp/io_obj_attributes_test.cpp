@@ -158,6 +158,17 @@ TEST(ObjAttributes, ComeBackToTheLastBit) {
                      "refuse the file"});
 }
 
+TEST(ObjAttributes, NamesOfLibrariesThatAreChangedAreNoted) {
+  const std::vector<SoupNames> names = {{"library", {"a\tb.mtl", "c #d.mtl", "e.mtl ", "f.mtl"}}};
+  Strings notes;
+  const auto bytes = write(sample_mesh(), Format::kObj, {.names = names, .notes = &notes});
+  const std::string text(bytes.value().begin(), bytes.value().end());
+  EXPECT_TRUE(text.starts_with("mtllib a_b.mtl\nmtllib c _d.mtl\nmtllib e.mtl\nmtllib f.mtl\n"));
+  EXPECT_EQ(notes,
+            Strings{"wrote 3 of 4 names of libraries changed: control characters and a # that "
+                    "starts a word become _, blanks at the ends are left out"});
+}
+
 TEST(ObjAttributes, ShareValuesAndHaveNames) {
   Mesh mesh = sample_mesh();
   Attribute& uv = add(mesh, ItemKind::kHalfedge, "uv", Scalar::kFloat32, 2, OnSplit::kInterpolate);

@@ -259,7 +259,9 @@ TEST(Stl, ExplainsWrongText) {
        "truncated: line 5: expected a number for z of vertex 1 of triangle "
        "0, found the end of the file"},
       {start + "vertex 1 inf 0\nvertex 1 1 0\nendloop\nendfacet\n",
-       "non-finite-position: line 4: y of vertex 1 of triangle 0 is inf, expected a finite number"},
+       "non-finite-position: line 5: y of vertex 1 of triangle 0 is inf, expected a finite number"},
+      {start + "vertex 1 0 0\nvertex 1 1\\\n1.#INF\nendloop\nendfacet\n",
+       "non-finite-position: line 7: z of vertex 2 of triangle 0 is inf, expected a finite number"},
       {"hello world", "parse-error: line 1: expected solid or facet, found \"hello\""}};
   for (const auto& [text, error] : errors) EXPECT_EQ(stl_error(text), error);
 }

@@ -31,8 +31,11 @@ namespace ops = operations;
 
 float coordinate(Point p, Index axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// Corners have the positions of their vertices; sides without a face something else.
-Mesh with_positions_at_corners(const Shape& shape) {
+/// Which sides have the values of corners.
+enum class Sides { kOfFaces, kAll };
+
+/// Corners have the positions of their vertices; other sides something else.
+Mesh with_positions_at_corners(const Shape& shape, Sides sides) {
   Mesh mesh = reference_build(shape);
   Attribute& uv =
       *mesh.add_attribute(
@@ -42,17 +45,18 @@ Mesh with_positions_at_corners(const Shape& shape) {
   for (const Halfedge h : mesh.halfedges()) {
     for (const Index axis : {0U, 1U, 2U}) {
       const float at = coordinate(mesh.position(mesh.to_vertex(h)), axis);
-      uv.set(h.index(), axis, mesh.is_boundary(h) ? -999 : double(at), nullptr);
+      const bool has_it = sides == Sides::kAll || !mesh.is_boundary(h);
+      uv.set(h.index(), axis, has_it ? double(at) : -999, nullptr);
     }
   }
   return mesh;
 }
 
-/// The first corner that has another value than the position of its vertex.
-Halfedge first_wrong(const Mesh& mesh) {
+/// The first of these sides that has another value than the position of its vertex.
+Halfedge first_wrong(const Mesh& mesh, Sides sides) {
   const Attribute& uv = *mesh.find_attribute(ItemKind::kHalfedge, "uv");
   for (const Halfedge h : mesh.halfedges()) {
-    if (mesh.is_boundary(h)) continue;
+    if (sides == Sides::kOfFaces && mesh.is_boundary(h)) continue;
     for (const Index axis : {0U, 1U, 2U}) {
       const double at = double(coordinate(mesh.position(mesh.to_vertex(h)), axis));
       if (!(std::abs(uv.get(h.index(), axis) - at) <= 1e-5 * (1 + std::abs(at)))) return h;
@@ -64,19 +68,20 @@ Halfedge first_wrong(const Mesh& mesh) {
 /// Applies `operate` to each item that `items` lists, each time to a copy of each of many meshes.
 /// Returns how often it was done.
 template <class Items, class Operate>
-int expect_corners_follow(const Items& items, const Operate& operate) {
+int expect_corners_follow(const Items& items, const Operate& operate,
+                          Sides sides = Sides::kOfFaces) {
   int done = 0;
   std::vector<Shape> shapes = all_shapes();
   for (std::uint32_t seed = 0; seed < 8; ++seed) shapes.push_back(random_polygons(seed));
   for (const Shape& shape : shapes) {
     if (shape.faces.size() > 60) continue;  // what is done takes quadratic time
-    const Mesh mesh = with_positions_at_corners(shape);
-    EXPECT_FALSE(first_wrong(mesh).valid());
+    const Mesh mesh = with_positions_at_corners(shape, sides);
+    EXPECT_FALSE(first_wrong(mesh, sides).valid());
     for (const auto item : items(mesh)) {
       Mesh after = copy_of(mesh);
       if (!operate(after, item).ok()) continue;
       ++done;
-      const Halfedge wrong = first_wrong(after);
+      const Halfedge wrong = first_wrong(after, sides);
       EXPECT_FALSE(wrong.valid()) << shape.name << ", item " << item.index() << ": corner "
                                   << wrong.index() << " at vertex "
                                   << after.to_vertex(wrong).index();
@@ -86,10 +91,13 @@ int expect_corners_follow(const Items& items, const Operate& operate) {
   return done;
 }
 
-Point point_on(const Mesh& mesh, Edge e, double t) {
-  const Halfedge h = mesh.edge_halfedge(e);
+Point point_on(const Mesh& mesh, Halfedge h, double t) {
   return decorator::internal::blend(mesh.position(mesh.from_vertex(h)),
                                     mesh.position(mesh.to_vertex(h)), t);
+}
+
+Point point_on(const Mesh& mesh, Edge e, double t) {
+  return point_on(mesh, mesh.edge_halfedge(e), t);
 }
 
 constexpr auto kVertices = [](const Mesh& mesh) { return mesh.vertices(); };
@@ -105,6 +113,19 @@ TEST(Corners, FollowTheVerticesThatBevelsMove) {
     EXPECT_GT(expect_corners_follow(kEdges,
                                     [&](Mesh& m, Edge e) { return ops::bevel_edge(m, e, amount); }),
               50);
+  }
+}
+
+TEST(Corners, OfOpenSidesFollowTheVerticesThatMove) {
+  for (const double t : {0.0, 0.25, 1.0}) {
+    const auto collapse = [&](Mesh& m, Halfedge h) {
+      return ops::collapse(m, h, point_on(m, h, t));
+    };
+    EXPECT_GT(expect_corners_follow(kHalfedges, collapse, Sides::kAll), 50);
+    const auto bevel_edge = [&](Mesh& m, Edge e) { return ops::bevel_edge(m, e, t); };
+    EXPECT_GT(expect_corners_follow(kEdges, bevel_edge, Sides::kAll), 50);
+    const auto bevel_vertex = [&](Mesh& m, Vertex v) { return ops::bevel_vertex(m, v, t); };
+    EXPECT_GT(expect_corners_follow(kVertices, bevel_vertex, Sides::kAll), 50);
   }
 }
 
@@ -197,13 +218,9 @@ TEST(Corners, StayWithTheFacesWhereAMeshIsCutOpenAndSewn) {
 
 TEST(Corners, FollowTheVerticesOfACollapse) {
   for (const double t : {0.0, 0.5, 1.0}) {
-    EXPECT_GT(expect_corners_follow(kHalfedges,
-                                    [&](Mesh& m, Halfedge h) {
-                                      const Point a = m.position(m.from_vertex(h));
-                                      const Point b = m.position(m.to_vertex(h));
-                                      return ops::collapse(m, h,
-                                                           decorator::internal::blend(a, b, t));
-                                    }),
+    EXPECT_GT(expect_corners_follow(
+                  kHalfedges,
+                  [&](Mesh& m, Halfedge h) { return ops::collapse(m, h, point_on(m, h, t)); }),
               50);
   }
   EXPECT_GT(

@@ -143,7 +143,7 @@ TEST(DissolveVertex, SaysWhyItCannot) {
   Mesh mesh = prepared(with_isolated_vertices());
   refuses(mesh, dissolve(0), "isolated-vertex", {.vertices = {0}});
   refuses(mesh, dissolve(9), "not-a-vertex", {.vertices = {9}});
-  refuses(mesh, dissolve(1), "degree-below-three", {.vertices = {4, 2}});
+  refuses(mesh, dissolve(1), "degree-below-three", {.vertices = {1, 4, 2}});
   Mesh fans = prepared(pinched(2));
   refuses(
       fans, dissolve(0), "pinched-vertex",

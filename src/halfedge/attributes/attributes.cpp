@@ -21,7 +21,9 @@ std::string quoted(ItemKind kind, std::string_view name) {
 Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
                                    const AttributeOptions& options, Index slots) {
   if (kind == ItemKind::kMesh) return bad("A mesh has attributes of its items, not of itself.");
-  if (name.empty()) return bad("The name of an attribute is empty, expected a word.");
+  if (name.empty() && !options.is_generation) {
+    return bad("The name of an attribute is empty, expected a word.");
+  }
   if (options.components < 1 || options.components > Attribute::kMaxComponents) {
     return bad(sentence::of("The {} would have {} components, expected 1 to {}.",
                             quoted(kind, name), options.components, Attribute::kMaxComponents));
@@ -76,8 +78,8 @@ void Attributes::resize_columns(ItemKind kind, Index slots, Journal* journal) {
   for (Column& column : of(kind)) {
     const Index old = column->slots();
     column->resize(slots);
-    if (!column->is_generation() || journal == nullptr || slots <= old) continue;
-    // Undo may have taken away other items from these slots.
+    if (!column->is_generation() || slots <= old) continue;
+    // Undo may have taken away other items from these slots, now or while there was history.
     ++generations_;
     for (Index item = old; item < slots; ++item) column->set(item, 0, generations_, journal);
   }

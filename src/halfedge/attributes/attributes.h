@@ -21,6 +21,9 @@ namespace halfedge {
 /// many slots as the mesh. Without any, which is the rule, they cost one test for each new item.
 class Attributes {
  public:
+  /// The name of the columns of generations: one that no other column can have.
+  static constexpr std::string_view kGenerationName = "";
+
   /// Owns a column, and is as const as that.
   class Column {
    public:

@@ -426,13 +426,19 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void average_attributes(Item to, const Items& items) {
     attributes_.average(kind_of(to), to.index(), items, journal_.get());
   }
-  /// Stamps each vertex, edge and face from now on: attributes named "generation" of one uint32. An
-  /// item in the slot of a deleted one gets another stamp than that had. So who keeps a handle and
-  /// its stamp can tell whether it still means the same item. All generations end, which gives live
-  /// items new stamps, with `clear`, `assign` and `normalize_boundary`, and with `compact` and
-  /// `reorder` where they move something. History forgets what was done before. 4 bytes an item.
-  /// errors: attribute-exists, out-of-memory
+  /// Stamps each vertex, edge and face from now on, with a uint32. An item in the slot of a deleted
+  /// one gets another stamp than that had. So who keeps a handle and its stamp can tell whether it
+  /// still means the same item. All generations end, which gives live items new stamps, with
+  /// `clear`, `assign` and `normalize_boundary`, and with `compact` and `reorder` where they move
+  /// something. History forgets what was done before. 4 bytes an item. errors: out-of-memory
   [[nodiscard]] Result<void> enable_generations();
+  /// Takes the stamps away, and gives their memory back.
+  void disable_generations() {
+    for (const ItemKind kind : kItemKinds) remove_attribute(kind, Attributes::kGenerationName);
+  }
+  [[nodiscard]] bool has_generations() const {
+    return attributes_.find(ItemKind::kVertex, Attributes::kGenerationName) != nullptr;
+  }
   /// The stamp of an item; that of a halfedge is its edge's. 0 while there are none.
   [[nodiscard]] Index generation(Vertex v) const { return generation_of(v); }
   [[nodiscard]] Index generation(Halfedge h) const { return generation_of(edge(h)); }

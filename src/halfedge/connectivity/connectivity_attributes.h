@@ -40,15 +40,16 @@ bool BasicConnectivity<kStored>::fit_attributes() {
 
 template <Storage kStored>
 Result<void> BasicConnectivity<kStored>::enable_generations() {
+  if (has_generations()) return {};
   constexpr ItemKind kKinds[] = {ItemKind::kVertex, ItemKind::kEdge, ItemKind::kFace};
   for (const ItemKind kind : kKinds) {
     const Result<Attribute*> added =
-        add_column(kind, "generation",
+        add_column(kind, Attributes::kGenerationName,
                    {.type = Scalar::kUint32, .on_split = OnSplit::kDefault, .is_generation = true});
     if (added) continue;
     for (const ItemKind done : kKinds) {
       if (done == kind) return added.error();
-      remove_attribute(done, "generation");
+      remove_attribute(done, Attributes::kGenerationName);
     }
   }
   attributes_.end_all_generations();  // those that were enabled before, if any
@@ -60,8 +61,8 @@ Result<void> BasicConnectivity<kStored>::enable_generations() {
 template <Storage kStored>
 template <class Item>
 Index BasicConnectivity<kStored>::generation_of(Item item) const {
-  const Attribute* stamps = attributes_.find(kind_of(item), "generation");
-  return stamps == nullptr || !stamps->is_generation() ? 0 : Index(stamps->get(item.index(), 0));
+  const Attribute* stamps = attributes_.find(kind_of(item), Attributes::kGenerationName);
+  return stamps == nullptr ? 0 : Index(stamps->get(item.index(), 0));
 }
 
 }  // namespace halfedge

@@ -72,6 +72,8 @@ class ObjWriter {
 
  private:
   static constexpr std::string_view kSmoothing = "smoothing";  // whose groups have no names
+  static constexpr const char* kSpelling =
+      "control characters and a # that starts a word become _, blanks at the ends are left out";
 
   /// What a corner refers to: values of its vertex or its own.
   struct Reference {
@@ -181,8 +183,7 @@ class ObjWriter {
       mesh_.note_change(*label.column,
                         sentence::of("with {} of its {} names {} {}", count, used, verb, what));
     };
-    note(changed, "changed:",
-         "control characters and a # that starts a word become _, blanks at the ends are left out");
+    note(changed, "changed:", kSpelling);
     note(empty, "left out,", "being empty");
     note(none, "left out,", "being (null), which stands for none");
     if (numbers + empty == used) note(numbers, "that", "are numbers, for which readers take them");
@@ -213,7 +214,15 @@ class ObjWriter {
   void write_libraries() {
     const SoupNames* const libraries = names_of("library");
     if (libraries == nullptr) return;
-    for (const std::string& name : libraries->names) write_statement("mtllib", spelt(name));
+    std::size_t changed = 0;
+    for (const std::string& name : libraries->names) {
+      const std::string text = spelt(name);
+      changed += text != name ? 1U : 0U;
+      write_statement("mtllib", text);
+    }
+    if (changed == 0) return;
+    mesh_.note(sentence::of("wrote {} of {} names of libraries changed: {}", changed,
+                            libraries->names.size(), kSpelling));
   }
   void write_statement(const char* statement, const std::string& rest) {
     out_.text(statement);

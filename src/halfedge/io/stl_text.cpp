@@ -2,6 +2,7 @@
 #include <halfedge/sentence.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -145,7 +146,13 @@ bool TextReader::read_facet() {
   }
   if (!options_.for_repair && !are_finite(triangle)) {
     TextScanner first = start;
-    first.skip_to_token();
+    for (const float x : triangle) {
+      first.skip_to_token();
+      if (is_word(first.token(), "vertex")) first.skip_token();
+      first.skip_blanks();
+      float number = 0;
+      if (!std::isfinite(x) || !first.read_float(number)) break;
+    }
     return fail(
         not_finite(error_at(first, "non-finite-position", ""), triangle, out().face_count()));
   }

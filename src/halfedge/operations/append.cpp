@@ -32,7 +32,7 @@ void copy_columns(auto& mesh, const Attributes& other, const Array<Index>& map, 
   constexpr ItemKind kKind = kind_of(Item{});
   for (Attributes::Column& column : mesh.columns(kKind)) {
     const Attribute* const from = other.find(kKind, column->name());
-    if (from == nullptr || from->type() != column->type() || column->is_generation() ||
+    if (from == nullptr || column->is_generation() || from->type() != column->type() ||
         from->components() != column->components()) {
       continue;
     }

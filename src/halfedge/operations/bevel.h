@@ -132,8 +132,11 @@ void slide(Mesh& mesh, Halfedge h, double t) {
     const Halfedge before_h = mesh.prev(h);
     mesh.move_corners(h, before_h, mesh.prev(o), t, [&](const auto& move) {
       for (Halfedge in = mesh.next_on_vertex(o); in != before_h; in = mesh.next_on_vertex(in)) {
-        if (!mesh.is_boundary(in)) move(in.index(), Attributes::EdgeEnd::kFrom);
+        move(in.index(), Attributes::EdgeEnd::kFrom);
       }
+      // Beside a gap there is no side whose value they hold already.
+      if (mesh.is_boundary(o)) move(o.index(), Attributes::EdgeEnd::kFrom);
+      if (mesh.is_boundary(h)) move(before_h.index(), Attributes::EdgeEnd::kFrom);
     });
   }
   move_towards(mesh, mesh.from_vertex(h), mesh.to_vertex(h), t);

@@ -19,7 +19,7 @@ void blend_ends(Mesh& mesh, const CollapseSite& site, Halfedge before_h, Halfedg
   mesh.contract_corners(site.h, before_h, before_o, t, [&](const auto& move) {
     const auto move_all = [&](Halfedge first, Attributes::EdgeEnd end) {
       for (Halfedge in = mesh.next_on_vertex(first); in != first; in = mesh.next_on_vertex(in)) {
-        if (!mesh.is_boundary(in)) move(in.index(), end);
+        move(in.index(), end);
       }
     };
     move_all(site.o, Attributes::EdgeEnd::kFrom);

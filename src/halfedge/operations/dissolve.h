@@ -42,7 +42,7 @@ template <EditableSurface Mesh>
   if (!fits) return decorator::internal::no_memory("the corners of the joined face");
 
   const Index degree = Index(corners.size());
-  if (degree < 3) return degree_below_three(degree, corners.span());
+  if (degree < 3) return degree_below_three(degree, corners.span(), v);
   Result<Vertex> repeated = internal::find_repeated(corners.span());
   if (!repeated) return repeated;
   if (repeated.value().valid()) return repeated_vertex(repeated.value());

@@ -49,12 +49,15 @@ Failure edge_exists(Vertex a, Vertex b, Edge existing) {
 
 // ---- faces added, joined, divided -----------------------------------------------------------
 
-Failure degree_below_three(Index degree, std::span<const Vertex> corners) {
+Failure degree_below_three(Index degree, std::span<const Vertex> corners, Vertex without) {
   Witness witness;
+  if (without.valid()) witness.vertices.push_back(without.index());
   for (const Vertex v : corners) witness.vertices.push_back(v.index());
-  return refusal("degree-below-three",
-                 sentence::of("the face would have degree {}, expected 3 at least", degree),
-                 std::move(witness));
+  const std::string which = without.valid() ? sentence::of(" without {}", without) : "";
+  return refusal(
+      "degree-below-three",
+      sentence::of("the face{} would have degree {}, expected 3 at least", which, degree),
+      std::move(witness));
 }
 
 Failure repeated_vertex(Vertex v) {

@@ -22,8 +22,9 @@ namespace halfedge::operations {
 
 // ---- faces added, joined, divided -----------------------------------------------------------
 
-/// degree-below-three: of a face that is to be, with these corners.
-[[nodiscard]] Failure degree_below_three(Index degree, std::span<const Vertex> corners);
+/// degree-below-three: of a face that is to be, with these corners; where `without` is taken away.
+[[nodiscard]] Failure degree_below_three(Index degree, std::span<const Vertex> corners,
+                                         Vertex without = {});
 /// repeated-vertex: a face would have `v` at two corners.
 [[nodiscard]] Failure repeated_vertex(Vertex v);
 /// duplicate-face: the corners are those of `f`, in its order or in reverse.
