@@ -109,7 +109,7 @@ export abstract class Construction extends Geometry {
    * for each corner with several fans of faces. So if you add many faces around one vertex, add them in
    * order.
    *
-   * Inverse: `deleteFace`, keeping isolated vertices.
+   * Inverse: `deleteFace`, keeping isolated vertices, up to the order of fans around pinched vertices.
    *
    * @throws HalfedgeError `degree-below-three`, `repeated-vertex`, `duplicate-face`, `edge-with-many-faces`,
    * `opposite-orientation` (a neighbour runs along an edge in the same direction), `pinched-vertex` (some
@@ -158,7 +158,7 @@ export abstract class Construction extends Geometry {
   /**
    * Deletes the one or two faces of an edge, and so the edge itself; see {@link deleteFace}.
    *
-   * Inverse: `addFace`, where vertices were kept.
+   * Inverse: `addFace`, where vertices were kept, up to the order of fans around pinched vertices.
    *
    * @throws HalfedgeError that of {@link deleteFace}
    */
@@ -184,7 +184,7 @@ export abstract class Construction extends Geometry {
    * edge. If the remaining faces touch only in a vertex, that vertex becomes pinched. To keep all edges, use
    * `makeHole`. O(sum of the valences of the corners).
    *
-   * Inverse: `addFace`, where vertices were kept.
+   * Inverse: `addFace`, where vertices were kept, up to the order of fans around pinched vertices.
    *
    * @throws HalfedgeError `same-loop` (it lies on both sides of an edge, as in a segment)
    */

@@ -225,7 +225,8 @@ template <EditableSurface Mesh>
 ///       time if each but the first has a neighbour there already, and the square of their number
 ///       in random order. That a vertex has one fan is known from a walk round it: of the last four
 ///       with many faces, until anything but add_face and add_vertex changes the connectivity.
-/// inverse: delete_face, with isolated vertices kept if corners were isolated
+/// inverse: delete_face, with isolated vertices kept if corners were isolated, up to the order of
+///          fans around pinched vertices
 /// errors: those of check_add_face, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> add_face(Mesh& mesh, std::span<const Vertex> corners) {

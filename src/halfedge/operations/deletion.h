@@ -70,7 +70,8 @@ template <EditableSurface Mesh>
 ///
 /// attributes: all of what stays stay
 /// cost: O(sum of the valences of the corners); it needs no memory
-/// inverse: add_face(its corners), if no vertex was deleted
+/// inverse: add_face(its corners), if no vertex was deleted, up to the order of fans around pinched
+///          vertices
 /// errors: those of check_delete_face
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> delete_face(Mesh& mesh, Face f, const DeleteOptions& options = {}) {
@@ -94,7 +95,7 @@ template <EditableSurface Mesh>
 /// (OpenMesh: delete_edge)
 ///
 /// attributes: all of what stays stay
-/// cost: O(sum of the valences of the corners). inverse: add_face, if no vertex was deleted
+/// cost: O(sum of the valences of the corners). inverse: add_face, as for delete_face
 /// errors: those of check_delete_edge
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> delete_edge(Mesh& mesh, Edge e, const DeleteOptions& options = {}) {
