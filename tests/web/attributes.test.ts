@@ -454,7 +454,18 @@ describe('Generations', () => {
       ),
     );
     expect(() => generations.isCurrent({} as never)).toThrow('reference.kind is undefined;');
-    mesh.attributes.add('vertex', 'a');
-    expectRefused(() => mesh.attributes.add('vertex', 'generation'), 'attribute-exists');
+  });
+
+  test('have no name that an attribute could have', () => {
+    using mesh = HalfedgeMesh.tetrahedron();
+    mesh.generations.enabled = true;
+    const reference = mesh.generations.reference('vertex', 2);
+    mesh.attributes.add('vertex', 'generation', { type: 'uint32', default: 7 });
+    expect(mesh.attributes.get('vertex', 'generation')).toEqual(Uint32Array.of(7, 7, 7, 7));
+    expect(mesh.generations.isCurrent(reference)).toBe(true);
+    mesh.attributes.remove('vertex', 'generation');
+    expect(mesh.attributes.remove('vertex', '')).toBe(false);
+    expect(mesh.generations.isCurrent(reference)).toBe(true);
+    expectRefused(() => mesh.attributes.add('vertex', ''), 'bad-attribute');
   });
 });

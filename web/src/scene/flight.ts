@@ -8,9 +8,9 @@ export interface Pose {
 
 export interface FlightOptions {
   /** What turns the upright axis into y. */
-  readonly upright?: Quaternion;
+  readonly upright?: Quaternion | undefined;
   /** Whether the camera is moving already, and need not get going first. */
-  readonly isUnderWay?: boolean;
+  readonly isUnderWay?: boolean | undefined;
 }
 
 const FLIGHT_MS = 420;
