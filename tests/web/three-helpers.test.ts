@@ -243,6 +243,64 @@ test('ProblemsHelper draws what a refusal or the validation is about', () => {
   expect(helper.segments).toBeGreaterThan(0);
 });
 
+describe('Where links were written over', () => {
+  /** An icosahedron with one wrong link at or beside face 0, and the halfedge where that begins. */
+  const broken = (break_: (mesh: HalfedgeMesh, h: number) => void) => {
+    const mesh = HalfedgeMesh.icosahedron();
+    break_(mesh, mesh.faceHalfedge(0));
+    return mesh;
+  };
+  const ways: [string, (mesh: HalfedgeMesh, h: number) => void][] = [
+    [
+      'a face that a halfedge is not in',
+      ({ connectivity: { face } }, h) => (face[h ^ 1] = face[h]),
+    ],
+    [
+      'a loop that leaves out its first',
+      ({ connectivity: { next } }, h) => {
+        next[next[next[h]]] = next[h];
+      },
+    ],
+    [
+      'a loop that leaves out another',
+      ({ connectivity: { next } }, h) => (next[h] = next[next[h]]),
+    ],
+    ['a loop that ends', ({ connectivity: { next } }, h) => (next[next[h]] = -1)],
+    [
+      'the first of another face',
+      ({ connectivity: { faceHalfedge, next } }, h) => {
+        faceHalfedge[0] = next[h] ^ 1;
+      },
+    ],
+  ];
+
+  test.each(ways)('ProblemsHelper draws what it can: %s', (_, way) => {
+    const mesh = broken(way);
+    const all = Array.from({ length: mesh.halfedgeSlots }, (_, index) => ({
+      kind: 'halfedge' as const,
+      index,
+    }));
+    expect(() => new ProblemsHelper(mesh)).not.toThrow();
+    expect(new ProblemsHelper(mesh, { problems: all as never }).segments).toBeGreaterThan(50);
+  });
+
+  test.each(ways)('other helpers end: %s', (_, way) => {
+    const mesh = broken(way);
+    const makers = [
+      () => new HalfedgesHelper(mesh),
+      () => new CirculatorHelper(mesh, 'faceHalfedges', 0),
+      ...[0, 1, 2, 3, 4].map((v) => () => new CirculatorHelper(mesh, 'vertexFaces', v)),
+    ];
+    for (const make of makers) {
+      try {
+        make();
+      } catch (error) {
+        expect(error).toMatchObject({ code: 'corrupt-connectivity' });
+      }
+    }
+  });
+});
+
 test('ProblemsHelper takes any part of a witness, and refuses what is no problem', () => {
   using mesh = HalfedgeMesh.cube();
   const made = (problems: unknown) => new ProblemsHelper(mesh, { problems: problems as never });

@@ -32,7 +32,7 @@ const { abs, sqrt } = Math;
 const lengthOf = (x: number, y: number, z: number) => sqrt(x * x + y * y + z * z);
 
 /** The error for a walk that has left the links, or has taken more steps than there are halfedges. */
-const noOrbit = () => corrupt('The halfedges around an item form no closed orbit');
+export const noOrbit = () => corrupt('The halfedges around an item form no closed orbit');
 
 // ---- faces --------------------------------------------------------------------------------------
 

@@ -1,3 +1,4 @@
+import { noOrbit } from '../measures.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { cornersAcross } from './across.js';
 import { type ArrowSizes, ArrowTracer } from './arrows.js';
@@ -23,6 +24,8 @@ export class HalfedgeGlyphs {
   readonly #vertices: number[] = [];
   readonly #path = new Float64Array(12);
   readonly #normal = new Float64Array(3);
+  /** How many corners the face has whose corners were read last. */
+  #degree = 0;
   /** Which arrow of its face was traced last. */
   #place = 0;
 
@@ -30,7 +33,11 @@ export class HalfedgeGlyphs {
     this.#drawn = drawn;
   }
 
-  /** The arrows of a face, the first for the halfedge after `faceHalfedge`. Returns its degree. */
+  /**
+   * The arrows of a face, the first for the halfedge after `faceHalfedge`. Returns its degree.
+   *
+   * @throws HalfedgeError `corrupt-connectivity` where its halfedges form no loop
+   */
   face(face: number, sizes: ArrowSizes): number {
     const degree = this.#readCorners(face);
     if (this.arrows.length < degree * ARROW_FLOATS) {
@@ -77,7 +84,10 @@ export class HalfedgeGlyphs {
     else if (h !== first && next[before] === h) return ++this.#place * ARROW_FLOATS;
     else if (before !== first && next[h] === before) return --this.#place * ARROW_FLOATS;
     this.#place = 0;
-    for (let at = first; at !== h; at = next[at]) this.#place += 1;
+    for (let at = first; at !== h; at = next[at]) {
+      this.#place += 1;
+      if (this.#place === this.#degree) throw noOrbit(); // it is not in the loop of its face
+    }
     return this.#place * ARROW_FLOATS;
   }
 
@@ -88,12 +98,21 @@ export class HalfedgeGlyphs {
     const first = faceHalfedge[face];
     let degree = 0;
     let h = first;
+    // Links that were written over may lead into a loop without `first`: it would be passed again and again.
+    let passed = first;
+    let lookAgainAt = 4;
     do {
       this.#vertices[degree] = toVertex[h];
       for (let k = 0; k < 3; k++) this.#corners[3 * degree + k] = points[3 * toVertex[h] + k];
       degree += 1;
       h = next[h];
+      if (h === passed && h !== first) throw noOrbit();
+      if (degree === lookAgainAt) {
+        passed = h;
+        lookAgainAt *= 2;
+      }
     } while (h !== first);
+    this.#degree = degree;
     return degree;
   }
 }

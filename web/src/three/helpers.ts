@@ -2,8 +2,9 @@ import { Color, type ColorRepresentation } from 'three';
 import { describe } from '../arguments.js';
 import { checkIterable, refuse } from '../checks.js';
 import type { CirculatorCentre, CirculatorKind } from '../circulation.js';
-import type { Problem, Witness } from '../errors.js';
+import { HalfedgeError, type Problem, type Witness } from '../errors.js';
 import type { Direction, Halfedge } from '../items.js';
+import { noOrbit } from '../measures.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
@@ -171,6 +172,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
     while (halfedges.length < this.steps) {
       const { halfedge } = circulator;
       if (!(halfedge >= 0) || halfedge === halfedges[0]) break;
+      if (halfedges.length === this.mesh.halfedgeSlots) throw noOrbit();
       halfedges.push(halfedge);
       circulator.next();
     }
@@ -221,6 +223,8 @@ export class ProblemsHelper extends MeshHelper {
   override readonly type = 'ProblemsHelper' as 'Group';
   /** Call `update()` after setting it. */
   problems: ProblemsOptions['problems'];
+  /** The halfedge that was drawn just before, if it was one. */
+  #before: number | undefined;
 
   constructor(mesh: HalfedgeMesh, options: ProblemsOptions = {}) {
     super(mesh, checkOptions(options, PROBLEMS_OPTIONS), PROBLEM, 3.5);
@@ -236,6 +240,7 @@ export class ProblemsHelper extends MeshHelper {
   }
 
   protected override draw(): void {
+    this.#before = undefined;
     for (const { kind, index, witness } of checkProblems(this.problems) ?? this.mesh.validate()) {
       if (kind !== undefined && index !== undefined) this.#drawItem(kind, index);
       if (witness) this.#drawWitness(witness);
@@ -264,7 +269,20 @@ export class ProblemsHelper extends MeshHelper {
     if (kind === 'vertex') walk(vertexHalfedge[index], (h) => next[h ^ 1]);
     else if (kind === 'face') walk(faceHalfedge[index], (h) => next[h]);
     else if (kind === 'edge' && isDrawable(2 * index)) this.drawEdge(2 * index, this.color);
-    else if (kind === 'halfedge' && isDrawable(index)) this.drawHalfedge(index, this.color);
+    else if (kind === 'halfedge' && isDrawable(index)) this.#drawArrow(index);
+  }
+
+  /** The arrow of a halfedge; its edge, where the face beside it has no closed loop that it is in. */
+  #drawArrow(h: number): void {
+    const before = this.#before;
+    this.#before = undefined;
+    try {
+      this.drawHalfedge(h, this.color, before);
+      this.#before = h;
+    } catch (error) {
+      if (!(error instanceof HalfedgeError)) throw error;
+      this.drawEdge(h, this.color);
+    }
   }
 }
 
