@@ -22,7 +22,7 @@ namespace halfedge {
 class Attributes {
  public:
   /// The name of the columns of generations: one that no other column can have.
-  static constexpr std::string_view kGenerationName;
+  static constexpr std::string_view kGenerationName{};
 
   /// Owns a column, and is as const as that.
   class Column {
