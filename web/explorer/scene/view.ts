@@ -77,6 +77,7 @@ export class View {
     });
     explorer.up.subscribe((axis) => {
       this.stage.up = axis;
+      this.travel.fit(); // what was looked at may be out of sight
     });
     explorer.document.subscribe((opened) => this.#show(opened));
     explorer.editor.edit.subscribe((edit) => {
