@@ -33,4 +33,8 @@ test('A mesh that is made of another one has its axis, and undo brings back what
   explorer.editor.undo();
   expect(explorer.document.value?.mesh.vertexCount).toBe(8);
   expect(explorer.up.value).toBe('z');
+  // Not what was chosen for a file last, which is y by now.
+  explorer.editor.runKey('M');
+  expect(explorer.document.value?.mesh.vertexCount).toBe(6);
+  expect(explorer.up.value).toBe('z');
 });
