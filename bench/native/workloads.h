@@ -51,19 +51,25 @@ inline halfedge::Point unit(halfedge::Point p) {
   return 1 / std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) * p;
 }
 
-/// The mean of the vertices goes to the origin. All of them move, so their coordinates are written
-/// as one array: that of a deleted one may move along.
-inline void centre(halfedge::Mesh& mesh) {
+/// The mean of the vertices. Kept out of `centre`, where g++ 12 adds x and y one by one; here it
+/// adds both with one instruction, as it does in the flat baseline.
+[[gnu::noinline]] inline halfedge::Point mean_position(const halfedge::Mesh& mesh) {
   double sum[3] = {};
   for (const halfedge::Vertex v : mesh.vertices()) {
     const halfedge::Point p = mesh.position(v);
     sum[0] += double(p.x), sum[1] += double(p.y), sum[2] += double(p.z);
   }
   const double count = mesh.vertex_count();
-  const float mean[] = {float(sum[0] / count), float(sum[1] / count), float(sum[2] / count)};
+  return {float(sum[0] / count), float(sum[1] / count), float(sum[2] / count)};
+}
+
+/// The mean of the vertices goes to the origin. All of them move, so their coordinates are written
+/// as one array: that of a deleted one may move along.
+inline void centre(halfedge::Mesh& mesh) {
+  const halfedge::Point mean = mean_position(mesh);
   const std::span<float> all = mesh.mutable_positions().span();
   for (std::size_t x = 0; x < all.size(); x += 3) {
-    for (std::size_t axis = 0; axis < 3; ++axis) all[x + axis] -= mean[axis];
+    all[x] -= mean.x, all[x + 1] -= mean.y, all[x + 2] -= mean.z;
   }
 }
 
