@@ -32,6 +32,7 @@ describe('A glTF file that is none', () => {
     ],
     ['{}', 'parse-error', 'glTF: asset is undefined, expected an object.'],
     [set('asset.version', '1.0'), 'unsupported-format', 'asset.version is "1.0"'],
+    [set('asset.minVersion', '2.1'), 'unsupported-format', 'minVersion is "2.1", expected "2.0".'],
     [set('meshes', 7), 'parse-error', 'glTF: meshes is 7, expected an array.'],
     [
       set('meshes.0.primitives.0.attributes.POSITION', 9),

@@ -175,6 +175,9 @@ describe('HalfedgesHelper', () => {
       'options.faces is 3; expected faces to iterate over.',
     );
     expect(() => new HalfedgesHelper(mesh, { faces: 'f3' as never })).toThrow(/is "f3"; expected/);
+    expect(() => new HalfedgesHelper(mesh, { faces: [3, 'x' as never] })).toThrow(
+      'options.faces[1] is "x"; expected an index, an integer from 0 to 4294967294.',
+    );
     expect(new HalfedgesHelper(mesh, { faces: new Set([1, 99]) }).segments).toBe(8);
   });
 

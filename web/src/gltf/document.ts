@@ -58,13 +58,14 @@ type Dictionary = Record<string, unknown>;
 /** Checks the shape of a document, as far as geometry is concerned. */
 export function checkDocument(json: unknown): GltfDocument {
   const root = dictionary('The JSON of the file', json);
-  const { version } = dictionary('asset', root.asset);
-  if (typeof version !== 'string' || !/^2\.\d+$/.test(version)) {
-    throw fileError(
-      'unsupported-format',
-      `glTF: asset.version is ${describe(version)}, expected "2.0".`,
-    );
-  }
+  const { version, minVersion } = dictionary('asset', root.asset);
+  const refuseVersion = (name: string, value: unknown) => {
+    const text = `glTF: asset.${name} is ${describe(value)}, expected "2.0".`;
+    throw fileError('unsupported-format', text);
+  };
+  if (typeof version !== 'string' || !/^2\.\d+$/.test(version)) refuseVersion('version', version);
+  // A later 2.x can be read as 2.0, unless it says that this doesn't do.
+  if (minVersion !== undefined && minVersion !== '2.0') refuseVersion('minVersion', minVersion);
   const list = (name: string) =>
     array(name, root[name] ?? []).map((entry, i) => dictionary(`${name}[${i}]`, entry));
   const document = {

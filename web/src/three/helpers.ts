@@ -1,5 +1,5 @@
 import { Color, type ColorRepresentation } from 'three';
-import { describe } from '../arguments.js';
+import { describe, isIndex, refuseIndex } from '../arguments.js';
 import { checkIterable, refuse } from '../checks.js';
 import type { CirculatorCentre, CirculatorKind } from '../circulation.js';
 import { HalfedgeError, type Problem, type Witness } from '../errors.js';
@@ -59,6 +59,9 @@ export class HalfedgesHelper extends MeshHelper {
     this.boundaryColor = new Color(options.boundaryColor ?? BOUNDARY);
     checkIterable('options.faces', options.faces, 'faces to iterate over');
     this.faces = options.faces && [...options.faces];
+    for (const [i, f] of this.faces?.entries() ?? []) {
+      if (!isIndex(f)) refuseIndex('options.faces', i, f);
+    }
     this.update();
   }
 
