@@ -169,6 +169,21 @@ describe('writeGltf', () => {
     mesh.dispose();
   });
 
+  test('does not say of a mesh without faces that its attributes were written', async () => {
+    const point = [
+      'ply\nformat ascii 1.0\nelement vertex 1',
+      ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+      ...['nx', 'ny', 'nz', 'red', 'green', 'blue'].map((name) => `property double ${name}`),
+      'end_header\n0 0 0 2 0 0 3 0 nan\n',
+    ].join('\n');
+    using mesh = HalfedgeMesh.parse(point).mesh;
+    const names = mesh.attributes.list().map(({ name, type }) => `${name}: ${type}`);
+    expect(names).toEqual(['normal: float64', 'color: float64']);
+    const notes: string[] = [];
+    await writeGltf(mesh, { onNote: (note) => notes.push(note) });
+    expect(notes).toEqual(['Left out 1 vertex: there are no faces.']);
+  });
+
   test('refuses positions that are not finite, of polygons too', async () => {
     for (const mesh of [HalfedgeMesh.tetrahedron(), HalfedgeMesh.cube()]) {
       mesh.positions[4] = Number.POSITIVE_INFINITY;

@@ -60,10 +60,13 @@ export async function writeMesh(
 
 /** The buffers of a mesh, whose faces are cut into triangles, each for itself. */
 function triangleBuffers(mesh: HalfedgeMesh, note: Note): Buffers {
-  if (mesh.faceCount === 0 && mesh.vertexCount > 0) {
-    note(`Left out ${counted(mesh.vertexCount, 'vertex', 'vertices')}: there are no faces.`);
+  if (mesh.faceCount === 0) {
+    if (mesh.vertexCount > 0) {
+      note(`Left out ${counted(mesh.vertexCount, 'vertex', 'vertices')}: there are no faces.`);
+    }
+    return writableBuffers(mesh, () => {}); // of which nothing is written, so that notes would be false
   }
-  if (mesh.faceCount > 0) checkPositions(mesh);
+  checkPositions(mesh);
   if (mesh.isTriangleMesh()) return writableBuffers(mesh, note);
   const { halfedges, faces } = triangulateFaces(mesh);
   const cut = counted(mesh.faceCount, 'face', 'faces');
