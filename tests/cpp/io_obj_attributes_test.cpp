@@ -198,6 +198,10 @@ TEST(ObjAttributes, ShareValuesAndHaveNames) {
                      "wrote the face attribute \"material\" with 1 of its 1 names changed: "
                      "control characters and a # that starts a word become _, blanks at the ends "
                      "are left out"}));
+  notes.clear();
+  ASSERT_TRUE(write(mesh, Format::kPly, {.names = names, .notes = &notes}));
+  EXPECT_EQ(notes,
+            Strings{"wrote the face attribute \"material\" as numbers, without their names"});
 }
 
 TEST(ObjAttributes, FacesBehindThoseOfAMaterialMayHaveNone) {
@@ -400,6 +404,38 @@ TEST(ObjAttributes, KeepAnAlphaThatComesLate) {
   const std::vector<float> expected = {0,   0,   0,   1,   .1F, .2F, .3F, 1,
                                        .4F, .5F, .6F, .7F, .8F, .9F, 1,   1};
   EXPECT_EQ(std::vector<float>(colors.begin(), colors.end()), expected);
+}
+
+TEST(ObjAttributes, TakesWholeNumbersAboveOneForBytes) {
+  const auto read = [](const std::string& colors) {
+    std::string text = "v 0 0 0 " + colors + "v 1 0 0 0 1 255\nv 0 1 0 255 0 1\nf 1 2 3\n";
+    return read_mesh(text);
+  };
+  const test::MeshFile whole = read("188 94 0\n");
+  EXPECT_EQ(describe_all(whole.mesh), Strings{"vertex color uint8 3 interpolate"});
+  EXPECT_EQ(values_of(whole.mesh, ItemKind::kVertex, "color"),
+            (Doubles{188, 94, 0, 0, 1, 255, 255, 0, 1}));
+  EXPECT_EQ(whole.notes, Strings{"read the colours of vertices as numbers from 0 to 255"});
+  EXPECT_EQ(values_of(read("188 94 0 7\n").mesh, ItemKind::kVertex, "color"),
+            (Doubles{188, 94, 0, 7, 0, 1, 255, 255, 255, 0, 1, 255}))
+      << "what has no alpha is opaque";
+  for (const char* colors : {"188 94 0.5\n", "256 0 0\n", "-1 0 0\n"}) {
+    const test::MeshFile other = read(colors);
+    EXPECT_EQ(describe_all(other.mesh), Strings{"vertex color float32 3 interpolate"}) << colors;
+    EXPECT_EQ(other.notes, Strings()) << colors;
+  }
+  const test::MeshFile floats = read_mesh("v 0 0 0 1 1 0\nv 1 0 0 0 0 1\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  EXPECT_EQ(describe_all(floats.mesh), Strings{"vertex color float32 3 interpolate"});
+}
+
+TEST(ObjAttributes, SayThatThereAreNoCornersToReadThem) {
+  Mesh mesh;
+  ASSERT_TRUE(mesh.add_vertex({0, 0, 0}).valid());
+  add(mesh, ItemKind::kVertex, "normal", Scalar::kFloat32, 3, OnSplit::kNormalize);
+  Strings notes;
+  ASSERT_TRUE(write(mesh, Format::kObj, {.notes = &notes}));
+  EXPECT_EQ(notes, Strings{"wrote the vertex attribute \"normal\" for corners of faces, of which "
+                           "there are none"});
 }
 
 TEST(ObjAttributes, SaysWhatIsIgnored) {

@@ -224,7 +224,8 @@ TEST(StlAttributes, ComeBackInTheBytesBehindATriangle) {
   expect_round_trip(mesh, Format::kStl, Encoding::kBinary);
   Strings notes;
   (void)write(mesh, Format::kStl, {.encoding = Encoding::kText, .notes = &notes});
-  EXPECT_EQ(notes, Strings{"left out the face attribute \"attribute\": STL has no place for it"});
+  EXPECT_EQ(notes,
+            Strings{"left out the face attribute \"attribute\": text STL has no place for it"});
   const auto bytes = write(mesh, Format::kStl);
   const Result<ParsedFile> bare = parse(bytes.value().span(), std::nullopt, {.attributes = false});
   EXPECT_TRUE(bare.value().attributes.empty());

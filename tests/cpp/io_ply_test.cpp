@@ -125,7 +125,8 @@ TEST(Ply, ReadsBinaryFloatsBitForBit) {
 TEST(Ply, TakesElementsAndPropertiesInAnyOrder) {
   const Parsed file = parse_ply(
       header("ascii",
-             "comment # odd \\\nobj_info 1\nelement face 2\nproperty uchar flag\n"
+             "comment # odd \\\nobj_info 1\nCreated by somebody, source file: \nelement face "
+             "2\nproperty uchar flag\n"
              "property list uchar int vertex_indices\nproperty list int float uv\n\n"
              "element nothing 5\nelement vertex 4\nproperty list uchar int n\nproperty double z\n"
              "property float y\nproperty float x\n") +

@@ -242,6 +242,12 @@ TEST(Stl, NotesTheNamesOfSolids) {
             std::vector<std::string>{"ignored the names of 2 solids"});
 }
 
+TEST(Stl, NotesAColourInTheHeader) {
+  EXPECT_EQ(parse_stl(binary({kFirst}, "made by us COLOR=\x1F\x2F\x3F\xFF")).notes,
+            std::vector<std::string>{"ignored the colour in the header"});
+  EXPECT_EQ(parse_stl(binary({kFirst}, "COLOR")).notes, std::vector<std::string>());
+}
+
 TEST(Stl, ExplainsWrongText) {
   const std::string start = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
   const std::pair<std::string, std::string> errors[] = {

@@ -53,6 +53,25 @@ bool set_values(SoupAttribute& column, std::span<const T> values) {
   return column.values.assign(std::as_bytes(values));
 }
 
+/// Whether colours are whole numbers from 0 to 255, as some programs write them, not from 0 to 1.
+bool are_bytes(std::span<const float> colors) {
+  const auto is_byte = [](float value) {
+    return value >= 0 && value <= 255 && value == std::floor(value);
+  };
+  return std::all_of(colors.begin(), colors.end(), is_byte) &&
+         std::any_of(colors.begin(), colors.end(), [](float value) { return value > 1; });
+}
+
+/// An alpha of 1 is that of a colour without one.
+bool set_bytes(SoupAttribute& column, std::span<const float> colors) {
+  if (!column.values.resize(colors.size())) return false;
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const bool is_full = column.components == 4 && i % 4 == 3 && colors[i] == 1;
+    column.values[i] = static_cast<std::byte>(is_full ? 255 : colors[i]);
+  }
+  return true;
+}
+
 /// Gives the faces of each run, up to the next one, the number of its id.
 template <class Run, class NumberOf>
 void set_runs(SoupAttribute& column, std::span<const Run> runs, std::size_t faces,
@@ -242,9 +261,13 @@ bool ObjAttributes::finish_table(Table& table, const char* name, Index width, Pa
 bool ObjAttributes::finish_colors(std::size_t vertices, ParsedFile& file) {
   if (color_width_ == 0) return true;
   if (!colors_.resize(color_width_ * vertices, 0)) return false;
+  const std::span<const float> values = std::as_const(colors_).span();
+  const bool bytes = are_bytes(values);
   SoupAttribute& column = file.attributes.emplace_back(
-      column_of("color", SoupItem::kVertex, Scalar::kFloat32, static_cast<Index>(color_width_)));
-  const bool fits = set_values(column, std::as_const(colors_).span());
+      column_of("color", SoupItem::kVertex, bytes ? Scalar::kUint8 : Scalar::kFloat32,
+                static_cast<Index>(color_width_)));
+  const bool fits = bytes ? set_bytes(column, values) : set_values(column, values);
+  if (bytes) file.notes.emplace_back("read the colours of vertices as numbers from 0 to 255");
   colors_.reset();
   return fits;
 }

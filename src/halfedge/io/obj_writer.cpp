@@ -104,7 +104,9 @@ class ObjWriter {
     }
     for (const Attribute* column : {texture_.column, normal_.column}) {
       if (column != nullptr && column->kind() == ItemKind::kVertex) {
-        mesh_.note_change(*column, "for the corners of faces, to which readers give it");
+        mesh_.note_change(*column, mesh_.face_count() > 0
+                                       ? "for the corners of faces, to which readers give it"
+                                       : "for corners of faces, of which there are none");
       }
     }
     for (Label& label : labels_) choose(label);

@@ -75,6 +75,7 @@ Result<PlyHeader> HeaderReader::read() {
   text_.skip_to_token();
   if (word() != "ply") return error_at(text_, "parse-error", "expected the word ply");
   cr_only_ = text_.rest().starts_with('\r') && !text_.rest().starts_with("\r\n");
+  // Old versions of Blender wrote "Created by ..." without the word comment.
   for (text_.skip_line();; text_.skip_line()) {
     text_.skip_to_token();
     const char* const start = text_.position();
@@ -88,7 +89,7 @@ Result<PlyHeader> HeaderReader::read() {
       ok = read_property();
     } else if (keyword == "end_header") {
       break;
-    } else if (keyword != "comment" && keyword != "obj_info") {
+    } else if (keyword != "comment" && keyword != "obj_info" && keyword != "Created") {
       ok = fail_expecting(start, "format, element, property, comment, obj_info or end_header");
     }
     if (!ok) return error_;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace halfedge::io {
@@ -75,8 +76,16 @@ Error ends_early(std::size_t bytes, std::uint64_t triangles) {
           (rest == 0 ? "" : " and " + sentence::count_of(rest, "byte") + " of the next one")));
 }
 
-/// Where the header and the size disagree: `count` triangles were read.
+/// Some programs write a colour for all triangles there.
+bool has_color_in_header(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kColor = "COLOR=";
+  const auto header = bytes.first(kStlHeader);
+  return std::search(header.begin(), header.end(), kColor.begin(), kColor.end()) != header.end();
+}
+
+/// What of the header isn't kept, and where it and the size disagree: `count` triangles were read.
 void add_notes(std::span<const std::uint8_t> bytes, std::size_t count, ParsedFile& file) {
+  if (has_color_in_header(bytes)) file.notes.emplace_back("ignored the colour in the header");
   const std::uint64_t announced = announced_triangles(bytes);
   if (announced != count) {
     file.notes.push_back(

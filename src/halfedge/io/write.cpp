@@ -27,6 +27,15 @@ void note_positions(const LiveMesh& mesh) {
       lost == 1 ? "position isn't finite" : "positions aren't finite", lost == 1 ? "it" : "them"));
 }
 
+/// Notes what PLY writes as numbers without the names that these stand for.
+void note_names(const LiveMesh& mesh, std::span<const SoupNames> names) {
+  for (const SoupNames& table : names) {
+    const auto any = [](const Attribute&) { return true; };
+    const Attribute* const column = mesh.take(ItemKind::kFace, table.attribute, any);
+    if (column != nullptr) mesh.note_change(*column, "as numbers, without their names");
+  }
+}
+
 /// False if the format has no such encoding.
 bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
               std::span<const SoupNames> names, ByteWriter& out) {
@@ -82,8 +91,12 @@ Result<Array<std::uint8_t>> write_faces(const WriteSource& source, Format format
       !io::note_vertices(mesh, source.faces.items.span())) {
     return io::no_memory_for_a_file();
   }
-  if (format != Format::kPly) {
-    mesh.leave_out_rest(sentence::of("{} has no place for it", name_of(format)));
+  if (format == Format::kPly) {
+    io::note_names(mesh, options.names);
+  } else {
+    const bool text_stl = format == Format::kStl && encoding == Encoding::kText;
+    mesh.leave_out_rest(
+        sentence::of("{}{} has no place for it", text_stl ? "text " : "", name_of(format)));
   }
   out.bytes().shrink_to_fit();
   return std::move(out.bytes());
