@@ -428,6 +428,22 @@ TEST(ObjAttributes, TakesWholeNumbersAboveOneForBytes) {
   EXPECT_EQ(describe_all(floats.mesh), Strings{"vertex color float32 3 interpolate"});
 }
 
+TEST(ObjAttributes, SayThatReadersTakeThemForBytes) {
+  Mesh mesh;
+  ASSERT_TRUE(mesh.add_vertex({0, 0, 0}).valid());
+  Attribute& color =
+      add(mesh, ItemKind::kVertex, "color", Scalar::kFloat32, 3, OnSplit::kInterpolate);
+  const auto notes_with = [&](double value) {
+    color.set(0, 1, value, nullptr);
+    Strings notes;
+    EXPECT_TRUE(write(mesh, Format::kObj, {.notes = &notes}));
+    return notes;
+  };
+  for (const double value : {1.0, 1.5, -2.0, 256.0}) EXPECT_EQ(notes_with(value), Strings());
+  EXPECT_EQ(notes_with(255),
+            Strings{"wrote the vertex attribute \"color\" as numbers that readers take for uint8"});
+}
+
 TEST(ObjAttributes, SayThatThereAreNoCornersToReadThem) {
   Mesh mesh;
   ASSERT_TRUE(mesh.add_vertex({0, 0, 0}).valid());

@@ -90,6 +90,7 @@ describe('attributes of files', () => {
     mesh.attributes.add('halfedge', 'normal', { components: 3, onSplit: 'normalize' });
     mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' });
     for (const { kind, name } of mesh.attributes.list()) fill(mesh, kind as 'vertex', name);
+    mesh.attributes.get('vertex', 'color')[0] = 0.5; // whole numbers would be read as bytes
     mesh.attributes.get('face', 'material').set([1, 1, 2]);
     const numbered = roundTrip(mesh, 'obj', {});
     expect(numbered).toEqual({ attributes: attributesOf(mesh), notes: [] });

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -111,9 +112,26 @@ class ObjWriter {
     }
     for (Label& label : labels_) choose(label);
   }
+  /// Whether all values are whole numbers from 0 to 255, and one is above 1 (see ObjAttributes).
+  [[nodiscard]] bool has_bytes(const Attribute& column) const {
+    bool are_bytes = true;
+    bool is_above = false;
+    mesh_.for_each_vertex([&](Index v) {
+      for (Index i = 0; i < column.components(); ++i) {
+        const double value = column.get(v, i);
+        are_bytes &= value >= 0 && value <= 255 && value == std::floor(value);
+        is_above |= value > 1;
+      }
+    });
+    return are_bytes && is_above;
+  }
   /// Some readers leave out vertices with seven numbers, or refuse the file.
   void choose_color() {
-    if (!is_real(*color_)) mesh_.note_change(*color_, "as numbers from 0 to 1");
+    if (!is_real(*color_)) {
+      mesh_.note_change(*color_, "as numbers from 0 to 1");
+    } else if (has_bytes(*color_)) {
+      mesh_.note_change(*color_, "as numbers that readers take for uint8");
+    }
     color_width_ = color_->components();
     if (color_width_ == 3) return;
     const double full = is_real(*color_) ? 1 : 255;
