@@ -447,6 +447,13 @@ describe('A typical mistake', () => {
       /^Line 3: it asks for next\(undefined\)\./,
     ],
     [
+      'a mistake after asking for a list',
+      'count-boundary-loops',
+      'function countBoundaryLoops(mesh) {\n  const all = mesh.halfedges();\n  return all.map((h) => h).length;\n}',
+      'throws',
+      /^Line 3: all\.map is not a function\. On the tetrahedron, countBoundaryLoops\(mesh\)\.$/,
+    ],
+    [
       'counting halfedges for loops',
       'count-boundary-loops',
       taskNamed('count-boundary-loops').starter,
