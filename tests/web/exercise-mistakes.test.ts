@@ -440,6 +440,13 @@ describe('A typical mistake', () => {
       /^Line 2: mesh\.before does not exist/,
     ],
     [
+      'waiting outside of a function',
+      'previous',
+      'function previous(mesh, h) {}\nawait 3;',
+      'syntax',
+      /^Line 2, column 1: Nothing can be waited for outside of a function\./,
+    ],
+    [
       'asking for undefined',
       'previous',
       'function previous(mesh, h) {\n  let at;\n  return mesh.next(at);\n}',
