@@ -67,8 +67,9 @@ export function compile(code: string, call: string): Program | Fault {
     make = new Function(
       'NONE',
       '__turn',
-      `'use strict'; ${countTurns(code, tree)}
-      ;return typeof ${call} === 'function' ? ${call} : undefined;
+      // In a block of its own the code may name a constant of its own NONE.
+      `'use strict'; { ${countTurns(code, tree)}
+      ;return typeof ${call} === 'function' ? ${call} : undefined; }
       //# sourceURL=${FILE}`,
     ) as typeof make;
   } catch (error) {
