@@ -87,6 +87,22 @@ describe('An exercise', () => {
     expect(await page.sentence()).toMatch(/^2 of 3: v\d$/);
   });
 
+  test.each([Number.NaN, Number.POSITIVE_INFINITY])(
+    'takes a right answer also where its limit is %p',
+    async (limit) => {
+      const page = await exercise('task="valence" limit="2000"');
+      const passed = await page.page.evaluate(async (milliseconds) => {
+        const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+        element.limit = milliseconds;
+        element.reveal();
+        element.code += 'Array.from({ length: 2e5 }, Math.random).sort(); // takes its time\n';
+        await element.updateComplete;
+        return (await element.run()).passed;
+      }, limit);
+      expect(passed).toBe(true);
+    },
+  );
+
   test('says on a telephone what is wrong between the code and the figure, and brings it into sight', async () => {
     const page = await exercise('task="vertex-faces"', { width: 390, height: 700, phone: true });
     await page.page.tap('halfedge-exercise [part~=run]');

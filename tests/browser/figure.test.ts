@@ -241,6 +241,35 @@ OFF
     expect(await page.settled()).toBeGreaterThan(before);
   });
 
+  test.each(['removed', 'set to undefined, as frameworks do'])(
+    'is as if an attribute had never been there when it is %s',
+    async (how) => {
+      const page = await figures(
+        `<halfedge-figure src="shape:cube" select="v1" query="vertexVertices" step="2" direction="cw" dialect="cgal"
+          speed="2" overlays="labels" controls="code" camera="1 1 1" up="z" theme="dark" loading="eager"></halfedge-figure>`,
+      );
+      await page.ready();
+      await page.page.$eval(
+        'halfedge-figure',
+        (figure, isRemoved) => {
+          const names = 'direction dialect speed overlays camera up theme loading'.split(' ');
+          for (const name of names) {
+            if (isRemoved) figure.removeAttribute(name);
+            else Object.assign(figure, { [name]: undefined });
+          }
+        },
+        how === 'removed',
+      );
+      await page.figure(async (figure) => void (await figure.updateComplete));
+      expect(await page.page.$('halfedge-figure [part=error]')).toBe(null);
+      expect(await page.sentence()).toBe('opposite(prev(h6)) = h3 → vertex 0');
+      expect(
+        await page.figure(({ direction, dialect, speed }) => [direction, dialect, speed]),
+      ).toEqual(['ccw', 'halfedge', 1.5]);
+      expect(page.complaints).toEqual([]);
+    },
+  );
+
   test('takes operations back where the attribute names none any more', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:grid(3, 2, triangles)" operation="flip e14" step="1"></halfedge-figure>',

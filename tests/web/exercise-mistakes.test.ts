@@ -440,11 +440,25 @@ describe('A typical mistake', () => {
       /^Line 2: mesh\.before does not exist/,
     ],
     [
+      'waiting outside of a function',
+      'previous',
+      'function previous(mesh, h) {}\nawait 3;',
+      'syntax',
+      /^Line 2, column 1: Nothing can be waited for outside of a function\./,
+    ],
+    [
       'asking for undefined',
       'previous',
       'function previous(mesh, h) {\n  let at;\n  return mesh.next(at);\n}',
       'asks-for-nothing',
       /^Line 3: it asks for next\(undefined\)\./,
+    ],
+    [
+      'a mistake after asking for a list',
+      'count-boundary-loops',
+      'function countBoundaryLoops(mesh) {\n  const all = mesh.halfedges();\n  return all.map((h) => h).length;\n}',
+      'throws',
+      /^Line 3: all\.map is not a function\. On the tetrahedron, countBoundaryLoops\(mesh\)\.$/,
     ],
     [
       'counting halfedges for loops',

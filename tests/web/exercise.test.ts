@@ -75,6 +75,11 @@ describe.each(tasks.map((task) => [task.name, task] as const))('The task %s', (_
   });
 });
 
+test('A program may have a constant NONE of its own', () => {
+  const task = taskNamed('valence');
+  expect(grade(task, `const NONE = -1;\n${task.solution}`, 1).passed).toBe(true);
+});
+
 describe('A task of a teacher', () => {
   const own: ExerciseTask = {
     name: 'degree',

@@ -18,6 +18,8 @@ import { page } from './template.js';
 /** What an exercise is doing, as its attribute `state` tells. */
 export type ExerciseState = 'ready' | 'running' | 'passed' | 'failed';
 
+const LIMIT = 3000;
+
 /** Makes a worker that runs the script of exercises; each entry of the package has its own way. */
 let makeWorker: (() => WorkerLike) | null = null;
 
@@ -92,7 +94,7 @@ export class HalfedgeExercise extends LitElement {
     this.task = this.save = this.theme = null;
     this.definition = null;
     this.seed = 1 + Math.floor(Math.random() * 9999);
-    this.limit = 3000;
+    this.limit = LIMIT;
     this.solution = false;
     this.state = 'ready';
     this.result = this.shown = this.failure = null;
@@ -211,6 +213,7 @@ export class HalfedgeExercise extends LitElement {
 
   protected override willUpdate(changed: PropertyValues<this>): void {
     if (changed.has('seed') && !Number.isFinite(this.seed)) this.seed = 1;
+    if (changed.has('limit') && !(this.limit > 0)) this.limit = LIMIT;
     const asked = this.definition ?? this.task;
     if (asked === this.#asked) return;
     this.#asked = asked;

@@ -35,6 +35,8 @@ export interface Ran {
 /** To start a worker may take longer than any program. */
 const START_LIMIT = 30_000;
 const GRACE = 50;
+/** Timers take no more milliseconds. */
+const LONGEST_WAIT = 2 ** 31 - 1;
 
 /** Runs a program in a worker of its own, and judges here what it does there. */
 export function runProgram(options: RunOptions): Promise<Ran> {
@@ -128,10 +130,13 @@ class Run {
   /** Ends the program if nothing is heard of it for so long. */
   #wait(limit: number): void {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => {
-      // Where this thread was busy, what the worker has said in the meantime comes first.
-      this.#timer = setTimeout(() => this.#silence(limit), GRACE);
-    }, limit);
+    this.#timer = setTimeout(
+      () => {
+        // Where this thread was busy, what the worker has said in the meantime comes first.
+        this.#timer = setTimeout(() => this.#silence(limit), GRACE);
+      },
+      Math.min(limit, LONGEST_WAIT),
+    );
   }
 
   #silence(limit: number): void {

@@ -1,4 +1,4 @@
-import { LitElement } from 'lit';
+import { LitElement, type PropertyValues } from 'lit';
 import type { UpAxis } from '../scene/up.js';
 import type { Settings } from './model.js';
 import type { Source } from './source.js';
@@ -9,6 +9,29 @@ const DEFAULT_SPEED = 1.5;
 const CONTROLS = ['player', 'code'];
 const THEMES = ['auto', 'light', 'dark'];
 const LOADINGS = ['lazy', 'eager'];
+
+/** What the properties are where nothing else is said. */
+const DEFAULTS = {
+  src: null,
+  select: null,
+  query: null,
+  direction: 'ccw',
+  step: 0,
+  operation: null,
+  build: false,
+  overlays: null,
+  dialect: 'halfedge',
+  controls: null,
+  camera: null,
+  up: null,
+  theme: null,
+  speed: DEFAULT_SPEED,
+  autoplay: false,
+  loading: null,
+  alt: null,
+  bytes: null,
+  trail: null,
+};
 
 /** What a figure is doing, as its attribute `state` tells. */
 export type FigureStateName = 'waiting' | 'loading' | 'ready' | 'failed';
@@ -87,17 +110,17 @@ export abstract class FigureAttributes extends LitElement {
 
   constructor() {
     super();
-    this.src = this.select = this.query = this.operation = this.overlays = null;
-    this.controls = this.camera = this.up = this.theme = this.alt = this.loading = null;
-    this.bytes = this.trail = null;
-    this.direction = 'ccw';
-    this.dialect = 'halfedge';
-    this.step = 0;
-    this.speed = DEFAULT_SPEED;
-    this.autoplay = this.build = false;
+    Object.assign(this, DEFAULTS);
     this.state = 'waiting';
     this.failure = null;
     this.hasCaption = false;
+  }
+
+  /** An attribute that is taken away, or set to nothing as frameworks do, is what it was at first. */
+  protected override willUpdate(changed: PropertyValues<this>): void {
+    for (const name of Object.keys(DEFAULTS) as (keyof typeof DEFAULTS)[]) {
+      if (changed.has(name)) Object.assign(this, { [name]: this[name] ?? DEFAULTS[name] });
+    }
   }
 
   /** The attributes that say what is shown. */
@@ -149,8 +172,7 @@ export abstract class FigureAttributes extends LitElement {
     if (Number.isNaN(step)) {
       return new Error('step is no number; expected how many steps are made.');
     }
-    // Where the attribute is taken away it is null.
-    if (speed !== null && !(speed > 0 && speed < Number.POSITIVE_INFINITY)) {
+    if (!(speed > 0 && speed < Number.POSITIVE_INFINITY)) {
       const found = Number.isNaN(speed) ? 'no number' : speed;
       return new Error(`speed is ${found}; expected steps a second, more than 0.`);
     }

@@ -160,6 +160,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   protected override willUpdate(changed: PropertyValues<this>): void {
+    super.willUpdate(changed);
     if (changed.has('speed')) this.#model.player.speed = this.pace;
     const another = changed.has('src') || changed.has('build') || changed.has('bytes');
     if (another && this.state !== 'waiting') void this.#load();

@@ -16,7 +16,7 @@ export function offered(mesh: HalfedgeMesh, uses: readonly string[], reads: Read
       if (reads.length < MOST_READS) reads.push(read);
       const method = Reflect.get(mesh, name, mesh) as (...all: unknown[]) => unknown;
       const gave = method.apply(mesh, parameters);
-      if (typeof gave === 'number' || typeof gave === 'boolean') read.gave = gave;
+      read.gave = typeof gave === 'number' || typeof gave === 'boolean' ? gave : undefined;
       return gave;
     };
   const methods = new Map(uses.map((name) => [name, ask(name)]));

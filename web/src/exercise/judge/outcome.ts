@@ -7,8 +7,8 @@ export interface Read {
   readonly name: string;
   /** What was asked for, as it came. */
   readonly of: Plain;
-  /** Null where it was refused. */
-  readonly gave: number | boolean | null;
+  /** Null where it was refused; undefined for a list, such as that of all halfedges. */
+  readonly gave: number | boolean | null | undefined;
 }
 
 /** Copies of the arrays of links, by the names in the API. */

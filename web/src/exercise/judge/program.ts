@@ -53,13 +53,23 @@ export function compile(code: string, call: string): Program | Fault {
       : 'The mesh is given to the function; nothing else is needed.';
     return { kind: 'syntax', message, line, column: column + 1, hint };
   }
+  const waiting = [...nodesOf(tree, isOutside)].find(
+    (node) => node.type === 'AwaitExpression' || ('await' in node && node.await === true),
+  );
+  if (waiting) {
+    const { line, column } = (waiting as Statement).loc.start;
+    const message = 'Nothing can be waited for outside of a function';
+    const hint = 'Nothing here has to be waited for: leave the word await out.';
+    return { kind: 'syntax', message, line, column: column + 1, hint };
+  }
   let make: (none: number, turn: (line: number) => void) => unknown;
   try {
     make = new Function(
       'NONE',
       '__turn',
-      `'use strict'; ${countTurns(code, tree)}
-      ;return typeof ${call} === 'function' ? ${call} : undefined;
+      // In a block of its own the code may name a constant of its own NONE.
+      `'use strict'; { ${countTurns(code, tree)}
+      ;return typeof ${call} === 'function' ? ${call} : undefined; }
       //# sourceURL=${FILE}`,
     ) as typeof make;
   } catch (error) {
@@ -126,9 +136,15 @@ function isNode(value: unknown): value is Node {
   return typeof (Object(value) as Node).type === 'string';
 }
 
-function* nodesOf(node: Node): Generator<Node> {
+function* nodesOf(node: Node, enters: (node: Node) => boolean = () => true): Generator<Node> {
   yield node;
-  for (const child of Object.values(node).flat()) if (isNode(child)) yield* nodesOf(child);
+  for (const child of Object.values(node).flat()) {
+    if (isNode(child) && enters(child)) yield* nodesOf(child, enters);
+  }
+}
+
+function isOutside({ type }: Node): boolean {
+  return !/Function/.test(type);
 }
 
 /** The code with a count at the beginning of the body of each loop. No line is added. */
