@@ -103,6 +103,26 @@ describe('An exercise', () => {
     },
   );
 
+  test('tells nothing of a run of the task that it had before', async () => {
+    const page = await exercise('task="valence"');
+    const told = await page.page.evaluate(async () => {
+      const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+      element.reveal();
+      const run = element.run().catch(({ message }) => message);
+      element.task = 'previous';
+      const end = await run;
+      return [end, element.state, element.result];
+    });
+    expect(told).toEqual(['The exercise was given another task.', 'ready', null]);
+    const own = await page.page.evaluate(async () => {
+      const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+      element.task = 'valence';
+      const { failure } = await element.run();
+      return [failure?.code, element.state];
+    });
+    expect(own).toEqual(['wrong-number', 'failed']);
+  });
+
   test('says on a telephone what is wrong between the code and the figure, and brings it into sight', async () => {
     const page = await exercise('task="vertex-faces"', { width: 390, height: 700, phone: true });
     await page.page.tap('halfedge-exercise [part~=run]');

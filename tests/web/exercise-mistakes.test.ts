@@ -440,6 +440,13 @@ describe('A typical mistake', () => {
       /^Line 2: mesh\.before does not exist/,
     ],
     [
+      'throwing what has no text',
+      'previous',
+      'function previous(mesh, h) { throw Object.create(null); }',
+      'throws',
+      /^The code stops with an error: Something was thrown that has no text\./,
+    ],
+    [
       'waiting outside of a function',
       'previous',
       'function previous(mesh, h) {}\nawait 3;',

@@ -84,6 +84,8 @@ export class HalfedgeExercise extends LitElement {
   #trials: readonly Trial[] = [];
   #picture: Picture | null = null;
   #running: AbortController | null = null;
+  /** The task of the last run. */
+  #ran: ExerciseTask | null = null;
   /** What the exercise was made of: a definition, or the name of a task. */
   #asked: ExerciseTask | string | null | undefined;
   /** The picture that the figure has been given. */
@@ -127,6 +129,7 @@ export class HalfedgeExercise extends LitElement {
     this.#running?.abort(new Error('Another run was begun.'));
     const abort = new AbortController();
     this.#running = abort;
+    this.#ran = task;
     this.state = 'running';
     this.failure = null;
     try {
@@ -217,6 +220,8 @@ export class HalfedgeExercise extends LitElement {
     const asked = this.definition ?? this.task;
     if (asked === this.#asked) return;
     this.#asked = asked;
+    if (this.#ran !== this.exercise)
+      this.#running?.abort(new Cancelled('The exercise was given another task.'));
     this.failure = null;
     this.#closeEditor();
     this.#forget();

@@ -113,7 +113,11 @@ function stackOf(error: unknown): string {
 
 /** The message of whatever was thrown. */
 export function messageOf(error: unknown): string {
-  return error instanceof Error ? error.message : String(error);
+  try {
+    return String(error instanceof Error ? error.message : error);
+  } catch {
+    return 'Something was thrown that has no text';
+  }
 }
 
 /** What is used of acorn's nodes. */
