@@ -220,8 +220,9 @@ export class HalfedgeExercise extends LitElement {
     const asked = this.definition ?? this.task;
     if (asked === this.#asked) return;
     this.#asked = asked;
-    if (this.#ran !== this.exercise)
+    if (this.#ran !== this.exercise) {
       this.#running?.abort(new Cancelled('The exercise was given another task.'));
+    }
     this.failure = null;
     this.#closeEditor();
     this.#forget();
