@@ -375,6 +375,16 @@ TEST(Circulators, AreEndlessAndBidirectional) {
   }
 }
 
+TEST(Circulators, StepBackByTheOlderFunctionsToo) {
+  const Mesh mesh = built(quad_grid(3, 3));
+  const auto at = mesh.vertex_faces_ccw(Vertex(5)).circulator();
+  EXPECT_TRUE(std::prev(std::next(at)) == at);
+  auto last = at;
+  --last;
+  EXPECT_TRUE(std::prev(at) == last);
+  EXPECT_EQ(*std::make_reverse_iterator(at), *last);
+}
+
 TEST(Circulators, KnowTheHalfedgeTheyStandOn) {
   const Mesh mesh = built(quad_grid(3, 3));
   auto at = mesh.vertex_faces_cw(Vertex(1)).circulator();

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -159,6 +160,25 @@ std::vector<std::string> told(const M& mesh) {
                  std::to_string(polyhedron.size_of_halfedges()) + " " +
                  std::to_string(polyhedron.size_of_facets()));
   return said;
+}
+
+TEST(OpenMeshDialect, StepsBackByTheOlderFunctionsToo) {
+  const Mesh mesh = built(quad_grid(3, 3));
+  const dialects::openmesh::PolyMesh theirs(mesh);
+  EXPECT_EQ(std::prev(theirs.vertices_end())->idx(), int(mesh.vertex_slots()) - 1);
+  const auto ring = theirs.vv_range(Vertex(5));
+  const std::vector<int> forward = [&] {
+    std::vector<int> met;
+    for (const auto w : ring) met.push_back(w.idx());
+    return met;
+  }();
+  EXPECT_EQ(std::prev(ring.end())->idx(), forward.back());
+  std::vector<int> backward;
+  for (auto w = std::make_reverse_iterator(ring.end());
+       w != std::make_reverse_iterator(ring.begin()); ++w) {
+    backward.push_back((*w).idx());
+  }
+  EXPECT_EQ(backward, std::vector<int>(forward.rbegin(), forward.rend()));
 }
 
 TEST(OpenMeshDialect, MeetsNewItemsInDeletedSlotsAheadOnce) {

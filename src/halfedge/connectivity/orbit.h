@@ -93,8 +93,11 @@ class Circulator {
  public:
   using value_type = typename View::Item;
   using reference = value_type;
+  using pointer = void;
   using difference_type = std::ptrdiff_t;
   using iterator_concept = std::bidirectional_iterator_tag;
+  // Although references are values: std::prev of an input iterator would go forward without end.
+  using iterator_category = std::bidirectional_iterator_tag;
 
   Circulator() = default;
   Circulator(const Mesh& mesh, Halfedge start) : mesh_(&mesh), at_(start), stamp_(mesh) {

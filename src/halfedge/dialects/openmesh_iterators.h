@@ -61,7 +61,7 @@ class LapIter {
   using pointer = Arrow<value_type>;
   using difference_type = std::ptrdiff_t;
   using iterator_concept = std::bidirectional_iterator_tag;
-  using iterator_category = std::input_iterator_tag;  // references are values
+  using iterator_category = std::bidirectional_iterator_tag;  // as OpenMesh's, for std::prev
 
   LapIter() = default;
   /// The begin of the lap from `first`, or its end. The lap of an empty `first` is empty.
@@ -133,7 +133,7 @@ class ItemIter {
   using pointer = Arrow<value_type>;
   using difference_type = std::ptrdiff_t;
   using iterator_concept = std::bidirectional_iterator_tag;
-  using iterator_category = std::input_iterator_tag;  // references are values
+  using iterator_category = std::bidirectional_iterator_tag;  // as OpenMesh's, for std::prev
 
   ItemIter() = default;
   /// At the first live item from slot `at` on.
