@@ -2,6 +2,7 @@
 #include <halfedge/halfedge.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "support/reference_build.h"
@@ -198,6 +199,59 @@ TEST(Generations, EndWhereAnotherMeshIsCopiedOver) {
   EXPECT_EQ(mesh.generation(Face(0)), after);
   ASSERT_TRUE(mesh.assign(other));
   EXPECT_NE(mesh.generation(Face(0)), after);
+}
+
+// What `replace` puts in the place of a mesh has no stamp that its items had.
+template <class Replace>
+void expect_new_generations(const Replace& replace) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_generations());
+  const Index before = mesh.generation(Face(0));
+  replace(mesh);
+  ASSERT_TRUE(mesh.enable_generations());
+  EXPECT_NE(mesh.generation(Face(0)), before);
+}
+
+TEST(Generations, EndWhereAnotherMeshIsMovedOver) {
+  Mesh other = reference_build(quad_grid(3, 3));
+  ASSERT_TRUE(other.enable_generations());
+  const Index theirs = other.generation(Face(0));
+  Mesh moved;
+  moved = std::move(other);
+  EXPECT_EQ(moved.generation(Face(0)), theirs) << "of which nothing is known here";
+  const Mesh constructed(std::move(moved));
+  EXPECT_EQ(constructed.generation(Face(0)), theirs);
+
+  expect_new_generations([](Mesh& mesh) { mesh = reference_build(quad_grid(3, 3)); });
+  expect_new_generations([](Mesh& mesh) {
+    Mesh grid = reference_build(quad_grid(3, 3));
+    ASSERT_TRUE(grid.enable_generations());
+    mesh = std::move(grid);
+  });
+}
+
+TEST(Generations, EndWhereAMeshIsMovedAway) {
+  expect_new_generations([](Mesh& mesh) {
+    const Mesh away = std::move(mesh);
+    ASSERT_TRUE(mesh.assign(reference_build(quad_grid(3, 3))));  // NOLINT: a moved mesh is empty
+  });
+}
+
+TEST(Generations, EndWherePartOfAMeshIsExtracted) {
+  expect_new_generations([](Mesh& mesh) {
+    const std::vector<Index> faces = {1, 2};
+    ASSERT_TRUE(extract(mesh, faces, mesh));
+    EXPECT_FALSE(mesh.has_generations());
+  });
+}
+
+TEST(Generations, EndWhereAMeshIsConvertedOver) {
+  expect_new_generations([](Mesh& mesh) {
+    BasicMesh<kWithoutPrev> other;
+    ASSERT_TRUE(convert(reference_build(quad_grid(3, 3)), other));
+    ASSERT_TRUE(other.enable_generations());
+    ASSERT_TRUE(convert(std::move(other), mesh));
+  });
 }
 
 TEST(Generations, EndWhereEdgesAreRenumbered) {

@@ -85,6 +85,17 @@ void Attributes::resize_columns(ItemKind kind, Index slots, Journal* journal) {
   }
 }
 
+Attributes& Attributes::operator=(Attributes&& other) noexcept {
+  if (this == &other) return *this;
+  columns_ = std::exchange(other.columns_, {});
+  count_ = std::exchange(other.count_, 0);
+  serials_ = other.serials_;
+  const bool had_generations = generations_ > 0;
+  generations_ = std::max(generations_, other.generations_);
+  if (had_generations) end_all_generations();
+  return *this;
+}
+
 bool Attributes::assign(const Attributes& other) {
   if (this == &other) return true;
   drop_all();

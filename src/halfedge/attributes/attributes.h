@@ -40,8 +40,10 @@ class Attributes {
   };
 
   Attributes() = default;
-  Attributes(Attributes&& other) noexcept = default;
-  Attributes& operator=(Attributes&& other) noexcept = default;
+  Attributes(Attributes&& other) noexcept { *this = std::move(other); }
+  /// Takes the columns of `other`. Their items keep their generations, unless some were given here
+  /// before: then they have new ones. `other` goes on counting where it was.
+  Attributes& operator=(Attributes&& other) noexcept;
   Attributes(const Attributes&) = delete;  // a copy can fail: use assign()
   Attributes& operator=(const Attributes&) = delete;
   ~Attributes() = default;

@@ -59,7 +59,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
                 "prev = false with prev_at_run_time");
 
   BasicConnectivity() = default;
-  /// Moving leaves `other` empty. It counts as a change of both.
+  /// Moving leaves `other` empty. It counts as a change of both. Generations come along; items have
+  /// new ones where generations were enabled here before, as with `assign`.
   BasicConnectivity(BasicConnectivity&& other) noexcept { *this = std::move(other); }
   BasicConnectivity& operator=(BasicConnectivity&& other) noexcept;
   BasicConnectivity(const BasicConnectivity&) = delete;  // a copy can fail: use assign()

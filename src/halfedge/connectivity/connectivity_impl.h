@@ -21,7 +21,7 @@ BasicConnectivity<kStored>& BasicConnectivity<kStored>::operator=(
     BasicConnectivity&& other) noexcept {
   if (this == &other) return *this;
   links_ = std::move(other.links_);
-  attributes_ = std::exchange(other.attributes_, {});
+  attributes_ = std::move(other.attributes_);
   free_vertices_ = std::exchange(other.free_vertices_, {});
   free_edges_ = std::exchange(other.free_edges_, {});
   free_faces_ = std::exchange(other.free_faces_, {});

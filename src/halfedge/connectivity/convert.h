@@ -54,7 +54,7 @@ class LinkConversion {
     to.free_faces_ = from.free_faces_;
     to.bare_vertices_ = kTo.vertex_halfedge ? 0 : vertices;
     to.bare_faces_ = kTo.face_halfedge || !kTo.face ? 0 : faces;
-    to.attributes_ = std::exchange(from.attributes_, {});
+    to.attributes_ = std::move(from.attributes_);
     (void)to.fit_attributes();
     to.forget_history();
     ++to.version_;

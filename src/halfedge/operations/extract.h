@@ -59,7 +59,7 @@ template <Storage kStored>
 /// anchor unless they are on the boundary now. (CGAL: copy_face_graph of a Face_filtered_graph;
 /// VTK: vtkExtractCells)
 ///
-/// After an error `out` is as it was; else it has no history.
+/// After an error `out` is as it was; else it has no history and no generations.
 /// cost: O(items of the part + valences at its boundary), and 4 bytes for each slot of `mesh`,
 /// which are filled and given back
 /// errors: index-out-of-range, deleted-item (the message names the position in `faces`);
