@@ -18,10 +18,8 @@ namespace halfedge {
 
 namespace {
 
-// What belongs to a corner or a halfedge is fetched when those so many places before are at work;
-// what belongs to a vertex only from so many vertices on, as it stays in the cache else.
+// What belongs to a corner or a halfedge is fetched when those so many places before are at work.
 constexpr Index kAhead = 96;
-constexpr std::size_t kTooManyForCache = 100'000;
 
 // Touches what is needed for these places of groups, if their sides are scattered. Where no side
 // lies, there is anything.
@@ -147,10 +145,10 @@ class SideConnector {
   //
   // So only one array is written in the order of groups, which is the slow one.
   HALFEDGE_NOINLINE void place_sides() {
-    const Index fetching = is_large() ? corners_before_last(2 * kAhead + 3) : 0;
+    const Index fetching = is_large() ? corners_before_last(Groups::kPlacingAhead + 3) : 0;
     Index first = 0;
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
-      if (kCanPrefetch && first < fetching) fetch_places(corners);
+      if (kCanPrefetch && first < fetching) groups_.fetch_places(corners, to_);
       for (Index i = 0; i < size; ++i) {
         place_side(first + i, corners[i], corners[i + 1 == size ? 0 : i + 1]);
       }
@@ -183,18 +181,6 @@ class SideConnector {
     std::swap(links_.face, links_.prev);
     use_arrays();
     if (links_.face.size() != sides()) std::fill(links_.face.begin(), links_.face.end(), kNone);
-  }
-
-  // What is needed for three corners that come later, if it is far from what is needed now. Which
-  // of them are the smaller ones of their sides isn't looked at: to ask for too much costs less.
-  [[gnu::always_inline]] void fetch_places(const Index* corners) const {
-    const Index* const ahead = corners + kAhead;
-    const Index* const far_ahead = ahead + kAhead;
-    if (are_near(corners[0], far_ahead[0])) return;
-    for (int i = 0; i < 3; ++i) {
-      prefetch(groups_.next_places_of(far_ahead[i]));
-      prefetch(to_ + *groups_.next_places_of(ahead[i]));
-    }
   }
 
   [[nodiscard]] std::size_t sides() const { return polygons_.corners.size(); }

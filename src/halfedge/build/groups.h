@@ -28,6 +28,10 @@ struct DirectedSide {
   }
 };
 
+/// From so many vertices on, what belongs to them doesn't stay in the cache between one use and the
+/// next.
+inline constexpr std::size_t kTooManyForCache = 100'000;
+
 /// Whether sides are scattered over all faces, by the first and the last of some that will be
 /// needed together. In a mesh whose faces are in no order, seven of eight such pairs are.
 [[nodiscard]] constexpr bool are_scattered(Index first, Index last, Index sides) {
@@ -60,10 +64,22 @@ class Groups {
     return next_[2 * side.low - side.down];
   }
 
-  /// Where the next places of a group lie: of its sides that run up, and behind it of those that
-  /// run down.
-  [[nodiscard]] const Index* next_places_of(Index low) const {
-    return next_.data() + std::size_t{2} * low;
+  /// How many corners before their sides are placed their groups are asked for; half as many
+  /// before, what lies at their places.
+  static constexpr Index kPlacingAhead = 192;
+
+  /// Asks for what it will take to place the sides of three corners that come later, if it is far
+  /// from what is needed now: their groups, and the words of `at_places` that belong to them. Which
+  /// of the corners are the smaller ones of their sides isn't looked at: to ask for too much costs
+  /// less. pre: kPlacingAhead + 3 corners lie there
+  [[gnu::always_inline]] void fetch_places(const Index* corners, const Index* at_places) const {
+    const Index* const ahead = corners + kPlacingAhead / 2;
+    const Index* const far_ahead = corners + kPlacingAhead;
+    if (are_near(corners[0], far_ahead[0])) return;
+    for (int i = 0; i < 3; ++i) {
+      prefetch(next_places_of(far_ahead[i]));
+      prefetch(at_places + *next_places_of(ahead[i]));
+    }
   }
 
   /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
@@ -86,6 +102,12 @@ class Groups {
   [[nodiscard]] bool match(Array<Index>& edge_to, Places places) const;
 
  private:
+  // Where the next places of a group lie: of its sides that run up, and behind it of those that run
+  // down.
+  [[nodiscard]] const Index* next_places_of(Index low) const {
+    return next_.data() + std::size_t{2} * low;
+  }
+
   // The places of a group are [begin, begin + size). The sides of `low` that run up have the even
   // ones before `up_end`, those that run down the odd ones before `down_end`.
   struct Group {

@@ -14,7 +14,9 @@ namespace halfedge {
 namespace {
 
 // Finds the opposites by matching sides in groups (build/groups.h). The places take just as much
-// memory as the corners of a closed mesh, so they lie in `to_vertex`, which is written last.
+// memory as the corners of a closed mesh, so they lie in `to_vertex`. Later, what it takes to walk
+// around vertices lies there. The corners are written last; where there are boundaries, they are
+// needed in between.
 class TriangleConnector {
  public:
   TriangleConnector(const Polygons& triangles, DirectedLinks& links)
@@ -36,7 +38,11 @@ class TriangleConnector {
       return ConnectResult::kNotManifold;
     if (std::uint64_t{sides_} + boundary_ > kMaxSlots) return ConnectResult::kTooLarge;
     anchor_vertices();
-    return write_corners_and_boundary();
+    const ConnectResult added = add_boundary();
+    if (added != ConnectResult::kDone) return added;
+    const bool has_one_cycle = each_vertex_has_one_cycle(links_, links_.to_vertex.span());
+    write_to_vertices();
+    return has_one_cycle ? ConnectResult::kDone : ConnectResult::kNotManifold;
   }
 
  private:
@@ -90,7 +96,7 @@ class TriangleConnector {
   }
 
   // A mesh that lacks memory gets a little more, so that a few boundary loops cost no reallocation;
-  // `write_corners_and_boundary` gives back what isn't used.
+  // `add_boundary` gives back what isn't used.
   [[nodiscard]] bool make_room() {
     const std::size_t least = std::max<std::size_t>(sides_, groups_.end());
     is_fresh_ = std::min(links_.opposite.capacity(), links_.to_vertex.capacity()) < least;
@@ -103,20 +109,36 @@ class TriangleConnector {
   }
 
   void place_sides() {
-    for (Index side = 0; side < sides_; ++side) {
-      Index& next_place = groups_.next_place({corners_[before(side)], corners_[side]});
-      side_at_[next_place] = side;
-      next_place += 2;
+    constexpr Index kFetching = Groups::kPlacingAhead + 3;
+    const bool fetches = kCanPrefetch && triangles_.vertex_count() >= kTooManyForCache;
+    const Index fetching = fetches && sides_ > kFetching ? sides_ - kFetching : 0;
+    for (Index first = 0; first < sides_; first += 3) {
+      const Index* const corners = corners_ + first;
+      if (first < fetching) groups_.fetch_places(corners, side_at_);
+      place_side(first, corners[2], corners[0]);
+      place_side(first + 1, corners[0], corners[1]);
+      place_side(first + 2, corners[1], corners[2]);
     }
+  }
+
+  [[gnu::always_inline]] void place_side(Index side, Index from, Index to) {
+    Index& next_place = groups_.next_place({from, to});
+    side_at_[next_place] = side;
+    next_place += 2;
   }
 
   // Isolated ones have their anchor: kNone, as no edge led to them when sides were matched.
   void anchor_vertices() {
     Index* const anchors = links_.vertex_halfedge.data();
-    for (Index side = 0; side < sides_; ++side) anchors[corners_[before(side)]] = side;
+    for (Index first = 0; first < sides_; first += 3) {
+      const Index* const corners = corners_ + first;
+      anchors[corners[2]] = first;
+      anchors[corners[0]] = first + 1;
+      anchors[corners[1]] = first + 2;
+    }
   }
 
-  ConnectResult write_corners_and_boundary() {
+  ConnectResult add_boundary() {
     const std::size_t halfedges = std::size_t{sides_} + boundary_;
     if (!links_.opposite.resize(halfedges) || !links_.to_vertex.resize(halfedges) ||
         !links_.boundary_next.recreate(boundary_) || !links_.boundary_prev.recreate(boundary_)) {
@@ -126,19 +148,25 @@ class TriangleConnector {
       links_.opposite.shrink_to_fit();
       links_.to_vertex.shrink_to_fit();
     }
-    Index* const opposite = links_.opposite.data();
-    Index* const to = links_.to_vertex.data();
-    std::copy(corners_, corners_ + sides_, to);
     if (boundary_ == 0) return ConnectResult::kDone;
+    Index* const opposite = links_.opposite.data();
     Index b = sides_;
     for (Index h = 0; h < sides_; ++h) {
       if (opposite[h] != kNone) continue;
       opposite[h] = b;
       opposite[b] = h;
-      to[b] = links_.from_vertex(h);
       ++b;
     }
+    write_to_vertices();
     return join_open_fans(links_);
+  }
+
+  void write_to_vertices() {
+    Index* const to = links_.to_vertex.data();
+    std::copy(corners_, corners_ + sides_, to);
+    for (std::size_t b = sides_; b < links_.to_vertex.size(); ++b) {
+      to[b] = links_.from_vertex(links_.opposite[b]);
+    }
   }
 
   const Polygons& triangles_;
@@ -155,9 +183,7 @@ class TriangleConnector {
 }  // namespace
 
 ConnectResult connect_triangles(const Polygons& triangles, DirectedLinks& links) {
-  const ConnectResult result = TriangleConnector(triangles, links).run();
-  if (result != ConnectResult::kDone) return result;
-  return each_vertex_has_one_cycle(links) ? ConnectResult::kDone : ConnectResult::kNotManifold;
+  return TriangleConnector(triangles, links).run();
 }
 
 }  // namespace halfedge

@@ -4,6 +4,8 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/directed_edges/directed_edges.h>
 
+#include <span>
+
 namespace halfedge {
 
 /// Fills all links from triangles: what `build_from_triangles` promises but for the positions.
@@ -24,10 +26,11 @@ namespace halfedge {
 [[nodiscard]] ConnectResult join_open_fans(DirectedLinks& links);
 
 /// Whether all halfedges that leave a vertex are reached by rotating from its anchor, for every
-/// vertex: false if a closed fan shares its vertex with another fan.
+/// vertex: false if a closed fan shares its vertex with another fan. `rotated` is scratch, and has
+/// an entry for each halfedge.
 ///
-/// pre: next and prev are inverse permutations, each anchor leaves its vertex
-/// cost: O(halfedges)
-[[nodiscard]] bool each_vertex_has_one_cycle(const DirectedLinks& links);
+/// pre: opposite is its own inverse, boundary_next a permutation of the boundary halfedges, and
+/// each anchor leaves its vertex; to_vertex isn't read cost: O(halfedges)
+[[nodiscard]] bool each_vertex_has_one_cycle(const DirectedLinks& links, std::span<Index> rotated);
 
 }  // namespace halfedge

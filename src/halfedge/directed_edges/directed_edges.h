@@ -40,7 +40,9 @@ struct DirectedLinks {
 
   [[nodiscard]] bool is_boundary(Index h) const { return h >= sides; }
   [[nodiscard]] Index next(Index h) const {
-    if (is_boundary(h)) return boundary_next[h - sides];
+    return is_boundary(h) ? boundary_next[h - sides] : next_in_face(h);
+  }
+  [[nodiscard]] static Index next_in_face(Index h) {
     return h + 1 - 3 * Index{h % 3 == 2};  // no branch: it could not be predicted
   }
   [[nodiscard]] Index prev(Index h) const {
