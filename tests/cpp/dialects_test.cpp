@@ -14,6 +14,8 @@
 #include <iterator>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -60,6 +62,44 @@ TEST(CgalDialect, CirculatesEndlesslyBothWays) {
   std::vector<Vertex> ring;
   for (const Vertex w : mesh.vertex_vertices_cw(Vertex(0))) ring.push_back(w);
   EXPECT_EQ(ring, (std::vector<Vertex>(twice.begin(), twice.begin() + 7)));
+}
+
+TEST(CgalDialect, IsWalkedBackwardsByReverseIterators) {
+  const Mesh mesh = built(disk(7));
+  const Polyhedron polyhedron(mesh);
+  std::vector<Vertex> backward;
+  for (auto v = std::make_reverse_iterator(polyhedron.vertices_end());
+       v != std::make_reverse_iterator(polyhedron.vertices_begin()); ++v) {
+    const auto& vertex = *v;
+    EXPECT_EQ(v->point(), vertex.point());
+    backward.push_back(vertex);
+  }
+  std::vector<Vertex> expected;
+  for (const Vertex v : mesh.vertices()) expected.insert(expected.begin(), v);
+  EXPECT_EQ(backward, expected);
+
+  const Polyhedron::Halfedge_around_vertex_circulator c = polyhedron(Vertex(0))->vertex_begin();
+  const auto& before = *std::make_reverse_iterator(c);
+  EXPECT_EQ(before, *std::prev(c));
+}
+
+TEST(CgalDialect, HasHandlesThatAreKeys) {
+  const Mesh mesh = built(disk(7));
+  const Polyhedron polyhedron(mesh);
+  std::unordered_map<Polyhedron::Vertex_handle, std::size_t> degrees;
+  std::unordered_set<Polyhedron::Halfedge_handle> halfedges;
+  std::unordered_set<Polyhedron::Facet_handle> facets;
+  for (auto v = polyhedron.vertices_begin(); v != polyhedron.vertices_end(); ++v) {
+    degrees[v] = v->vertex_degree();
+  }
+  for (auto h = polyhedron.halfedges_begin(); h != polyhedron.halfedges_end(); ++h) {
+    halfedges.insert(h);
+  }
+  for (auto f = polyhedron.facets_begin(); f != polyhedron.facets_end(); ++f) facets.insert(f);
+  EXPECT_EQ(degrees.at(polyhedron(Vertex(0))), 7U);
+  EXPECT_EQ(degrees.size(), 8U);
+  EXPECT_EQ(halfedges.size(), 28U);
+  EXPECT_EQ(facets.size(), 7U);
 }
 
 TEST(CgalDialect, HasNothingAroundAnIsolatedVertex) {

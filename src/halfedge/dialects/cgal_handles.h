@@ -2,9 +2,11 @@
 
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/dialects/arrow.h>
 #include <halfedge/mesh.h>
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 
@@ -130,8 +132,8 @@ template <class Self, class Mesh>
 class HalfedgeCirculator : public HalfedgeOf<Mesh> {
  public:
   using value_type = HalfedgeOf<Mesh>;
-  using reference = const value_type&;
-  using pointer = const value_type*;
+  using reference = value_type;
+  using pointer = Arrow<value_type>;
   using difference_type = std::ptrdiff_t;
   using iterator_category = std::bidirectional_iterator_tag;
 
@@ -144,7 +146,7 @@ class HalfedgeCirculator : public HalfedgeOf<Mesh> {
     if (*this != nullptr) stamp_.check(this->mesh());
     return *this;
   }
-  [[nodiscard]] pointer operator->() const { return &**this; }
+  [[nodiscard]] pointer operator->() const { return pointer(**this); }
 
   Self& operator++() { return move_to(Self::after(*this)); }
   Self& operator--() { return move_to(Self::before(*this)); }
@@ -234,14 +236,17 @@ template <class Mesh, class NamedItem, class Item>
 class ItemIterator : public NamedItem {
  public:
   using value_type = NamedItem;
-  using reference = const value_type&;
-  using pointer = const value_type*;
+  using reference = value_type;
+  using pointer = Arrow<value_type>;
   using difference_type = std::ptrdiff_t;
   using iterator_category = std::bidirectional_iterator_tag;
 
   ItemIterator() = default;
   /// At the first live item from slot `at` on.
   ItemIterator(const Mesh& mesh, Index at) : NamedItem(mesh, {}), at_(at) { settle(); }
+
+  [[nodiscard]] reference operator*() const { return *this; }
+  [[nodiscard]] pointer operator->() const { return pointer(*this); }
 
   ItemIterator& operator++() {
     ++at_;
@@ -285,3 +290,11 @@ class ItemIterator : public NamedItem {
 
 }  // namespace HALFEDGE_CHECKS
 }  // namespace halfedge::dialects::cgal
+
+/// As those of CGAL, handles can be keys of std::unordered_map.
+template <class Mesh>
+struct std::hash<halfedge::dialects::cgal::VertexOf<Mesh>> : std::hash<halfedge::Vertex> {};
+template <class Mesh>
+struct std::hash<halfedge::dialects::cgal::HalfedgeOf<Mesh>> : std::hash<halfedge::Halfedge> {};
+template <class Mesh>
+struct std::hash<halfedge::dialects::cgal::FacetOf<Mesh>> : std::hash<halfedge::Face> {};

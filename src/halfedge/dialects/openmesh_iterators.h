@@ -2,6 +2,7 @@
 
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
+#include <halfedge/dialects/arrow.h>
 
 #include <cstddef>
 #include <functional>
@@ -37,17 +38,6 @@ using VertexHandle = NamedHandle<Vertex>;
 using HalfedgeHandle = NamedHandle<Halfedge>;
 using EdgeHandle = NamedHandle<Edge>;
 using FaceHandle = NamedHandle<Face>;
-
-/// What `->` of an iterator gives, since its items are made when they are asked for.
-template <class Handle>
-class Arrow {
- public:
-  explicit Arrow(Handle handle) : handle_(handle) {}
-  const Handle* operator->() const { return &handle_; }
-
- private:
-  Handle handle_;
-};
 
 /// `VertexVertexIter` and its kin: a lap around an item that is compared with its end, asked
 /// `is_valid()`, and goes both ways. It counts laps, as OpenMesh's does: so it can be taken back
