@@ -81,6 +81,10 @@ TEST(Attributes, AreRefusedWithASentence) {
   EXPECT_EQ(code_of(ItemKind::kFace, "none", {.components = 0}), "bad-attribute");
   EXPECT_EQ(code_of(ItemKind::kFace, "many", {.components = 17}), "bad-attribute");
   EXPECT_EQ(code_of(ItemKind::kFace, "two", {.default_value = two}), "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kFace, "stamp", {.type = Scalar::kUint32, .is_generation = true}),
+            "bad-attribute");
+  EXPECT_EQ(code_of(ItemKind::kFace, "", {.type = Scalar::kInt8, .is_generation = true}),
+            "bad-attribute");
   EXPECT_EQ(mesh.attributes().of(ItemKind::kFace).size(), 1U);
 }
 

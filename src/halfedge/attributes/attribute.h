@@ -53,7 +53,8 @@ struct AttributeOptions {
   /// One number for each component, or none: zeros.
   std::span<const double> default_value = {};
   /// Not values that the user gives: stamps that tell apart the items which had the same slot. An
-  /// item that is deleted leaves another stamp behind (see enable_generations).
+  /// item that is deleted leaves another stamp behind. Only for enable_generations, which adds such
+  /// columns: of one uint32, and without a name.
   bool is_generation = false;
 };
 

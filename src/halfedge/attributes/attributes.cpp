@@ -24,6 +24,10 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
   if (name.empty() && !options.is_generation) {
     return bad("The name of an attribute is empty, expected a word.");
   }
+  if (options.is_generation && (!name.empty() || options.type != Scalar::kUint32 ||
+                                options.components != 1 || !options.default_value.empty())) {
+    return bad("Generations are one uint32 without a name, as enable_generations adds them.");
+  }
   if (options.components < 1 || options.components > Attribute::kMaxComponents) {
     return bad(sentence::of("The {} would have {} components, expected 1 to {}.",
                             quoted(kind, name), options.components, Attribute::kMaxComponents));
