@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,12 @@ class Failure {
   Error* error_ = nullptr;
 };
 
+template <class A, class B>
+inline constexpr bool kAreHandlesOfTwoKinds = false;
+template <class OneTag, class OtherTag>
+inline constexpr bool kAreHandlesOfTwoKinds<Handle<OneTag>, Handle<OtherTag>> =
+    !std::is_same_v<OneTag, OtherTag>;
+
 /// A value, or the error that explains why there is none. Failure caused by data is a value in the
 /// core, which is built without exceptions; the JavaScript wrapper throws it in one place.
 template <class T>
@@ -101,10 +108,12 @@ class [[nodiscard]] Result {
   Result(Failure failure) : failure_(std::move(failure)) {}
   Result(Error&& error) : failure_(std::move(error)) {}
   Result(const Error& error) : failure_(error) {}
-  /// The error of another result, so that `return can;` passes it on, without a copy.
-  /// pre: !failed.ok()
+  /// The error of another result, so that `return can;` passes it on, without a copy. Where both
+  /// would have handles, of a vertex and of a face, one is hardly meant for the other: that doesn't
+  /// compile, and its error is passed on by `failure()`. pre: !failed.ok()
   template <class Other>
-  Result(Result<Other>&& failed) : failure_(std::move(failed).failure()) {
+  requires(!kAreHandlesOfTwoKinds<T, Other>) Result(Result<Other>&& failed)
+      : failure_(std::move(failed).failure()) {
     assert(!ok());
   }
 
@@ -128,7 +137,9 @@ class [[nodiscard]] Result {
   }
 
   /// pre: !ok()
-  [[nodiscard]] const Error& error() const { return failure_.error(); }
+  [[nodiscard]] const Error& error() const& { return failure_.error(); }
+  /// Not a reference, as with `value`. pre: !ok()
+  [[nodiscard]] Error error() && { return failure_.error(); }
   /// The error, if there is one, without a copy.
   [[nodiscard]] Failure failure() && { return std::move(failure_); }
 
@@ -153,7 +164,8 @@ class [[nodiscard]] Result<void> {
   explicit operator bool() const { return ok(); }
 
   /// pre: !ok()
-  [[nodiscard]] const Error& error() const { return failure_.error(); }
+  [[nodiscard]] const Error& error() const& { return failure_.error(); }
+  [[nodiscard]] Error error() && { return failure_.error(); }
   /// The error, if there is one, without a copy.
   [[nodiscard]] Failure failure() && { return std::move(failure_); }
 

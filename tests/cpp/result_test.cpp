@@ -2,6 +2,7 @@
 #include <halfedge/halfedge.h>
 
 #include <cstddef>
+#include <type_traits>
 
 #include "support/reference_build.h"
 #include "support/shapes.h"
@@ -15,6 +16,23 @@ TEST(Result, HandsOverWhatALoopCanGoOver) {
   for (const Halfedge h : boundary_loops(mesh).value()) loops += mesh.is_boundary(h) ? 1 : 0;
   EXPECT_EQ(loops, 1U);
 }
+
+TEST(Result, HandsOverAnErrorThatALoopCanGoOver) {
+  const auto refuse = []() -> Result<Index> { return Error{"a-code", "Long", {.faces = {7, 9}}}; };
+  std::size_t sum = 0;
+  for (const Index f : refuse().error().witness.faces) sum += f;
+  EXPECT_EQ(sum, 16U);
+  const auto refuse_all = []() -> Result<void> { return Error{"a-code", "No", {.edges = {5}}}; };
+  for (const Index e : refuse_all().error().witness.edges) sum += e;
+  EXPECT_EQ(sum, 21U);
+}
+
+// What an operation returns can't be taken for a handle of another kind, either.
+static_assert(std::is_constructible_v<Result<Vertex>, Result<Vertex>>);
+static_assert(std::is_constructible_v<Result<Vertex>, Result<void>>);
+static_assert(std::is_constructible_v<Result<Index>, Result<Vertex>>);
+static_assert(!std::is_constructible_v<Result<Face>, Result<Vertex>>);
+static_assert(!std::is_constructible_v<Result<Edge>, Result<Halfedge>>);
 
 TEST(Result, PassesTheErrorOfAnotherOneOn) {
   const auto passed_on = [](Result<void> can) -> Result<Index> { return can; };

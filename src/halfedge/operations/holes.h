@@ -6,6 +6,8 @@
 #include <halfedge/operations/fans.h>
 #include <halfedge/operations/requirements.h>
 
+#include <utility>
+
 namespace halfedge::operations {
 
 namespace internal {
@@ -83,7 +85,7 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> fill_hole(Mesh& mesh, Halfedge h) {
   if (Result<void> can = check_fill_hole(mesh, h); !can) return can;
   Result<Halfedge> filled = decorator::fill_hole(mesh, h);
-  if (!filled) return filled;
+  if (!filled) return std::move(filled).failure();
   return mesh.face(h);
 }
 

@@ -6,6 +6,8 @@
 #include <halfedge/operations/holes.h>
 #include <halfedge/operations/requirements.h>
 
+#include <utility>
+
 namespace halfedge::operations {
 
 /// Whether insert_edge(h, g) can be done: else
@@ -57,7 +59,7 @@ template <EditableSurface Mesh>
   if (Result<void> can = check_insert_edge(mesh, h, g); !can) return can;
   Result<Halfedge> inserted = mesh.is_boundary(h) ? decorator::add_face_to_boundary(mesh, h, g)
                                                   : decorator::split_face(mesh, h, g);
-  if (!inserted) return inserted;
+  if (!inserted) return std::move(inserted).failure();
   return mesh.edge(inserted.value());
 }
 
@@ -127,7 +129,7 @@ template <EditableSurface Mesh>
   const Halfedge h = mesh.edge_halfedge(e);
   const bool is_turned = mesh.is_boundary(mesh.opposite(h));
   Result<Halfedge> joined = decorator::join_face(mesh, is_turned ? mesh.opposite(h) : h);
-  if (!joined) return joined;
+  if (!joined) return std::move(joined).failure();
   return mesh.face(joined.value());
 }
 

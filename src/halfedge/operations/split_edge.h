@@ -5,6 +5,7 @@
 #include <halfedge/operations/requirements.h>
 
 #include <optional>
+#include <utility>
 
 /// Vertices that come and go in the middle of an edge.
 namespace halfedge::operations {
@@ -33,7 +34,7 @@ template <EditableSurface Mesh>
   const Halfedge h = mesh.edge_halfedge(e);
   const double t = internal::parameter_on(mesh, h, position, 0.5);
   Result<Halfedge> half = decorator::split_edge(mesh, h, t);
-  if (!half) return half;
+  if (!half) return std::move(half).failure();
   const Vertex w = mesh.to_vertex(half.value());
   internal::move_to(mesh, w, position);
   return w;

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace halfedge::operations {
 
@@ -35,7 +36,7 @@ template <EditableSurface Mesh>
     Mesh& mesh, Face f, [[maybe_unused]] const std::optional<Point>& position = {}) {
   if (Result<void> can = check_split_face(mesh, f); !can) return can;
   Result<Halfedge> to_center = decorator::internal::add_center_vertex(mesh, mesh.face_halfedge(f));
-  if (!to_center) return to_center;
+  if (!to_center) return std::move(to_center).failure();
   const Vertex c = mesh.to_vertex(to_center.value());
   if constexpr (HasPositions<Mesh>) {
     if (position) mesh.set_position(c, *position);
