@@ -72,6 +72,20 @@ describe('An exercise', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test('runs in a sandboxed frame, which has no origin', async () => {
+    const inner = `<script type=module src=/dist/exercise/standalone.js></script>
+      <halfedge-exercise seed=5 task=vertex-vertices></halfedge-exercise>`;
+    open = await FigurePage.open(
+      `<iframe sandbox="allow-scripts" width="900" height="600" srcdoc="${inner}"></iframe>`,
+      { script: 'exercise', origins: '*' },
+    );
+    const frame = open.page.frameLocator('iframe');
+    await frame.locator('halfedge-exercise .cm-content').press('Control+Enter');
+    await frame.locator('halfedge-exercise[state=failed]').waitFor();
+    expect(await frame.locator('[part~="headline"]').textContent()).not.toContain('worker');
+    expect(await frame.locator('[part~="error"]').count()).toBe(0);
+  });
+
   test('says what is wrong, and shows where the walk went and what it missed', async () => {
     const page = await exercise('task="vertex-vertices"');
     await type(page, WALK('mesh.next(h)'));

@@ -184,8 +184,28 @@ OFF
   });
 
   test.each([
+    ['prism', 8],
+    ['cone', 33],
+    ['cylinder', 34],
+    ['grid', 100],
+    ['grid(4, triangles)', 32],
+    ['grid(triangles)', 200],
+    ['torus', 512],
+    ['torus(8)', 128],
+    ['uvSphere(radius=2)', 512],
+    ['icoSphere', 1280],
+  ])('makes shape:%s, whose numbers have defaults, of %d faces', async (shape, faces) => {
+    const page = await figures(`<halfedge-figure src="shape:${shape}"></halfedge-figure>`);
+    await page.ready();
+    expect(await page.figure(({ mesh }) => mesh?.faceCount)).toBe(faces);
+  });
+
+  test.each([
     ['src="shape:blob"', 'src is “shape:blob”; expected shape: and one of tetrahedron'],
     ['src="shape:torus(8, 6"', 'src is “shape:torus(8, 6”; expected shape:torus(…), closed.'],
+    ['src="shape:cube(3)"', 'src is “shape:cube(3)”; expected no number.'],
+    ['src="shape:cone(8, 2)"', 'src is “shape:cone(8, 2)”; expected 1 number at most.'],
+    ['src="shape:torus(2)"', 'rings is 2; expected an integer from 3'],
     ['src="nowhere.off"', 'nowhere.off could not be fetched: the server answered 404.'],
     ['', 'This figure has no mesh'],
     ['src="shape:cube" select="v99"', 'select is “v99”, which this mesh does not have'],

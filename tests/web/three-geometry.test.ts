@@ -190,6 +190,21 @@ describe('fromBufferGeometry', () => {
     });
   });
 
+  test('leaves a vertex that is made between two the bones of one of them, with their weights', () => {
+    const geometry = square((g) => {
+      const bones = [0, 1, 2, 3].flatMap((i) => [2 * i, 2 * i + 1, 0, 0]);
+      const weights = [0, 1, 2, 3].flatMap((i) => (i % 2 ? [0.25, 0.75, 0, 0] : [1, 0, 0, 0]));
+      g.setAttribute('skinIndex', new THREE.Uint16BufferAttribute(bones, 4));
+      g.setAttribute('skinWeight', new THREE.Float32BufferAttribute(weights, 4));
+    });
+    const { mesh } = fromBufferGeometry(geometry);
+    const bound = (v: number) =>
+      ['skinIndex', 'skinWeight'].map((name) => mesh.attributes.values('vertex', name, v));
+    const [a, b] = mesh.edgeVertices(mesh.findEdge(0, 1));
+    const ends = [bound(a), bound(b)];
+    expect(ends).toContainEqual(bound(mesh.splitEdge(mesh.findEdge(0, 1))));
+  });
+
   test('reads interleaved attributes of more than four components, normalised or not', () => {
     const rows = Int8Array.from({ length: 40 }, (_, i) => (i % 10 < 5 ? i : 127));
     const buffer = new THREE.InterleavedBuffer(rows, 10);

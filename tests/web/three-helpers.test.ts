@@ -181,6 +181,26 @@ describe('HalfedgesHelper', () => {
     expect(new HalfedgesHelper(mesh, { faces: new Set([1, 99]) }).segments).toBe(8);
   });
 
+  test('refuses at an update what was set wrongly, and goes on once it is right', () => {
+    const mesh = HalfedgeMesh.grid(2, 2);
+    const arrows = new HalfedgesHelper(mesh);
+    const { segments } = arrows;
+    for (const pixel of [Number.NaN, -1, 0, Number.POSITIVE_INFINITY, '1' as never]) {
+      arrows.pixel = pixel;
+      expect(() => arrows.update()).toThrow(/^pixel is .+; expected a positive number\.$/);
+      expect(arrows.segments).toBe(segments);
+    }
+    arrows.pixel = 0.01;
+    arrows.faces = 3 as never;
+    expect(() => arrows.update()).toThrow('faces is 3; expected faces to iterate over.');
+    arrows.faces = undefined;
+    arrows.update();
+    expect(arrows.segments).toBeGreaterThan(0);
+    const trace = new CirculatorHelper(mesh, 'vertexFaces', 4);
+    trace.steps = Number.NaN;
+    expect(() => trace.update()).toThrow('steps is NaN; expected a number from 0.');
+  });
+
   test.each([
     ['webgpu', '"webgpu"'],
     [null, 'null'],

@@ -67,6 +67,12 @@ function nodeThread(worker: NodeWorker, listener: Listener): Thread {
 
 /** Starts a script that is there as a text: a module. Browsers only. */
 export function workerOf(script: string): WorkerLike {
+  // In a sandboxed frame or a local file, which have no origin, Chromium starts no module of a blob.
+  if (globalThis.origin === 'null') {
+    return new Worker(`data:text/javascript;charset=utf-8,${encodeURIComponent(script)}`, {
+      type: 'module',
+    });
+  }
   const address = URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
   const worker = new Worker(address, { type: 'module' });
   // As soon as it is heard of: not all browsers have read the script before that.

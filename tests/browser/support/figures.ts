@@ -15,6 +15,8 @@ const shared = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
 export interface FigurePageSettings extends TabSettings {
   /** The Content-Security-Policy that is sent. */
   readonly policy?: string;
+  /** Which sites' scripts may read it all; by default none. */
+  readonly origins?: string;
   /** Whether the browser has WebGL. */
   readonly webgl?: boolean;
   /** The script of the page: the standalone file of figures, or of exercises. */
@@ -45,7 +47,7 @@ export class FigurePage {
 
   /** Opens a page with this body, and waits for the element to be defined. */
   static async open(body: string, settings: FigurePageSettings = {}): Promise<FigurePage> {
-    const { policy, webgl = true, path = 'figures.html', script = 'figure' } = settings;
+    const { policy, origins, webgl = true, path = 'figures.html', script = 'figure' } = settings;
     const html = `<!doctype html><html lang="en"><meta charset="utf-8">
       <meta name="viewport" content="width=device-width"><meta name="color-scheme" content="light dark">
       <title>Figures</title><script type="module" src="/dist/${script}/standalone.js"></script>
@@ -54,6 +56,7 @@ export class FigurePage {
     const server = await serve(root, {
       answers: { 'figures.html': { body: html, type }, 'favicon.ico': { body: '' } },
       ...(policy ? { policy } : {}),
+      ...(origins ? { origins } : {}),
     });
     const tab = await Tab.open(
       { width: 900, height: 700, ...settings },

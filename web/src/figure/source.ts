@@ -1,4 +1,5 @@
 import { HalfedgeMesh } from '../api.js';
+import { counted } from '../counted.js';
 import { SHAPES } from '../shapes.js';
 import { type FaceList, faceListOf } from './build-story.js';
 
@@ -14,6 +15,17 @@ export interface Source {
 const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
 /** One of the static methods of `HalfedgeMesh` that make shapes, and its parameters. */
 const SHAPE = /^shape:\s*(\w+)\s*(?:\(([^()]*)\))?\s*$/;
+
+/** How many numbers a shape takes before its options, each of which can be left out; none if it isn't here. */
+const NUMBERS: Partial<Record<(typeof SHAPES)[number], number>> = {
+  prism: 1,
+  cone: 1,
+  cylinder: 1,
+  grid: 2,
+  torus: 2,
+  uvSphere: 2,
+  icoSphere: 1,
+};
 
 /** The mesh of a figure. Throws a sentence where there is none. */
 export async function openSource(
@@ -71,8 +83,15 @@ export function shapeOf(src: string): HalfedgeMesh {
     else if (/^[a-z]\w*$/i.test(key)) options[key] = true;
     else parts.push(Number(key));
   }
+  const most = NUMBERS[shape] ?? 0;
+  if (parts.length > most) {
+    const expected = most === 0 ? 'no number' : `${counted(most, 'number')} at most`;
+    throw new Error(`src is “${src}”; expected ${expected}.`);
+  }
+  // Numbers that are left out have defaults.
+  const numbers = Array.from({ length: most }, (_, i) => parts[i]);
   const make = HalfedgeMesh[shape] as (...parameters: unknown[]) => HalfedgeMesh;
-  return make.call(HalfedgeMesh, ...parts, options);
+  return make.call(HalfedgeMesh, ...numbers, options);
 }
 
 function optionOf(text: string): unknown {

@@ -21,7 +21,7 @@ export interface CornerAttribute {
   readonly name: string;
   readonly components: number;
   readonly values: CornerValues;
-  /** What a split makes of it. Default: 'normalize' for normals, else 'interpolate'. */
+  /** What a split makes of it. Default: 'normalize' for normals, 'copy' for bones of vertices, else 'interpolate'. */
   readonly onSplit?: OnSplit;
 }
 
@@ -113,12 +113,7 @@ function areEqual(values: CornerValues, components: number, a: number, b: number
 function fill(
   mesh: HalfedgeMesh,
   kind: ItemKind,
-  {
-    name,
-    components,
-    values,
-    onSplit = name === 'normal' ? 'normalize' : 'interpolate',
-  }: CornerAttribute,
+  { name, components, values, onSplit = policyFor(kind, name) }: CornerAttribute,
   rows: Int32Array,
 ): void {
   const type = TYPES[values.constructor.name as keyof typeof TYPES];
@@ -127,6 +122,13 @@ function fill(
     if (row < 0) return;
     for (let i = 0; i < components; i++) view[item * components + i] = values[row * components + i];
   });
+}
+
+function policyFor(kind: ItemKind, name: string): OnSplit {
+  if (name === 'normal') return 'normalize';
+  // Between two vertices with different bones, the mean of the weights is that of neither's bones.
+  if (kind === 'vertex' && /^skin(Index|Weight)$/.test(name)) return 'copy';
+  return 'interpolate';
 }
 
 /** What a buffer can hold of an attribute, and where the mesh has it. */

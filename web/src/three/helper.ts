@@ -58,10 +58,14 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     checkObject(options);
     this.mesh = checkMesh(mesh);
     const { linewidth = width, lines = webglLines, pixel = typicalEdge(mesh) / 56 } = options;
-    this.pixel = checkLength('pixel', pixel);
+    this.pixel = checkLength('options.pixel', pixel);
     this.color = new Color(options.color ?? color);
     this.#lines = checkLines(lines);
-    const drawn = this.#lines.make(this.batch.geometry, checkLength('linewidth', linewidth), 2);
+    const drawn = this.#lines.make(
+      this.batch.geometry,
+      checkLength('options.linewidth', linewidth),
+      2,
+    );
     this.#material = drawn.material;
     this.add(Object.assign(drawn, { frustumCulled: false, renderOrder: 3, raycast() {} }));
   }
@@ -84,6 +88,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   /** Draws the mesh as it is now. */
   update(): void {
     checkMesh(this.mesh);
+    checkLength('pixel', this.pixel);
     this.batch.clear();
     this.draw();
     this.batch.upload();
@@ -138,9 +143,9 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   }
 }
 
-function checkLength(option: string, value: unknown): number {
+function checkLength(argument: string, value: unknown): number {
   if (typeof value === 'number' && value > 0 && value < Number.POSITIVE_INFINITY) return value;
-  throw new RangeError(`options.${option} is ${describe(value)}; expected a positive number.`);
+  throw new RangeError(`${argument} is ${describe(value)}; expected a positive number.`);
 }
 
 function checkLines(lines: unknown): LineKind {

@@ -76,6 +76,7 @@ export class HalfedgesHelper extends MeshHelper {
     const { mesh } = this;
     const { next, face, faceHalfedge } = mesh.connectivity;
     let left = MOST_FACES;
+    checkIterable('faces', this.faces, 'faces to iterate over');
     for (const f of this.faces ?? mesh.faces()) {
       if (this.faces === undefined && left-- === 0) return;
       if (!(faceHalfedge[f] >= 0)) continue; // deleted since it was named
@@ -156,9 +157,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   ) {
     super(mesh, checkOptions(options, CIRCULATOR_OPTIONS), TRAIL, 2.5);
     const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor = ARROW } = options;
-    if (typeof steps !== 'number' || !(steps >= 0)) {
-      throw new RangeError(`options.steps is ${describe(steps)}; expected a number from 0.`);
-    }
+    checkSteps('options.steps', steps);
     this.kind = kind;
     this.item = item;
     this.direction = direction;
@@ -169,6 +168,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
 
   /** The halfedges of the trace, in order. */
   trace(): Halfedge[] {
+    checkSteps('steps', this.steps);
     const circulator = this.mesh.circulate(this.kind, this.item, { direction: this.direction });
     const halfedges: Halfedge[] = [];
     if (circulator.current === undefined) return halfedges;
@@ -201,6 +201,11 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
       this.drawHalfedge(h, color, halfedges[i - 1]);
     });
   }
+}
+
+function checkSteps(argument: string, steps: unknown): void {
+  if (typeof steps === 'number' && steps >= 0) return;
+  throw new RangeError(`${argument} is ${describe(steps)}; expected a number from 0.`);
 }
 
 /** Options of {@link ProblemsHelper}. */

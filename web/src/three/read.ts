@@ -61,6 +61,7 @@ export interface GeometryMesh {
  * seams become one again. Values that differ between them become attributes of halfedges (corners), so that
  * nothing is lost; all others become attributes of vertices. Attributes keep their names: `normal`, `uv`,
  * `uv1`, `color`, `tangent`, `skinIndex`, ... Normalised integers become floats, except colours in bytes.
+ * Edits copy integers, and `skinWeight` along with `skinIndex`; they interpolate the rest.
  * Morph targets become `morph position 0` and so on, relative to the attribute; their names are not kept.
  * Groups become the face attribute `group`, which holds the index of the material (-1 where nothing is
  * drawn). Triangles outside the draw range are not part of the mesh; their vertices stay, without faces,
