@@ -34,7 +34,7 @@ float coordinate(Point p, Index axis) { return axis == 0 ? p.x : axis == 1 ? p.y
 /// Which sides have the values of corners.
 enum class Sides { kOfFaces, kAll };
 
-/// Corners have the positions of their vertices; other sides something else.
+/// Corners have the positions of their vertices, and their indices; other sides something else.
 Mesh with_positions_at_corners(const Shape& shape, Sides sides) {
   Mesh mesh = reference_build(shape);
   Attribute& uv =
@@ -42,7 +42,13 @@ Mesh with_positions_at_corners(const Shape& shape, Sides sides) {
                ItemKind::kHalfedge, "uv",
                {.type = Scalar::kFloat64, .components = 3, .on_split = OnSplit::kInterpolate})
            .value();
+  Attribute& label =
+      *mesh.add_attribute(ItemKind::kHalfedge, "label",
+                          {.type = Scalar::kUint32, .on_split = OnSplit::kCopyCorner})
+           .value();
   for (const Halfedge h : mesh.halfedges()) {
+    const bool is_labelled = sides == Sides::kAll || !mesh.is_boundary(h);
+    label.set(h.index(), 0, is_labelled ? mesh.to_vertex(h).index() : 999, nullptr);
     for (const Index axis : {0U, 1U, 2U}) {
       const float at = coordinate(mesh.position(mesh.to_vertex(h)), axis);
       const bool has_it = sides == Sides::kAll || !mesh.is_boundary(h);
@@ -65,6 +71,19 @@ Halfedge first_wrong(const Mesh& mesh, Sides sides) {
   return {};
 }
 
+/// The first of these sides that leads to a vertex which is where it was, with the label of
+/// another.
+Halfedge first_mislabelled(const Mesh& before, const Mesh& mesh, Sides sides) {
+  const Attribute& label = *mesh.find_attribute(ItemKind::kHalfedge, "label");
+  for (const Halfedge h : mesh.halfedges()) {
+    if (sides == Sides::kOfFaces && mesh.is_boundary(h)) continue;
+    const Vertex v = mesh.to_vertex(h);
+    if (v.index() >= before.vertex_slots() || before.position(v) != mesh.position(v)) continue;
+    if (label.get(h.index(), 0) != v.index()) return h;
+  }
+  return {};
+}
+
 /// Applies `operate` to each item that `items` lists, each time to a copy of each of many meshes.
 /// Returns how often it was done.
 template <class Items, class Operate>
@@ -81,7 +100,8 @@ int expect_corners_follow(const Items& items, const Operate& operate,
       Mesh after = copy_of(mesh);
       if (!operate(after, item).ok()) continue;
       ++done;
-      const Halfedge wrong = first_wrong(after, sides);
+      Halfedge wrong = first_wrong(after, sides);
+      if (!wrong.valid()) wrong = first_mislabelled(mesh, after, sides);
       EXPECT_FALSE(wrong.valid()) << shape.name << ", item " << item.index() << ": corner "
                                   << wrong.index() << " at vertex "
                                   << after.to_vertex(wrong).index();

@@ -205,6 +205,25 @@ describe('fromBufferGeometry', () => {
     expect(ends).toContainEqual(bound(mesh.splitEdge(mesh.findEdge(0, 1))));
   });
 
+  test('leaves labels at their corners, along a seam too', () => {
+    const corners = [0, 1, 2, 0, 2, 3];
+    const geometry = new THREE.BufferGeometry();
+    const positions = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
+    const rows = corners.flatMap((v) => positions.slice(3 * v, 3 * v + 3));
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(rows, 3));
+    const labels = [0, 1, 2, 99, 2, 3];
+    geometry.setAttribute('label', new THREE.Uint16BufferAttribute(labels, 1));
+    const { mesh } = fromBufferGeometry(geometry);
+    expect(mesh.attributes.list()).toMatchObject([{ kind: 'halfedge', onSplit: 'copy-corner' }]);
+    mesh.flipEdge(mesh.findEdge(0, 2));
+    const at = (v: number) =>
+      [...mesh.vertexIncomingHalfedges(v)]
+        .filter((h) => !mesh.isBoundaryHalfedge(h))
+        .map((h) => mesh.attributes.values('halfedge', 'label', h)[0]);
+    expect(at(1)).toEqual([1, 1]);
+    expect(at(3)).toEqual([3, 3]);
+  });
+
   test('reads interleaved attributes of more than four components, normalised or not', () => {
     const rows = Int8Array.from({ length: 40 }, (_, i) => (i % 10 < 5 ? i : 127));
     const buffer = new THREE.InterleavedBuffer(rows, 10);

@@ -22,14 +22,15 @@ export const TYPES = {
   uint32: Uint32Array,
 };
 /** In the order of the enum OnSplit in C++. */
-const POLICIES = ['interpolate', 'normalize', 'copy', 'default'] as const;
+const POLICIES = ['interpolate', 'normalize', 'copy', 'default', 'copy-corner'] as const;
 export const TYPE_NAMES = Object.keys(TYPES) as AttributeType[];
 
 /** The type of the numbers of an attribute. */
 export type AttributeType = keyof typeof TYPES;
 /**
  * The value that an operation gives to an item that it makes out of others: the weighted mean, the mean
- * scaled to length 1 (for normals), the value of the item with the largest weight, or the default.
+ * scaled to length 1 (for normals), the value of the item with the largest weight ('copy', or 'copy-corner'
+ * where values of halfedges are those of corners, such as labels with seams), or the default.
  */
 export type OnSplit = (typeof POLICIES)[number];
 /** The typed array that shows an attribute. */
@@ -89,8 +90,8 @@ type Columns = Readonly<Record<ItemKind, Map<string, Column>>>;
  * Named columns of numbers on the vertices, halfedges, edges or faces of a mesh. They follow every edit: new
  * items get what `onSplit` says, deleted slots are kept in step, and undo restores values.
  *
- * With 'interpolate' and 'normalize', the value of a halfedge belongs to the corner where it ends, in its
- * face, like texture coordinates with seams. With the other policies, it belongs to the halfedge itself.
+ * With 'interpolate', 'normalize' and 'copy-corner', the value of a halfedge belongs to the corner where it
+ * ends, in its face, like texture coordinates with seams. With the other policies, it belongs to the halfedge itself.
  *
  * The positions are the vertex attribute `position`, which always exists and is not listed.
  *

@@ -55,7 +55,7 @@ const char* name_of(Scalar type) {
 }
 
 const char* name_of(OnSplit policy) {
-  constexpr const char* kNames[] = {"interpolate", "normalize", "copy", "default"};
+  constexpr const char* kNames[] = {"interpolate", "normalize", "copy", "default", "copy-corner"};
   return kNames[std::size_t(policy)];
 }
 
@@ -202,7 +202,7 @@ void Attribute::add(Sum& sum, Index item, double weight) const {
 
 void Attribute::store(const Sum& sum, Index to, Journal* journal) {
   if (sum.heaviest == kNone || sum.weight == 0 || on_split_ == OnSplit::kDefault) return;
-  if (on_split_ == OnSplit::kCopy) return copy(to, sum.heaviest, journal);
+  if (!interpolates()) return copy(to, sum.heaviest, journal);
   double scale = sum.weight;
   if (on_split_ == OnSplit::kNormalize) {
     double squares = 0;

@@ -38,7 +38,8 @@ enum class OnSplit : std::uint8_t {
   kInterpolate,  ///< the weighted mean of what it is made of; integers are rounded
   kNormalize,    ///< the same, brought to length 1: for normals
   kCopy,         ///< that of the item that has the most weight in it
-  kDefault       ///< the default of the attribute
+  kDefault,      ///< the default of the attribute
+  kCopyCorner    ///< as kCopy, for halfedges, whose values are those of corners: labels with seams
 };
 
 /// "interpolate"
@@ -60,8 +61,8 @@ struct AttributeOptions {
 
 /// A named column: for each slot of one kind of item some numbers of one type, in a row.
 ///
-/// With the policies kInterpolate and kNormalize a value of a halfedge is that of the *corner*
-/// where it ends, in its face (texture coordinates with seams); with the others it is the
+/// With the policies kInterpolate, kNormalize and kCopyCorner a value of a halfedge is that of the
+/// *corner* where it ends, in its face (texture coordinates with seams); with the others it is the
 /// halfedge's own.
 class Attribute {
  public:
@@ -153,6 +154,10 @@ class Attribute {
 
   [[nodiscard]] bool interpolates() const {
     return on_split_ == OnSplit::kInterpolate || on_split_ == OnSplit::kNormalize;
+  }
+  /// Whether values of halfedges are those of corners.
+  [[nodiscard]] bool belongs_to_corners() const {
+    return interpolates() || on_split_ == OnSplit::kCopyCorner;
   }
 
   /// Notes all values, as before a write of all of them.

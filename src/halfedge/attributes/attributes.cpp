@@ -192,13 +192,13 @@ void Attributes::blend_values(ItemKind kind, Index to, Index a, Index b, double 
 
 void Attributes::copy_corner_values(Index to, Index from, Journal* journal) {
   for (Column& column : of(ItemKind::kHalfedge)) {
-    if (column->interpolates()) column->copy(to, from, journal);
+    if (column->belongs_to_corners()) column->copy(to, from, journal);
   }
 }
 
 void Attributes::blend_corner_values(Index to, Index a, Index b, double t, Journal* journal) {
   for (Column& column : of(ItemKind::kHalfedge)) {
-    if (!column->interpolates()) continue;
+    if (!column->belongs_to_corners()) continue;
     Attribute::Sum sum;
     column->add(sum, a, 1 - t);
     column->add(sum, b, t);
@@ -208,7 +208,7 @@ void Attributes::blend_corner_values(Index to, Index a, Index b, double t, Journ
 
 void Attributes::swap_corners(Index a, Index b, Journal* journal) {
   for (Column& column : of(ItemKind::kHalfedge)) {
-    if (column->interpolates()) column->swap(a, b, journal);
+    if (column->belongs_to_corners()) column->swap(a, b, journal);
   }
 }
 

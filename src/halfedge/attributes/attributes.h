@@ -130,7 +130,7 @@ class Attributes {
   void move_corners(const EdgeCorners (&sides)[2], double t, const Corners& corners,
                     Journal* journal) {
     for (Column& column : of(ItemKind::kHalfedge)) {
-      if (!column->interpolates()) continue;
+      if (!column->belongs_to_corners()) continue;
       const CornerMove move(*column, sides, t, journal);
       corners([&](Index corner, EdgeEnd end) { move(corner, end); });
     }
@@ -140,7 +140,7 @@ class Attributes {
   template <class Items>
   void average(ItemKind kind, Index to, const Items& items, Journal* journal) {
     for (Column& column : of(kind)) {
-      if (kind == ItemKind::kHalfedge && !column->interpolates()) continue;
+      if (kind == ItemKind::kHalfedge && !column->belongs_to_corners()) continue;
       Attribute::Sum sum;
       items([&](Index item) { column->add(sum, item, 1); });
       column->store(sum, to, journal);

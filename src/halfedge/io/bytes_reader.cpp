@@ -200,10 +200,10 @@ Result<void> read_attribute(auto& mesh, const Header& header, const Section& sec
   const std::size_t name_size = word_at(content, 16);
   if (kind > std::uint32_t(ItemKind::kFace) || type > std::uint32_t(Scalar::kUint32) ||
       components < 1 || components > Attribute::kMaxComponents ||
-      on_split > std::uint32_t(OnSplit::kDefault)) {
+      on_split > std::uint32_t(OnSplit::kCopyCorner)) {
     return wrong(section.offset,
                  sentence::of("the attribute has kind {}, type {}, {} components, on-split {}, "
-                              "expected less than 4, 8, 17 (1 or more), 4",
+                              "expected less than 4, 8, 17 (1 or more), 5",
                               kind, type, components, on_split));
   }
   const std::uint64_t slots = header.slots_of(ItemKind(kind));

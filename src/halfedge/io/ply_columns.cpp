@@ -33,10 +33,11 @@ Scalar scalar_of(PlyType type) {
   return static_cast<Scalar>(static_cast<int>(type) + 2);  // behind the two
 }
 
-OnSplit policy_of(std::string_view name, PlyType type) {
+OnSplit policy_of(std::string_view name, PlyType type, SoupItem item) {
   if (name == "normal" && !is_integer(type)) return OnSplit::kNormalize;
+  if (!is_integer(type) || name == "color") return OnSplit::kInterpolate;
   // The mean of two labels is no label.
-  return is_integer(type) && name != "color" ? OnSplit::kCopy : OnSplit::kInterpolate;
+  return item == SoupItem::kCorner ? OnSplit::kCopyCorner : OnSplit::kCopy;
 }
 
 /// Looking for names takes time in proportion to their number.
@@ -129,7 +130,7 @@ class ColumnChooser {
     column.item = item_;
     column.type = scalar_of(type);
     column.components = static_cast<Index>(parts.size());
-    column.on_split = policy_of(name, type);
+    column.on_split = policy_of(name, type, item_);
     return true;
   }
 
@@ -200,7 +201,7 @@ void PlyColumns::choose_lists(const PlyElement& element, SoupItem item,
     column.item = item;
     column.type = scalar_of(property.type);
     column.components = 0;
-    column.on_split = policy_of(property.name, property.type);
+    column.on_split = policy_of(property.name, property.type, item);
   }
 }
 

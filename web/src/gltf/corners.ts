@@ -117,7 +117,8 @@ function fill(
   rows: Int32Array,
 ): void {
   const type = TYPES[values.constructor.name as keyof typeof TYPES];
-  const view = mesh.attributes.add(kind, name, { type, components, onSplit });
+  const policy = kind === 'halfedge' && onSplit === 'copy' ? 'copy-corner' : onSplit;
+  const view = mesh.attributes.add(kind, name, { type, components, onSplit: policy });
   rows.forEach((row, item) => {
     if (row < 0) return;
     for (let i = 0; i < components; i++) view[item * components + i] = values[row * components + i];
