@@ -137,6 +137,33 @@ describe('An exercise', () => {
     expect(own).toEqual(['wrong-number', 'failed']);
   });
 
+  test('tells nothing of a run of the code that was there before', async () => {
+    const page = await exercise('task="valence"');
+    const told = await page.page.evaluate(async () => {
+      const element = document.querySelector('halfedge-exercise') as HalfedgeExercise;
+      element.reveal();
+      const run = element.run().catch(({ message }) => message);
+      element.code = 'function valence() { return 2; }';
+      return [await run, element.state, element.result];
+    });
+    expect(told).toEqual(['The code was changed while it ran.', 'ready', null]);
+  });
+
+  test('says what is wrong in a definition', async () => {
+    open = await FigurePage.open('<halfedge-exercise task="valence"></halfedge-exercise>', {
+      script: 'exercise',
+    });
+    await open.page.waitForSelector('halfedge-exercise .cm-content');
+    await open.page.$eval('halfedge-exercise', (it) => {
+      const element = it as HalfedgeExercise;
+      element.definition = { ...element.exercise, meshes: ['cube'] } as never;
+    });
+    await open.page.waitForSelector('halfedge-exercise [part=error]');
+    expect(await text(open, 'error')).toMatch(
+      /^definition\.meshes\[0\] is "cube"; expected one of tetrahedron, /,
+    );
+  });
+
   test('says on a telephone what is wrong between the code and the figure, and brings it into sight', async () => {
     const page = await exercise('task="vertex-faces"', { width: 390, height: 700, phone: true });
     await page.page.tap('halfedge-exercise [part~=run]');

@@ -206,6 +206,7 @@ OFF
     ['src="shape:cube(3)"', 'src is “shape:cube(3)”; expected no number.'],
     ['src="shape:cone(8, 2)"', 'src is “shape:cone(8, 2)”; expected 1 number at most.'],
     ['src="shape:torus(2)"', 'rings is 2; expected an integer from 3'],
+    ['src="http://["', 'src is “http://[”; expected the address of a file, or shape:'],
     ['src="nowhere.off"', 'nowhere.off could not be fetched: the server answered 404.'],
     ['', 'This figure has no mesh'],
     ['src="shape:cube" select="v99"', 'select is “v99”, which this mesh does not have'],

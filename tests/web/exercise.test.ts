@@ -130,3 +130,31 @@ test('A grader is told what it is to be given', () => {
   );
   expect(() => graded(task, '')).toThrow('seed is undefined; expected an integer.');
 });
+
+test.each([
+  [{ name: undefined }, 'task.name is undefined; expected a text.'],
+  [{ call: 3 }, 'task.call is 3; expected a text.'],
+  [{ gets: 'arrays' }, 'task.gets is "arrays"; expected "mesh" or "links".'],
+  [{ uses: 'next' }, 'task.uses is "next"; expected an array.'],
+  [{ uses: ['next', 7] }, 'task.uses[1] is 7; expected a text.'],
+  [{ meshes: [] }, 'task.meshes is an array of 0 elements; expected one mesh or more.'],
+  [{ meshes: ['torus', 'cube'] }, 'task.meshes[1] is "cube"; expected one of tetrahedron, prism,'],
+  [{ asks: [[]] }, 'task.asks is an array of 1 element; expected a function.'],
+  [{ reference: 3 }, 'task.reference is 3; expected a function.'],
+  [{ check: true }, 'task.check is true; expected a function.'],
+  [{ answer: 'number' }, 'task.answer is "number"; expected a kind: one of cycle, item, number,'],
+  [{ answer: { kind: 'list' } }, 'task.answer is "list"; expected a kind: one of cycle, item,'],
+  [
+    { answer: { kind: 'cycle', of: 'corner' } },
+    'task.answer.of is "corner"; expected one of vertex, halfedge, edge, face.',
+  ],
+  [{ mistakes: [{ code: 'x' }] }, 'task.mistakes[0].says is undefined; expected a text.'],
+  [{ mistakes: [null] }, 'task.mistakes[0].code is undefined; expected a text.'],
+])('A task with %j is told what is wrong with it', (wrong, sentence) => {
+  const task = { ...taskNamed('valence'), ...wrong } as never;
+  expect(() => grade(task, 'function valence() {}', 1)).toThrow(sentence);
+});
+
+test.each(tasks)('The task $name is one', (task) => {
+  expect(() => grade(task, task.solution, 1)).not.toThrow();
+});

@@ -79,6 +79,11 @@ describe('A deed', () => {
       'insertEdge h3',
       '“insertEdge h3” has other items than insertEdge takes: expected a halfedge and a second halfedge.',
     ],
+    ['flip', '“flip” is done to an edge: expected such as “flip e0”.'],
+    ['flipEdge', '“flipEdge” is done to an edge: expected such as “flipEdge e0”.'],
+    ['collapse', '“collapse” is done to a halfedge: expected such as “collapse h0”.'],
+    ['split', '“split” is done to an edge or a face'],
+    ['melt', '“melt” is no operation on a mesh'],
     ['', '“” is no operation on a mesh'],
   ])('is not read from “%s”', (text, sentence) => {
     expect(() => parseDeed(text)).toThrow(sentence);

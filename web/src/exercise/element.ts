@@ -4,6 +4,7 @@ import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
 import { tell } from './events.js';
+import { checkTask } from './judge/check-task.js';
 import type { Trial } from './judge/deal.js';
 import { messageOf } from './judge/program.js';
 import type { ExerciseTask } from './judge/task.js';
@@ -117,7 +118,7 @@ export class HalfedgeExercise extends LitElement {
   /** The exercise, or null where `task` names none. */
   get exercise(): ExerciseTask | null {
     try {
-      return this.definition ?? taskNamed(this.task ?? '');
+      return this.#needed();
     } catch {
       return null;
     }
@@ -292,7 +293,8 @@ export class HalfedgeExercise extends LitElement {
   }
 
   #needed(): ExerciseTask {
-    return this.definition ?? taskNamed(this.task ?? '');
+    const { definition, task } = this;
+    return definition ? checkTask('definition', definition) : taskNamed(task ?? '');
   }
 
   get #memory(): Memory {
@@ -308,6 +310,7 @@ export class HalfedgeExercise extends LitElement {
 
   #changed(code: string): void {
     this.#memory.code = code;
+    this.#running?.abort(new Cancelled('The code was changed while it ran.'));
     if (this.state === 'passed') this.state = 'ready';
     tell(this, 'halfedge-code', { code });
     this.requestUpdate();

@@ -34,11 +34,19 @@ export async function openSource(
 ): Promise<HalfedgeMesh> {
   if (bytes) return HalfedgeMesh.fromBytes(bytes);
   if (src?.startsWith('shape:')) return shapeOf(src);
-  if (src) return fetchMesh(new URL(src, document.baseURI), signal);
+  if (src) return fetchMesh(addressOf(src), signal);
   if (text?.trim()) return HalfedgeMesh.parse(text).mesh;
   throw new Error(
     'This figure has no mesh: expected src="…", or the text of an OBJ, OFF, PLY or STL file in a <script type="text/plain"> inside of it.',
   );
+}
+
+function addressOf(src: string): URL {
+  try {
+    return new URL(src, document.baseURI);
+  } catch {
+    throw new Error(`src is “${src}”; expected the address of a file, or shape: and a shape.`);
+  }
 }
 
 /** The faces of the source as they are listed there, good or bad. */

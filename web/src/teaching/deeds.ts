@@ -18,12 +18,17 @@ export function parseDeed(text: string): Deed {
   const [name = '', ...names] = text.trim().split(/\s+/);
   const [first = null, second = null, ...others] = names.map(itemOf);
   const on = first?.kind ?? 'mesh';
-  const full = `${name}${on[0].toUpperCase()}${on.slice(1)}`;
-  const operation = operations.find((it) => it.on === on && [name, full].includes(it.stem));
+  const named = operations.filter((it) => [name, `${name}${capitalised(it.on)}`].includes(it.stem));
+  const operation = named.find((it) => it.on === on);
   if (!operation) {
+    if (!first && named.length > 0) {
+      const kinds = named.map((it) => withArticle(it.on)).join(' or ');
+      const example = `${name} ${itemName(item(named[0].on as Item['kind'], 0))}`;
+      throw new Error(`“${text}” is done to ${kinds}: expected such as “${example}”.`);
+    }
     const known = operations.filter((it) => it.on === on).map(({ stem }) => stem);
     throw new Error(
-      `“${text}” is no operation on ${on === 'edge' ? 'an' : 'a'} ${on}: expected one of ${known.join(', ')}, and what it is done to.`,
+      `“${text}” is no operation on ${withArticle(on)}: expected one of ${known.join(', ')}, and what it is done to.`,
     );
   }
   const wanted = operation.second?.kind;
@@ -35,6 +40,9 @@ export function parseDeed(text: string): Deed {
   }
   return { operation, first, second };
 }
+
+const capitalised = (word: string) => `${word[0].toUpperCase()}${word.slice(1)}`;
+const withArticle = (kind: string) => `${kind === 'edge' ? 'an' : 'a'} ${kind}`;
 
 function itemOf(name: string): Item {
   const found = parseItemName(name);

@@ -1,5 +1,6 @@
 import { refuse } from '../../checks.js';
 import { attempt } from './attempt.js';
+import { checkTask } from './check-task.js';
 import { askedIn, deal, type Trial } from './deal.js';
 import { judge } from './judge.js';
 import { judgeFault } from './judge-trouble.js';
@@ -24,7 +25,7 @@ import {
  * @throws TypeError for wrong arguments, such as the bytes of a file for its text
  */
 export function grade(task: ExerciseTask, code: string, seed: number): Verdict {
-  if (typeof task?.call !== 'string') refuse('task', task, 'a task, as taskNamed() gives it');
+  checkTask('task', task);
   if (typeof code !== 'string') refuse('code', code, 'the text of a program');
   if (!Number.isInteger(seed)) refuse('seed', seed, 'an integer', 'number');
   const program = compile(code, task.call);
