@@ -303,6 +303,27 @@ describe('A mesh worker', () => {
     expect((await other).mesh.faceCount).toBe(2);
   });
 
+  test('starts no thread for what the same signal cancels', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    let started = 0;
+    using worker = createMeshWorker({
+      worker: () => {
+        started += 1;
+        return new Worker(new URL(threadScript));
+      },
+    });
+    const controller = new AbortController();
+    const { signal } = controller;
+    const jobs = Array.from({ length: 8 }, () => rejection(worker.parse(SQUARE, { signal })));
+    const other = worker.parse(SQUARE);
+    const last = rejection(worker.parse(SQUARE, { signal }));
+    controller.abort();
+    const errors = await Promise.all([...jobs, last]);
+    expect(new Set(errors.map(({ name }) => name))).toEqual(new Set(['AbortError']));
+    expect((await other).mesh.faceCount).toBe(2);
+    expect(started).toBe(2); // the one that was ended, and one for the other job
+  });
+
   test('is made by new, too', async () => {
     using worker = new MeshWorker();
     expect((await worker.parse(SQUARE)).mesh.faceCount).toBe(2);

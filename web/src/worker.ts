@@ -70,6 +70,7 @@ interface Task {
   readonly job: Job;
   readonly onProgress: ProgressOptions['onProgress'];
   readonly transfer: readonly object[];
+  readonly signal: AbortSignal | undefined;
   resolve(reply: Reply & { kind: 'done' }): void;
   reject(error: unknown): void;
 }
@@ -180,6 +181,7 @@ export class MeshWorker {
         job,
         onProgress,
         transfer,
+        signal,
         resolve: (reply) => {
           done();
           resolve(reply);
@@ -197,7 +199,12 @@ export class MeshWorker {
 
   #next(): void {
     if (this.#running !== undefined) return;
-    const task = this.#queue.shift();
+    let task = this.#queue.shift();
+    // A signal cancels its jobs one after the other: no thread is started for the next one of them.
+    while (task?.signal?.aborted) {
+      task.reject(task.signal.reason);
+      task = this.#queue.shift();
+    }
     this.#thread?.keepAlive(task !== undefined);
     if (task === undefined) return;
     this.#running = task;
