@@ -324,6 +324,25 @@ describe('A mesh worker', () => {
     expect(started).toBe(2); // the one that was ended, and one for the other job
   });
 
+  test('listens once to a signal of many jobs, and no longer than for them', async () => {
+    const controller = new AbortController();
+    const { signal } = controller;
+    const { getEventListeners } = process.getBuiltinModule('node:events');
+    const listeners = () => getEventListeners(signal, 'abort').length;
+    for (let round = 0; round < 2; round++) {
+      const jobs = Array.from({ length: 12 }, () => worker.parse(SQUARE, { signal }));
+      jobs.push(parseInWorker(SQUARE, { signal }));
+      const during = listeners();
+      for (const { mesh } of await Promise.all(jobs)) expect(mesh.faceCount).toBe(2);
+      expect([during, listeners()]).toEqual([1, 0]);
+    }
+    const jobs = [worker.parse(SQUARE, { signal }), parseInWorker(SQUARE, { signal })];
+    const errors = jobs.map(rejection);
+    controller.abort();
+    for (const error of errors) expect((await error).name).toBe('AbortError');
+    expect(listeners()).toBe(0);
+  });
+
   test('is made by new, too', async () => {
     using worker = new MeshWorker();
     expect((await worker.parse(SQUARE)).mesh.faceCount).toBe(2);

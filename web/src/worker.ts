@@ -1,6 +1,7 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import { onAbort } from './abort.js';
 import { bytesOf, describe } from './arguments.js';
 import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
@@ -176,7 +177,6 @@ export class MeshWorker {
         this.#cancel(task);
         task.reject(signal?.reason);
       };
-      const done = () => signal?.removeEventListener('abort', abort);
       const task: Task = {
         job,
         onProgress,
@@ -191,7 +191,7 @@ export class MeshWorker {
           reject(error);
         },
       };
-      signal?.addEventListener('abort', abort);
+      const done = signal === undefined ? () => {} : onAbort(signal, abort);
       this.#queue.push(task);
       this.#next();
     });
