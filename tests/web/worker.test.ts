@@ -503,6 +503,19 @@ describe('A worker that can not be started', () => {
     worker.terminate();
   });
 
+  test('because it has ended is one, too', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    const one = new Worker('', { eval: true });
+    await new Promise((resolve) => one.on('exit', resolve));
+    const message =
+      'The worker failed: TypeError: options.worker returned a worker that has ended; expected one that runs.';
+    expect(() => createMeshWorker({ worker: () => one })).toThrow(message);
+    await expect(parseInWorker(SQUARE, { worker: () => one })).rejects.toMatchObject({
+      code: 'worker-failed',
+      message,
+    });
+  });
+
   test('before init is an error that says what to call', async () => {
     import.meta.jest.resetModules();
     const fresh = (await import('halfedge/worker')) as typeof import('halfedge/worker');
