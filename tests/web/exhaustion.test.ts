@@ -164,6 +164,25 @@ describe('A mesh too large for memory', () => {
     expectSound(before);
   });
 
+  test('for the history of a group that throws keeps its changes, and forgets all steps', () => {
+    const before = bytesInUse();
+    using mesh = HalfedgeMesh.grid(30);
+    mesh.history.enabled = true;
+    mesh.setPosition(0, [7, 7, 7]);
+    const move = () =>
+      mesh.history.group(() => {
+        for (const v of mesh.vertices()) mesh.setPosition(v, [v, 1, 2]);
+        throw new Error('Stop.');
+      });
+    withLeft(0, () => expect(move).toThrow('Stop.'));
+    expect([mesh.position(5), mesh.history.undoCount]).toEqual([[5, 1, 2], 0]);
+    mesh.setPosition(5, [0, 0, 0]);
+    expect(move).toThrow('Stop.');
+    expect([mesh.position(5), mesh.history.undoCount]).toEqual([[0, 0, 0], 1]);
+    mesh.dispose();
+    expectSound(before);
+  });
+
   test('in the middle of edits refuses them, and leaves a mesh that is whole', () => {
     const before = bytesInUse();
     const grid = quadGrid(40, 40);
