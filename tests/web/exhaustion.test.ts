@@ -1,4 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { fromBufferGeometry, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 import { bytesInUse, withLeft } from './support/core.js';
 import { quadGrid, tetrahedron } from './support/meshes.js';
 
@@ -26,16 +27,20 @@ function expectOutOfMemory(call: () => unknown): void {
 /** One face of a large soup. */
 const FEW = new Uint32Array([0, 1, 2]);
 
-/** Runs `use` while JavaScript makes no typed array of more than 100 links that isn't a view. */
-function withoutRoomForCopies(use: () => void): void {
+/**
+ * Runs `use` while JavaScript makes no typed array of more than 100 links that isn't a view, but for
+ * the first `made`.
+ */
+function withoutRoomForCopies(use: () => void, made = 0): void {
   const scope = globalThis as unknown as Record<string, unknown>;
-  const kinds = { Uint32Array, Int32Array };
+  const kinds = { Uint8Array, Uint32Array, Int32Array };
+  let asked = 0;
   for (const [name, Kind] of Object.entries(kinds)) {
     scope[name] = new Proxy(Kind, {
       construct(target, given, newTarget) {
         const [source] = given as [unknown];
         const length = ArrayBuffer.isView(source) ? (source as Uint8Array).length : source;
-        if (typeof length === 'number' && length > 100) {
+        if (typeof length === 'number' && length > 100 && asked++ >= made) {
           throw new RangeError('Array buffer allocation failed');
         }
         return Reflect.construct(target, given, newTarget);
@@ -161,6 +166,54 @@ describe('A mesh too large for memory', () => {
       expectOutOfMemory(() => whole.extract(sixty)); // there is room for the list, not for its edges
     });
     whole.dispose();
+    expectSound(before);
+  });
+
+  test('because JavaScript has no room for one of the copies is an error, whichever it is', () => {
+    const before = bytesInUse();
+    using whole = HalfedgeMesh.grid(20);
+    whole.attributes.add('halfedge', 'uv', { components: 2 });
+    whole.attributes.add('face', 'group', { type: 'int32' });
+    const { geometry } = toBufferGeometry(whole);
+    const codes: string[] = [];
+    for (const call of [
+      () => whole.components(),
+      () => whole.toPolygons(),
+      () => toBufferGeometry(whole),
+      () => fromBufferGeometry(geometry).mesh.dispose(),
+      () => new MeshGeometry(whole).dispose(),
+    ]) {
+      for (let made = 0, failed = true; failed; made++) {
+        try {
+          withoutRoomForCopies(call, made);
+          failed = false;
+        } catch (error) {
+          codes.push((error as HalfedgeError).code ?? `${call}: ${error}`);
+        }
+      }
+    }
+    expect(codes.length).toBeGreaterThan(20);
+    expect(codes.filter((code) => code !== 'out-of-memory')).toEqual([]);
+    whole.dispose();
+    expectSound(before);
+  });
+
+  test('for the history of a group that throws keeps its changes, and forgets all steps', () => {
+    const before = bytesInUse();
+    using mesh = HalfedgeMesh.grid(30);
+    mesh.history.enabled = true;
+    mesh.setPosition(0, [7, 7, 7]);
+    const move = () =>
+      mesh.history.group(() => {
+        for (const v of mesh.vertices()) mesh.setPosition(v, [v, 1, 2]);
+        throw new Error('Stop.');
+      });
+    withLeft(0, () => expect(move).toThrow('Stop.'));
+    expect([mesh.position(5), mesh.history.undoCount]).toEqual([[5, 1, 2], 0]);
+    mesh.setPosition(5, [0, 0, 0]);
+    expect(move).toThrow('Stop.');
+    expect([mesh.position(5), mesh.history.undoCount]).toEqual([[0, 0, 0], 1]);
+    mesh.dispose();
     expectSound(before);
   });
 

@@ -303,6 +303,46 @@ describe('A mesh worker', () => {
     expect((await other).mesh.faceCount).toBe(2);
   });
 
+  test('starts no thread for what the same signal cancels', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    let started = 0;
+    using worker = createMeshWorker({
+      worker: () => {
+        started += 1;
+        return new Worker(new URL(threadScript));
+      },
+    });
+    const controller = new AbortController();
+    const { signal } = controller;
+    const jobs = Array.from({ length: 8 }, () => rejection(worker.parse(SQUARE, { signal })));
+    const other = worker.parse(SQUARE);
+    const last = rejection(worker.parse(SQUARE, { signal }));
+    controller.abort();
+    const errors = await Promise.all([...jobs, last]);
+    expect(new Set(errors.map(({ name }) => name))).toEqual(new Set(['AbortError']));
+    expect((await other).mesh.faceCount).toBe(2);
+    expect(started).toBe(2); // the one that was ended, and one for the other job
+  });
+
+  test('listens once to a signal of many jobs, and no longer than for them', async () => {
+    const controller = new AbortController();
+    const { signal } = controller;
+    const { getEventListeners } = process.getBuiltinModule('node:events');
+    const listeners = () => getEventListeners(signal, 'abort').length;
+    for (let round = 0; round < 2; round++) {
+      const jobs = Array.from({ length: 12 }, () => worker.parse(SQUARE, { signal }));
+      jobs.push(parseInWorker(SQUARE, { signal }));
+      const during = listeners();
+      for (const { mesh } of await Promise.all(jobs)) expect(mesh.faceCount).toBe(2);
+      expect([during, listeners()]).toEqual([1, 0]);
+    }
+    const jobs = [worker.parse(SQUARE, { signal }), parseInWorker(SQUARE, { signal })];
+    const errors = jobs.map(rejection);
+    controller.abort();
+    for (const error of errors) expect((await error).name).toBe('AbortError');
+    expect(listeners()).toBe(0);
+  });
+
   test('is made by new, too', async () => {
     using worker = new MeshWorker();
     expect((await worker.parse(SQUARE)).mesh.faceCount).toBe(2);
@@ -461,6 +501,19 @@ describe('A worker that can not be started', () => {
     await expect(worker.parse(SQUARE)).rejects.toMatchObject({ code: 'worker-failed', message });
     expect(() => createMeshWorker({ worker: () => one })).toThrow(message);
     worker.terminate();
+  });
+
+  test('because it has ended is one, too', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    const one = new Worker('', { eval: true });
+    await new Promise((resolve) => one.on('exit', resolve));
+    const message =
+      'The worker failed: TypeError: options.worker returned a worker that has ended; expected one that runs.';
+    expect(() => createMeshWorker({ worker: () => one })).toThrow(message);
+    await expect(parseInWorker(SQUARE, { worker: () => one })).rejects.toMatchObject({
+      code: 'worker-failed',
+      message,
+    });
   });
 
   test('before init is an error that says what to call', async () => {

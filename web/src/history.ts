@@ -93,6 +93,9 @@ export class History {
    * outermost group undoes everything. The first change forgets steps that could be redone, even if it is
    * undone itself. Steps that can be undone stay, whatever the limits are.
    *
+   * If memory runs out for what would undo the changes, all steps are forgotten: then the changes stay, also
+   * if `edit` throws, and `undoCount` is 0.
+   *
    * History does not cover `attributes.add` and `remove`, `generations.enabled`, or the mesh's `clear()`,
    * which is refused in a group.
    *

@@ -25,6 +25,10 @@ export function startThread(listener: Listener, make: () => WorkerLike = newMesh
       'options.worker returned a worker that it has returned before; expected a new one each time.',
     );
   }
+  // Node tells nobody of messages to a worker that isn't there any more.
+  if ((worker as { threadId?: unknown }).threadId === -1) {
+    throw new TypeError('options.worker returned a worker that has ended; expected one that runs.');
+  }
   connected.add(worker);
   return connect(worker, make === newMeshWorker ? advising(listener) : listener);
 }

@@ -1,3 +1,4 @@
+import { newArray } from './arguments.js';
 import { refuse } from './checks.js';
 import type { RawFinding } from './core.mjs';
 import type { Problem } from './errors.js';
@@ -79,11 +80,10 @@ export function componentsOf(links: Links): Component[] {
 
 /** The items of each component, of which `counts` tells how many there are at `field` of 4. */
 function group(componentOf: Uint32Array, counts: Uint32Array, field: number): Uint32Array[] {
-  const groups = Array.from(
-    { length: counts.length / 4 },
-    (_, i) => new Uint32Array(counts[4 * i + field]),
+  const groups = Array.from({ length: counts.length / 4 }, (_, i) =>
+    newArray('a component', Uint32Array, counts[4 * i + field]),
   );
-  const filled = new Uint32Array(groups.length);
+  const filled = newArray('the components', Uint32Array, groups.length);
   componentOf.forEach((component, item) => {
     if (component < groups.length) groups[component][filled[component]++] = item;
   });
@@ -93,7 +93,7 @@ function group(componentOf: Uint32Array, counts: Uint32Array, field: number): Ui
 /** The live faces as polygons. */
 export function polygonsOf(links: Links): { sizes: Uint32Array; corners: Uint32Array } {
   const { offsets, items } = rings(links, 'faceVertices', 'ccw');
-  const sizes = new Uint32Array(links.faceCount);
+  const sizes = newArray('the sizes', Uint32Array, links.faceCount);
   let face = 0;
   for (let f = 0; f + 1 < offsets.length; f++) {
     const size = offsets[f + 1] - offsets[f];

@@ -1,6 +1,7 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
+import { onAbort } from './abort.js';
 import { bytesOf, describe } from './arguments.js';
 import type { Polygons } from './build.js';
 import { checkCallback, checkFlag, refuse } from './checks.js';
@@ -70,6 +71,7 @@ interface Task {
   readonly job: Job;
   readonly onProgress: ProgressOptions['onProgress'];
   readonly transfer: readonly object[];
+  readonly signal: AbortSignal | undefined;
   resolve(reply: Reply & { kind: 'done' }): void;
   reject(error: unknown): void;
 }
@@ -175,11 +177,11 @@ export class MeshWorker {
         this.#cancel(task);
         task.reject(signal?.reason);
       };
-      const done = () => signal?.removeEventListener('abort', abort);
       const task: Task = {
         job,
         onProgress,
         transfer,
+        signal,
         resolve: (reply) => {
           done();
           resolve(reply);
@@ -189,7 +191,7 @@ export class MeshWorker {
           reject(error);
         },
       };
-      signal?.addEventListener('abort', abort);
+      const done = signal === undefined ? () => {} : onAbort(signal, abort);
       this.#queue.push(task);
       this.#next();
     });
@@ -197,7 +199,12 @@ export class MeshWorker {
 
   #next(): void {
     if (this.#running !== undefined) return;
-    const task = this.#queue.shift();
+    let task = this.#queue.shift();
+    // A signal cancels its jobs one after the other: no thread is started for the next one of them.
+    while (task?.signal?.aborted) {
+      task.reject(task.signal.reason);
+      task = this.#queue.shift();
+    }
     this.#thread?.keepAlive(task !== undefined);
     if (task === undefined) return;
     this.#running = task;

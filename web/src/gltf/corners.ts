@@ -47,7 +47,9 @@ export function addAttributes(
 ): void {
   if (attributes.length === 0) return;
   const corners = cornersOf(mesh, report, indices);
-  const toVertex = mesh.connectivity.toVertex.slice(); // adding attributes can detach the views
+  // A copy: adding attributes can detach the views.
+  const toVertex = newArray('the vertices of corners', Int32Array, mesh.halfedgeSlots);
+  toVertex.set(mesh.connectivity.toVertex);
   const beside = withBoundary(mesh, corners);
   for (const attribute of attributes) {
     const rows = rowsByVertex(attribute, corners, toVertex, report.vertexOrigin);
@@ -59,7 +61,9 @@ export function addAttributes(
 /** A halfedge without a face gets what the next face around its vertex has there, as in files that the core reads. */
 function withBoundary(mesh: HalfedgeMesh, corners: Int32Array): Int32Array {
   const { next, face } = mesh.connectivity;
-  return corners.map((row, h) => (face[h] < 0 ? corners[next[h] ^ 1] : row));
+  const rows = newArray('the corners', Int32Array, corners.length);
+  for (let h = 0; h < rows.length; h++) rows[h] = corners[face[h] < 0 ? next[h] ^ 1 : h];
+  return rows;
 }
 
 /** By halfedge of the mesh of a soup: the vertex of the soup in the corner where it ends, or -1. */
@@ -69,11 +73,11 @@ export function cornersOf(
   indices: Uint32Array,
 ): Int32Array {
   const { toVertex, face } = mesh.connectivity;
-  const faceOrigin = new Uint32Array(mesh.faceSlots);
+  const faceOrigin = newArray('the faces', Uint32Array, mesh.faceSlots);
   faceMap.forEach((f, input) => {
     if (f >= 0) faceOrigin[f] = input;
   });
-  const corners = new Int32Array(face.length).fill(-1);
+  const corners = newArray('the corners', Int32Array, face.length).fill(-1);
   for (let h = 0; h < face.length; h++) {
     if (face[h] < 0) continue;
     const vertex = vertexMap[vertexOrigin[toVertex[h]]];
@@ -92,7 +96,7 @@ function rowsByVertex(
   toVertex: Int32Array,
   vertexOrigin: Uint32Array,
 ): Int32Array | undefined {
-  const rows = new Int32Array(vertexOrigin.length).fill(-1);
+  const rows = newArray('the vertices', Int32Array, vertexOrigin.length).fill(-1);
   for (let h = 0; h < corners.length; h++) {
     const row = corners[h];
     if (row < 0) continue;
@@ -100,7 +104,8 @@ function rowsByVertex(
     if (other < 0) rows[toVertex[h]] = row;
     else if (other !== row && !areEqual(values, components, row, other)) return undefined;
   }
-  return rows.map((row, v) => (row < 0 ? vertexOrigin[v] : row));
+  for (let v = 0; v < rows.length; v++) if (rows[v] < 0) rows[v] = vertexOrigin[v];
+  return rows;
 }
 
 function areEqual(values: CornerValues, components: number, a: number, b: number): boolean {
@@ -199,15 +204,14 @@ export function buffersOf(
 ): Buffers {
   const ofCorners = columns.filter(({ kind }) => kind === 'halfedge');
   const { toVertex } = mesh.connectivity;
-  const vertices = Uint32Array.from(mesh.vertices());
-  const rank = new Int32Array(mesh.vertexSlots).fill(-1);
-  vertices.forEach((v, i) => {
+  const rank = newArray('the vertices', Int32Array, mesh.vertexSlots).fill(-1);
+  // Of each row of the buffers: its vertex, a corner that it stands for, the next copy of that vertex.
+  const vertexOf: number[] = mesh.vertices().toArray();
+  vertexOf.forEach((v, i) => {
     rank[v] = i;
   });
-  // Of each row of the buffers: its vertex, a corner that it stands for, the next copy of that vertex.
-  const vertexOf = Array.from(vertices);
-  const cornerOf: number[] = new Array(vertices.length).fill(-1);
-  const nextCopy: number[] = new Array(vertices.length).fill(-1);
+  const cornerOf: number[] = new Array(vertexOf.length).fill(-1);
+  const nextCopy: number[] = new Array(vertexOf.length).fill(-1);
   const copies = new CopyFinder(ofCorners, cornerOf, nextCopy);
   const indices = newArray('the indices', Uint32Array, halfedges.length);
   for (let i = 0; i < halfedges.length; i++) {

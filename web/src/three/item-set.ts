@@ -1,3 +1,5 @@
+import { newArray } from '../arguments.js';
+
 /** Items of one kind, once each, in the order in which they came. Made to be filled again and again. */
 export class ItemSet {
   readonly items: number[] = [];
@@ -7,7 +9,8 @@ export class ItemSet {
   begin(slots: number): void {
     for (const item of this.items) this.#isIn[item] = 0;
     this.items.length = 0;
-    if (slots > this.#isIn.length) this.#isIn = new Uint8Array(Math.ceil(1.25 * slots));
+    if (slots <= this.#isIn.length) return;
+    this.#isIn = newArray('the marks of items', Uint8Array, Math.ceil(1.25 * slots));
   }
 
   /** Adds an item; a negative one is none. */

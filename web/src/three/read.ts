@@ -193,7 +193,7 @@ function addGroups(mesh: HalfedgeMesh, faceMap: Int32Array, groups: Int32Array):
 
 function mapsOf(mesh: HalfedgeMesh, report: RepairReport, indices: Uint32Array): GeometryMaps {
   const { vertexMap: vertices, faceMap: faces } = report;
-  const triangles = new Int32Array(mesh.faceSlots).fill(-1);
+  const triangles = newArray('the faces', Int32Array, mesh.faceSlots).fill(-1);
   faces.forEach((f, triangle) => {
     if (f >= 0) triangles[f] = triangle;
   });
@@ -203,11 +203,12 @@ function mapsOf(mesh: HalfedgeMesh, report: RepairReport, indices: Uint32Array):
 
 /** Row i: where the map has the value i. */
 function inverse(map: Int32Array, rows: number): Rows {
-  const offsets = new Uint32Array(rows + 1);
+  const offsets = newArray('the maps', Uint32Array, rows + 1);
   for (const row of map) if (row >= 0) offsets[row + 1] += 1;
   for (let row = 0; row < rows; row++) offsets[row + 1] += offsets[row];
-  const items = new Uint32Array(offsets[rows]);
-  const ends = offsets.slice();
+  const items = newArray('the maps', Uint32Array, offsets[rows]);
+  const ends = newArray('the maps', Uint32Array, rows + 1);
+  ends.set(offsets);
   map.forEach((row, item) => {
     if (row >= 0) items[ends[row]++] = item;
   });

@@ -1,3 +1,4 @@
+import { newArray } from '../arguments.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { RowBuffer, roomFor } from './rows.js';
 import { FaceSlots } from './slots.js';
@@ -49,8 +50,8 @@ export class TriangleIndex {
     const slots = this.#slots;
     let triangles = 0;
     for (let face = 0; face < slots.faces; face++) triangles += slots.count(face);
-    const vertices = new Uint32Array(3 * triangles);
-    const faces = new Uint32Array(triangles);
+    const vertices = newArray('the triangles', Uint32Array, 3 * triangles);
+    const faces = newArray('the triangles', Uint32Array, triangles);
     const array = this.buffer.array as Uint32Array;
     let to = 0;
     for (let face = 0; face < slots.faces; face++) {

@@ -1,4 +1,5 @@
 import { BufferAttribute, BufferGeometry } from 'three';
+import { newArray } from '../arguments.js';
 import { checkFlag } from '../checks.js';
 import { buffersOf, type CornerAttribute } from '../gltf/corners.js';
 import type { HalfedgeMesh } from '../mesh.js';
@@ -61,7 +62,9 @@ export function toBufferGeometry(
   geometry.setIndex(new BufferAttribute(indices, 1));
   const targets = morphTargets(attributes);
   for (const attribute of attributes) addTo(geometry, attribute, targets.get(attribute.name));
-  return { geometry, faces: triangles.faces, vertices: Uint32Array.from(vertexOf) };
+  const vertices = newArray('the vertices', Uint32Array, vertexOf.length);
+  vertices.set(vertexOf);
+  return { geometry, faces: triangles.faces, vertices };
 }
 
 type MorphTarget = readonly [base: 'position' | 'normal' | 'color', i: number];
@@ -103,7 +106,8 @@ function inGroups(
     const group = groupOf[faces[triangle]];
     return group >= 0 ? group : Number.POSITIVE_INFINITY;
   };
-  const order = Uint32Array.from(faces.keys());
+  const order = newArray('the triangles', Uint32Array, faces.length);
+  for (let i = 0; i < order.length; i++) order[i] = i;
   // By group, and within it as they were.
   order.sort((a, b) => (rank(a) === rank(b) ? a - b : rank(a) < rank(b) ? -1 : 1));
   for (let from = 0; from < order.length; ) {
@@ -113,9 +117,10 @@ function inGroups(
     if (group < Number.POSITIVE_INFINITY) geometry.addGroup(3 * from, 3 * (to - from), group);
     from = to;
   }
-  const sorted = new Uint32Array(halfedges.length);
+  const sorted = newArray('the triangles', Uint32Array, halfedges.length);
   order.forEach((triangle, i) => {
     sorted.set(halfedges.subarray(3 * triangle, 3 * triangle + 3), 3 * i);
   });
-  return { halfedges: sorted, faces: order.map((triangle) => faces[triangle]) };
+  for (let i = 0; i < order.length; i++) order[i] = faces[order[i]];
+  return { halfedges: sorted, faces: order };
 }
