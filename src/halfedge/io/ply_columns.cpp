@@ -33,11 +33,10 @@ Scalar scalar_of(PlyType type) {
   return static_cast<Scalar>(static_cast<int>(type) + 2);  // behind the two
 }
 
-OnSplit policy_of(std::string_view name, PlyType type, SoupItem item) {
+OnSplit policy_of(std::string_view name, PlyType type) {
   if (name == "normal" && !is_integer(type)) return OnSplit::kNormalize;
-  if (!is_integer(type) || name == "color") return OnSplit::kInterpolate;
   // The mean of two labels is no label.
-  return item == SoupItem::kCorner ? OnSplit::kCopyCorner : OnSplit::kCopy;
+  return is_integer(type) && name != "color" ? OnSplit::kCopy : OnSplit::kInterpolate;
 }
 
 /// Looking for names takes time in proportion to their number.
@@ -130,7 +129,7 @@ class ColumnChooser {
     column.item = item_;
     column.type = scalar_of(type);
     column.components = static_cast<Index>(parts.size());
-    column.on_split = policy_of(name, type, item_);
+    column.on_split = policy_of(name, type);
     return true;
   }
 
@@ -201,7 +200,7 @@ void PlyColumns::choose_lists(const PlyElement& element, SoupItem item,
     column.item = item;
     column.type = scalar_of(property.type);
     column.components = 0;
-    column.on_split = policy_of(property.name, property.type, item);
+    column.on_split = policy_of(property.name, property.type);
   }
 }
 
