@@ -148,6 +148,7 @@ test.each([
     { answer: { kind: 'cycle', of: 'corner' } },
     'task.answer.of is "corner"; expected one of vertex, halfedge, edge, face.',
   ],
+  [{ answer: { kind: 'item' } }, 'task.answer.of is undefined; expected one of vertex, halfedge,'],
   [{ mistakes: [{ code: 'x' }] }, 'task.mistakes[0].says is undefined; expected a text.'],
   [{ mistakes: [null] }, 'task.mistakes[0].code is undefined; expected a text.'],
 ])('A task with %j is told what is wrong with it', (wrong, sentence) => {

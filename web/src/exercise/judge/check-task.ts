@@ -25,7 +25,7 @@ export function checkTask(argument: string, task: ExerciseTask): ExerciseTask {
   if (!ANSWERS.includes(answer?.kind)) {
     refuse(`${argument}.answer`, answer?.kind ?? answer, `a kind: one of ${ANSWERS.join(', ')}`);
   }
-  if ('of' in answer && !KINDS.includes(answer.of)) {
+  if ((answer.kind === 'cycle' || answer.kind === 'item') && !KINDS.includes(answer.of)) {
     refuse(`${argument}.answer.of`, answer.of, `one of ${KINDS.join(', ')}`, 'string');
   }
   for (const [i, mistake] of listOf(`${argument}.mistakes`, mistakes ?? [])) {
