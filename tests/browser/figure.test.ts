@@ -209,7 +209,14 @@ OFF
     ['src="http://["', 'src is “http://[”; expected the address of a file, or shape:'],
     ['src="nowhere.off"', 'nowhere.off could not be fetched: the server answered 404.'],
     ['', 'This figure has no mesh'],
-    ['src="shape:cube" select="v99"', 'select is “v99”, which this mesh does not have'],
+    [
+      'src="shape:cube" select="v99"',
+      'select is “v99”: this mesh does not have v99; it has vertex 0 to 7.',
+    ],
+    [
+      'src="shape:cube" operation="flip e99"',
+      'operation is “flip e99”: this mesh does not have e99; it has',
+    ],
     ['src="shape:cube" query="friends"', 'query is “friends”; expected one of vertexVertices'],
     ['src="shape:cube" select="f0" query="vertexFaces"', 'vertexFaces goes around a vertex; f0 is'],
     [

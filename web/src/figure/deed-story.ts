@@ -1,9 +1,10 @@
 import type { HalfedgeMesh } from '../api.js';
 import { type Deed, deedTitle, operandsOf, parseDeed, selectionAfter } from '../teaching/deeds.js';
-import type { Item } from '../teaching/items.js';
+import { type Item, isLive } from '../teaching/items.js';
 import { motionOf, renumbering, stateBefore } from '../teaching/motion.js';
 import { checkOperation, type Refusal, runOperation } from '../teaching/operation.js';
 import { type Done, EditStory } from './edit-story.js';
+import { lack } from './words.js';
 
 /** Operations, as an attribute names them: `flip e3, collapse h5`. */
 export class DeedStory extends EditStory {
@@ -18,6 +19,12 @@ export class DeedStory extends EditStory {
     this.#deeds = operation.split(/[,;]/).map((text) => parseDeed(text));
     const foreign = this.#deeds.find((deed) => deed.operation.opens);
     if (foreign) throw new Error(`${foreign.operation.stem} makes another mesh: a figure has one.`);
+    // Those of later ones may be made by those before.
+    const [{ first, second }] = this.#deeds;
+    for (const item of [first, second]) {
+      if (item && !isLive(mesh, item))
+        throw new Error(`operation is “${operation}”: ${lack(mesh, item)}.`);
+    }
     this.count = this.#deeds.length;
   }
 

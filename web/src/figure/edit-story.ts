@@ -38,7 +38,8 @@ export abstract class EditStory implements Story {
 
   get current(): Item | null {
     const last = this.#done.at(-1);
-    return last && !this.refusal ? last.after : this.item(this.#done.length);
+    const item = last && !this.refusal ? last.after : this.item(this.#done.length);
+    return item && isLive(this.#mesh, item) ? item : null;
   }
 
   get words(): string {

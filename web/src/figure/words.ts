@@ -18,9 +18,14 @@ export function itemNamed(mesh: HalfedgeMesh, name: string): Item {
   const found = parseItemName(name);
   if (!found) throw new Error(`select is “${name}”; expected an item such as v12, h31, e15 or f7.`);
   if (isLive(mesh, found)) return found;
-  const slots = itemSlots(mesh, found.kind);
-  const range = slots > 0 ? `it has ${found.kind} 0 to ${slots - 1}` : `it has no ${found.kind}`;
-  throw new Error(`select is “${name}”, which this mesh does not have: ${range}.`);
+  throw new Error(`select is “${name}”: ${lack(mesh, found)}.`);
+}
+
+/** `this mesh does not have e99; it has edge 0 to 11` */
+export function lack(mesh: HalfedgeMesh, item: Item): string {
+  const slots = itemSlots(mesh, item.kind);
+  const range = slots > 0 ? `it has ${item.kind} 0 to ${slots - 1}` : `it has no ${item.kind}`;
+  return `this mesh does not have ${itemName(item)}; ${range}`;
 }
 
 /**
