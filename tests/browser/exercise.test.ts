@@ -276,6 +276,17 @@ describe('An exercise', () => {
     expect(code).toBe('function valence() { return 6; }');
   });
 
+  test('takes code that was set before its script was there, and then what is typed', async () => {
+    const body = `<halfedge-exercise task="valence" seed="5"></halfedge-exercise>
+      <script>document.querySelector('halfedge-exercise').code = 'function valence() { return 2; }';</script>`;
+    open = await FigurePage.open(body, { script: 'exercise' });
+    await open.page.waitForSelector('halfedge-exercise .cm-content');
+    expect(await open.page.textContent('halfedge-exercise .cm-line')).toContain('return 2;');
+    await type(open, 'function valence() { return 4; }');
+    expect((await run(open)).failure?.got).toBe('4');
+    expect(open.complaints).toEqual([]);
+  });
+
   test('says nothing of a run that was reset', async () => {
     const page = await exercise('task="valence"');
     await type(page, `function valence() { return /^(a+)+$/.test('a'.repeat(50) + 'b') ? 1 : 2; }`);

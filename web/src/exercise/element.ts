@@ -101,6 +101,7 @@ export class HalfedgeExercise extends LitElement {
     this.solution = false;
     this.state = 'ready';
     this.result = this.shown = this.failure = null;
+    this.#takeEarlyCode();
   }
 
   /** The code in the editor. */
@@ -290,6 +291,14 @@ export class HalfedgeExercise extends LitElement {
     } catch (error) {
       this.failure = messageOf(error);
     }
+  }
+
+  /** A page may have set the code before the class was known: it would hide the accessor for good. */
+  #takeEarlyCode(): void {
+    if (!Object.hasOwn(this, 'code')) return;
+    const { code } = this;
+    Reflect.deleteProperty(this, 'code');
+    this.code = code;
   }
 
   #needed(): ExerciseTask {
