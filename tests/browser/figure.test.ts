@@ -217,6 +217,14 @@ OFF
       'src="shape:cube" operation="flip e99"',
       'operation is “flip e99”: this mesh does not have e99; it has',
     ],
+    [
+      'src="shape:torus(8 6)"',
+      'src is “shape:torus(8 6)”; expected commas between numbers, found “8 6”.',
+    ],
+    [
+      'src="shape:torus(2, 6)"',
+      'src is “shape:torus(2, 6)”: rings is 2; expected an integer from 3 on.',
+    ],
     ['src="shape:cube" query="friends"', 'query is “friends”; expected one of vertexVertices'],
     ['src="shape:cube" select="f0" query="vertexFaces"', 'vertexFaces goes around a vertex; f0 is'],
     [

@@ -89,7 +89,9 @@ export function shapeOf(src: string): HalfedgeMesh {
     if (word === '') continue;
     if (value !== undefined) options[key] = optionOf(value);
     else if (/^[a-z]\w*$/i.test(key)) options[key] = true;
-    else parts.push(Number(key));
+    else if (Number.isNaN(Number(key))) {
+      throw new Error(`src is “${src}”; expected commas between numbers, found “${key}”.`);
+    } else parts.push(Number(key));
   }
   const most = NUMBERS[shape] ?? 0;
   if (parts.length > most) {
@@ -99,7 +101,11 @@ export function shapeOf(src: string): HalfedgeMesh {
   // Numbers that are left out have defaults.
   const numbers = Array.from({ length: most }, (_, i) => parts[i]);
   const make = HalfedgeMesh[shape] as (...parameters: unknown[]) => HalfedgeMesh;
-  return make.call(HalfedgeMesh, ...numbers, options);
+  try {
+    return make.call(HalfedgeMesh, ...numbers, options);
+  } catch (cause) {
+    throw new Error(`src is “${src}”: ${(cause as Error).message}`, { cause });
+  }
 }
 
 function optionOf(text: string): unknown {
