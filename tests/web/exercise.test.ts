@@ -119,7 +119,17 @@ describe('A task of a teacher', () => {
   });
 });
 
-test('A grader is told what it is to be given', () => {
+test.each([
+  ['throws', "throw new Error('x'.repeat(1e6));", 'x …'],
+  ['gives back', "return 'x'.repeat(1e6);", 'x …” (1000000 characters)'],
+  ['lists', "return ['x'.repeat(1e6)];", 'x …” (1000000 characters)'],
+])('A text without measure that a program %s is cut', (_what, body, end) => {
+  const { message } = failureOf(taskNamed('face-vertices'), `function faceVertices() { ${body} }`);
+  expect(message).toContain(end);
+  expect(message.length).toBeLessThan(1000);
+});
+
+est('A grader is told what it is to be given', () => {
   const graded = (...list: unknown[]) => (grade as (...list: unknown[]) => unknown)(...list);
   const [task] = tasks;
   expect(() => graded('valence', '', 1)).toThrow(

@@ -88,9 +88,15 @@ export function plainOf(value: unknown): Plain {
   return { strange: typeof value === 'object' ? 'an object' : `a ${typeof value}` };
 }
 
+/** A text that is longer is cut where it is told. */
+const LONGEST_TEXT = 80;
+
 /** The value as a list or a call has it: `3`, `“3”`, `undefined`, `an object`. */
 export function shown(value: unknown): string {
-  if (typeof value === 'string') return `“${value}”`;
+  if (typeof value === 'string') {
+    if (value.length <= LONGEST_TEXT) return `“${value}”`;
+    return `“${value.slice(0, LONGEST_TEXT)} …” (${value.length} characters)`;
+  }
   return strangeness(value) ?? String(value);
 }
 

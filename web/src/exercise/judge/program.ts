@@ -111,10 +111,14 @@ function stackOf(error: unknown): string {
   return String((Object(error) as { stack?: unknown }).stack ?? '');
 }
 
+/** A message that is longer is cut. */
+const LONGEST_MESSAGE = 600;
+
 /** The message of whatever was thrown. */
 export function messageOf(error: unknown): string {
   try {
-    return String(error instanceof Error ? error.message : error);
+    const message = String(error instanceof Error ? error.message : error);
+    return message.length > LONGEST_MESSAGE ? `${message.slice(0, LONGEST_MESSAGE)} …` : message;
   } catch {
     return 'Something was thrown that has no text';
   }
