@@ -287,6 +287,24 @@ describe('An exercise', () => {
     expect(open.complaints).toEqual([]);
   });
 
+  test('shows what is chosen and the line at fault also where the system forces its colours', async () => {
+    const page = await exercise('task="valence"');
+    await page.page.emulateMedia({ forcedColors: 'active' });
+    await type(page, 'function valence(mesh, v) {\n  return mesh.nxt(v);\n}');
+    await run(page);
+    const looks = await page.page.evaluate(() => {
+      const root = document.querySelector('halfedge-exercise')?.shadowRoot;
+      const style = (selector: string) =>
+        getComputedStyle(root?.querySelector(selector) as Element);
+      const chip = style('.chip[aria-pressed=true]').backgroundColor;
+      return [
+        chip === style('.chip[aria-pressed=false]').backgroundColor,
+        style('.faulty').outlineStyle,
+      ];
+    });
+    expect(looks).toEqual([false, 'solid']);
+  });
+
   test('says nothing of a run that was reset', async () => {
     const page = await exercise('task="valence"');
     await type(page, `function valence() { return /^(a+)+$/.test('a'.repeat(50) + 'b') ? 1 : 2; }`);

@@ -248,6 +248,27 @@ OFF
     expect(await page.events('halfedge-error')).toHaveLength(1);
   });
 
+  test('can be read where the system forces its colours', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" select="f0" query="faceVertices" step="2" overlays="labels" controls="player code"></halfedge-figure>',
+    );
+    await page.page.emulateMedia({ forcedColors: 'active' });
+    await page.ready();
+    const looks = await page.figure(({ shadowRoot }) => {
+      const style = (selector: string) =>
+        getComputedStyle(shadowRoot?.querySelector(selector) as Element);
+      const probe = document.body.appendChild(document.createElement('i'));
+      probe.style.backgroundColor = 'Highlight';
+      const highlight = getComputedStyle(probe).backgroundColor;
+      return {
+        // Forced, the letters and their halo would have one colour.
+        names: style('.tag.index').getPropertyValue('forced-color-adjust'),
+        isLit: style('.code [aria-current]').backgroundColor === highlight,
+      };
+    });
+    expect(looks).toEqual({ names: 'none', isLit: true });
+  });
+
   test('follows a wrong attribute that is corrected, and tells what is still wrong', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:cube" camera="1 2" controls="palyer"></halfedge-figure>',

@@ -157,6 +157,9 @@ const theme = EditorView.theme({
     backgroundColor: 'var(--danger-soft)',
     boxShadow: 'inset 3px 0 var(--danger)',
   },
+  '@media (forced-colors: active)': {
+    '.faulty': { outline: '2px solid Highlight', outlineOffset: '-2px' },
+  },
   '&.cm-focused .cm-matchingBracket': {
     backgroundColor: 'color-mix(in srgb, var(--accent) 22%, transparent)',
   },

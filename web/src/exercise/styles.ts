@@ -356,6 +356,19 @@ const parts = css`
     }
   }
 
+  @media (forced-colors: active) {
+    .chip[aria-pressed="true"] {
+      border-color: Highlight;
+      background: Highlight;
+      color: HighlightText;
+      forced-color-adjust: none;
+    }
+
+    .chip[aria-pressed="true"] .icon {
+      color: inherit;
+    }
+  }
+
   /* Keys are of no use to fingers. */
   @media (hover: none) {
     .help {

@@ -262,5 +262,47 @@ const parts = css`
   ${unsafeCSS(LABEL_STYLES)}
 `;
 
+/** Where the system chooses the colours (high contrast): it drops backgrounds and shadows, which tell states here. */
+const forced = css`
+  @media (forced-colors: active) {
+    /* They go by the colours of the picture, which stay. */
+    .labels {
+      forced-color-adjust: none;
+    }
+
+    input[type="range"] {
+      --accent: Highlight;
+      --line: GrayText;
+      --raised: Canvas;
+
+      forced-color-adjust: none;
+    }
+
+    .code li {
+      border-left-color: Canvas;
+    }
+
+    .code .ran {
+      border-left-color: Highlight;
+    }
+
+    .code [aria-current] {
+      background: Highlight;
+      color: HighlightText;
+      forced-color-adjust: none;
+    }
+
+    canvas:focus-visible {
+      outline: 2px solid CanvasText;
+      outline-offset: -2px;
+    }
+
+    button:disabled {
+      border-color: GrayText;
+      color: GrayText;
+    }
+  }
+`;
+
 /** The looks of a figure. A page can set each colour as `--halfedge-…`, and style the parts. */
-export const figureStyles = [basicStyles, parts];
+export const figureStyles = [basicStyles, parts, forced];
