@@ -129,7 +129,7 @@ test.each([
   expect(message.length).toBeLessThan(1000);
 });
 
-est('A grader is told what it is to be given', () => {
+test('A grader is told what it is to be given', () => {
   const graded = (...list: unknown[]) => (grade as (...list: unknown[]) => unknown)(...list);
   const [task] = tasks;
   expect(() => graded('valence', '', 1)).toThrow(
