@@ -248,6 +248,49 @@ OFF
     expect(await page.events('halfedge-error')).toHaveLength(1);
   });
 
+  test('is printed whole after the window was resized while it was out of sight', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube"></halfedge-figure><div style="height: 5000px"></div>',
+    );
+    await page.ready();
+    await page.page.evaluate(() => scrollTo(0, 5000));
+    await page.settled();
+    await page.page.setViewportSize({ width: 700, height: 500 });
+    await page.settled();
+    await page.page.pdf();
+    const drawn = await page.figure(({ shadowRoot }) => {
+      const canvas = shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+      const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height);
+      return pixels?.data.some((value) => value > 0);
+    });
+    expect(drawn).toBe(true);
+  });
+
+  test('keeps its labels in their places on paper, where nothing is drawn anew', async () => {
+    const page = await figures('<halfedge-figure src="shape:cube" select="v1"></halfedge-figure>');
+    await page.ready();
+    await page.page.emulateMedia({ media: 'print' });
+    const places = await page.figure((figure) => {
+      const place = () => {
+        const [tag, stage] = ['.tag.self', '.stage'].map((part) =>
+          figure.shadowRoot?.querySelector(part)?.getBoundingClientRect(),
+        );
+        if (!tag || !stage) return [];
+        return [
+          (tag.left + tag.width / 2 - stage.left) / stage.width,
+          (tag.top + tag.height / 2 - stage.top) / stage.height,
+        ];
+      };
+      return ['', '500px', '350px'].map((width) => {
+        figure.style.width = width; // measured before the size is noticed
+        return place().map((part) => Number(part.toFixed(2)));
+      });
+    });
+    expect(places[0]).toHaveLength(2);
+    expect(places[1]).toEqual(places[0]);
+    expect(places[2]).toEqual(places[0]);
+  });
+
   test('can be read where the system forces its colours', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:cube" select="f0" query="faceVertices" step="2" overlays="labels" controls="player code"></halfedge-figure>',

@@ -262,6 +262,24 @@ const parts = css`
   ${unsafeCSS(LABEL_STYLES)}
 `;
 
+/** On paper the stage may be wider or narrower than it was drawn: labels are scaled with the picture. */
+const printed = css`
+  @media print {
+    figure {
+      break-inside: avoid;
+    }
+
+    .labels {
+      inset: 0 auto auto 0;
+      width: var(--drawn-width, 100%);
+      height: var(--drawn-height, 100%);
+      transform-origin: 0 0;
+      /* The quotient of two lengths. */
+      scale: tan(atan2(100cqw, var(--drawn-width)));
+    }
+  }
+`;
+
 /** Where the system chooses the colours (high contrast): it drops backgrounds and shadows, which tell states here. */
 const forced = css`
   @media (forced-colors: active) {
@@ -305,4 +323,4 @@ const forced = css`
 `;
 
 /** The looks of a figure. A page can set each colour as `--halfedge-…`, and style the parts. */
-export const figureStyles = [basicStyles, parts, forced];
+export const figureStyles = [basicStyles, parts, printed, forced];

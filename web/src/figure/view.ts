@@ -52,6 +52,16 @@ export class FigureView {
     });
     this.focused = false;
     this.applyTheme();
+    this.stage.onFrame(() => this.#tellSize(labels));
+    const { signal } = this.#ended;
+    window.addEventListener('beforeprint', () => this.stage.drawNow(), { signal });
+  }
+
+  /** On paper the picture is stretched, without being drawn anew, and its labels have to be, too. */
+  #tellSize({ style }: HTMLElement): void {
+    const { x, y } = this.stage.size;
+    style.setProperty('--drawn-width', `${x}px`);
+    style.setProperty('--drawn-height', `${y}px`);
   }
 
   /** Whether the wheel zooms, and touch turns instead of scrolling the page. */

@@ -210,6 +210,13 @@ export class Stage {
     for (const listener of this.#woken) listener();
   }
 
+  /** Draws at once, also where nobody sees the picture: before it is printed. */
+  drawNow(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#missed = false;
+    this.#draw(performance.now());
+  }
+
   /** Shows the objects of one layer. */
   showLayer(layer: number): void {
     this.camera.layers.set(layer);
