@@ -291,6 +291,27 @@ OFF
     expect(places[2]).toEqual(places[0]);
   });
 
+  test.each([
+    ['before its first', -3, 'stepForward', 1],
+    ['after its last', 99, 'stepBack', 2],
+  ] as const)('steps on from a step %s', async (_where, step, move, reached) => {
+    const page = await figures(
+      `<halfedge-figure src="shape:cube" query="vertexVertices" select="v0" step="${step}"></halfedge-figure>`,
+    );
+    await page.ready();
+    const told = await page.page.$eval(
+      'halfedge-figure',
+      async (figure, { step, move }) => {
+        figure.step = step;
+        await figure.updateComplete;
+        figure[move]();
+        return figure.step;
+      },
+      { step, move },
+    );
+    expect(told).toBe(reached);
+  });
+
   test('can be read where the system forces its colours', async () => {
     const page = await figures(
       '<halfedge-figure src="shape:cube" select="f0" query="faceVertices" step="2" overlays="labels" controls="player code"></halfedge-figure>',

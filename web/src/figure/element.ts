@@ -101,12 +101,12 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   /** Goes to the next step, and rests there. */
   stepForward(): void {
-    this.seek(this.position + 1);
+    this.seek(this.#reached + 1);
   }
 
   /** Goes to the step before, and rests there. */
   stepBack(): void {
-    this.seek(this.position - 1);
+    this.seek(this.#reached - 1);
   }
 
   /** Goes to a step, and rests there. */
@@ -216,6 +216,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
       </figure>
       <slot hidden @slotchange=${this.#rewritten}></slot>
     `;
+  }
+
+  /** The step that the story is at, whatever `step` was set to. */
+  get #reached(): number {
+    return this.#model.story?.position ?? this.position;
   }
 
   /** What can be turned: the drawing, where there is no WebGL. */
