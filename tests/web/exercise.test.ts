@@ -144,6 +144,7 @@ test('A grader is told what it is to be given', () => {
 test.each([
   [{ name: undefined }, 'task.name is undefined; expected a text.'],
   [{ call: 3 }, 'task.call is 3; expected a text.'],
+  [{ call: 'my valence' }, 'task.call is "my valence"; expected the name of a function.'],
   [{ gets: 'arrays' }, 'task.gets is "arrays"; expected "mesh" or "links".'],
   [{ uses: 'next' }, 'task.uses is "next"; expected an array.'],
   [{ uses: ['next', 7] }, 'task.uses[1] is 7; expected a text.'],
@@ -163,6 +164,18 @@ test.each([
   [{ mistakes: [null] }, 'task.mistakes[0].code is undefined; expected a text.'],
 ])('A task with %j is told what is wrong with it', (wrong, sentence) => {
   const task = { ...taskNamed('valence'), ...wrong } as never;
+  expect(() => grade(task, 'function valence() {}', 1)).toThrow(sentence);
+});
+
+test.each<[asked: unknown, sentence: string]>([
+  [0, 'What asks gives is 0; expected a list of calls, each a list of items, numbers or words.'],
+  [[0], 'A call that asks gives is 0; expected a list of items, numbers or words.'],
+  [[[null]], "A parameter that asks gives is null; expected an item such as { kind: 'face', index"],
+  [[[{ kind: 'face', index: 99 }]], 'asks gives face 99, which the mesh does not have.'],
+  [[], 'asks gives no call on any mesh: every program would be right.'],
+  [undefined, 'asks gives no call on any mesh: every program would be right.'],
+])('A task that asks for %j is told what is wrong with it', (asked, sentence) => {
+  const task = { ...taskNamed('valence'), asks: () => asked } as never;
   expect(() => grade(task, 'function valence() {}', 1)).toThrow(sentence);
 });
 

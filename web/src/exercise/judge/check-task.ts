@@ -1,9 +1,12 @@
-import { refuse } from '../../checks.js';
+import type { HalfedgeMesh } from '../../api.js';
+import { checkIterable, refuse } from '../../checks.js';
+import { type Item, isLive } from '../../teaching/items.js';
 import { samples } from './meshes.js';
-import type { ExerciseTask } from './task.js';
+import type { Argument, ExerciseTask } from './task.js';
 
 const TEXTS = ['name', 'title', 'statement', 'call', 'starter', 'solution'] as const;
 const KINDS: readonly unknown[] = ['vertex', 'halfedge', 'edge', 'face'];
+const FUNCTION_NAME = /^[\p{ID_Start}$_][\p{ID_Continue}$]*$/u;
 const ANSWERS: readonly unknown[] = ['cycle', 'item', 'number', 'boolean', 'links'];
 
 /** A task of a teacher. Throws a sentence that names the property where it is none. */
@@ -13,6 +16,9 @@ export function checkTask(argument: string, task: ExerciseTask): ExerciseTask {
   }
   const { gets, uses, meshes, answer, mistakes } = task;
   for (const key of TEXTS) checkText(`${argument}.${key}`, task[key]);
+  if (!FUNCTION_NAME.test(task.call)) {
+    refuse(`${argument}.call`, task.call, 'the name of a function', 'string');
+  }
   if (gets !== 'mesh' && gets !== 'links') {
     refuse(`${argument}.gets`, gets, '"mesh" or "links"', 'string');
   }
@@ -35,6 +41,28 @@ export function checkTask(argument: string, task: ExerciseTask): ExerciseTask {
     checkFunction(`${name}.answer`, mistake?.answer);
   }
   return task;
+}
+
+/** The calls that a task asks for on a mesh. Throws a sentence where they can't be made. */
+export function callsFrom(asked: unknown, mesh: HalfedgeMesh): (readonly Argument[])[] {
+  const expected = 'a list of items, numbers or words';
+  checkIterable('What asks gives', asked, `a list of calls, each ${expected}`);
+  const calls = [...((asked ?? []) as Iterable<unknown>)];
+  for (const call of calls) {
+    if (!Array.isArray(call)) refuse('A call that asks gives', call, expected);
+    for (const parameter of call) checkParameter(parameter, mesh);
+  }
+  return calls as (readonly Argument[])[];
+}
+
+function checkParameter(parameter: unknown, mesh: HalfedgeMesh): void {
+  if (typeof parameter === 'number' || typeof parameter === 'string') return;
+  const item = Object(parameter) as Item;
+  if (!KINDS.includes(item.kind)) {
+    refuse('A parameter that asks gives', parameter, "an item such as { kind: 'face', index: 0 }");
+  }
+  if (isLive(mesh, item)) return;
+  throw new RangeError(`asks gives ${item.kind} ${item.index}, which the mesh does not have.`);
 }
 
 function checkMeshes(argument: string, meshes: ExerciseTask['meshes']): void {

@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../../api.js';
+import { callsFrom } from './check-task.js';
 import type { Asked } from './finding.js';
 import { type Sample, samplesNamed } from './meshes.js';
 import { randomOf } from './random.js';
@@ -23,13 +24,16 @@ export interface Trial {
  */
 export function deal(task: ExerciseTask, seed: number): Trial[] {
   const random = randomOf(seed);
-  return (['tidy', 'shuffled'] as const).flatMap((numbering) =>
+  const trials = (['tidy', 'shuffled'] as const).flatMap((numbering) =>
     samplesNamed(task.meshes).map((sample) => {
       const mesh = sample.make();
       if (numbering === 'shuffled') shuffle(mesh, random);
-      return { sample, numbering, mesh, calls: [...task.asks(mesh)] };
+      return { sample, numbering, mesh, calls: callsFrom(task.asks(mesh), mesh) };
     }),
   );
+  if (trials.some(({ calls }) => calls.length > 0)) return trials;
+  for (const { mesh } of trials) mesh.dispose();
+  throw new Error('asks gives no call on any mesh: every program would be right.');
 }
 
 /** One call of a trial, as a judge wants it. */
