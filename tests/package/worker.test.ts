@@ -2,7 +2,7 @@ import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path';
 import { disconnect, titleOf, visit } from './support/browser.js';
 import { page, TITLE } from './support/programs.js';
-import { node, project, tool } from './support/project.js';
+import { install, node, project, tool } from './support/project.js';
 import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
 
 /** Its second face is turned over, its third is no face. */
@@ -132,6 +132,22 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
       writeFileSync(join(folder, 'vite.config.js'), config); // as in Nuxt
       await expectWorking(await serveWith(folder, vite, ...atAnyPort));
     });
+  });
+
+  test('through Vite and webpack only where one is used: a picker has its own', async () => {
+    const script = "import { MeshPicker } from 'halfedge/three/picking'; console.log(MeshPicker);";
+    const folder = project('worker-unused', {
+      'package.json': sources['package.json'],
+      'src/index.js': script,
+      'index.html': page('/src/index.js'),
+    });
+    install(folder, ['three', 'three-mesh-bvh']);
+    await node(folder, tool('vite/bin/vite.js'), 'build', '--outDir', 'vite');
+    const options = ['--mode', 'production', '--no-performance', '--json', 'stats.json'];
+    await node(folder, tool('webpack/bin/webpack.js'), ...options);
+    const scripts = readdirSync(join(folder, 'vite/assets')).filter((name) => /thread/.test(name));
+    expect(scripts).toEqual([expect.stringMatching(/^picking-thread-/)]);
+    expect(readFileSync(join(folder, 'stats.json'), 'utf8')).not.toContain('/worker-thread.js');
   });
 
   describe('through Vite in development, installed above the project,', () => {

@@ -2,7 +2,7 @@
 // three-mesh-bvh, acorn and CodeMirror are peer dependencies of it.
 
 import { init } from '../init.js';
-import { newWorker } from '../thread.js';
+import { newWorker } from '../new-worker.js';
 import { define } from './define.js';
 
 define(init, () =>

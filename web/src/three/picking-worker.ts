@@ -1,4 +1,5 @@
-import { newWorker, type WorkerLike } from '../thread.js';
+import type { WorkerLike } from '../connection.js';
+import { newWorker } from '../new-worker.js';
 
 /**
  * Starts a worker that builds the search trees of pickers; null where none can be started, such as in Node.
