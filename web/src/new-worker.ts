@@ -3,11 +3,14 @@
 import { type WorkerLike, workerOf } from './connection.js';
 import { originalOf } from './original.js';
 
-/** Starts a script of the package; `direct` does so in a browser, as bundlers understand it. */
-export function newWorker(script: string, direct: () => WorkerLike): WorkerLike {
+/**
+ * Starts a script of the package; `direct` does so in a browser, as bundlers understand it. `advice` says what
+ * to do where the script can't be looked for.
+ */
+export function newWorker(script: string, direct: () => WorkerLike, advice: string): WorkerLike {
   const here: string | undefined = import.meta.url;
   if (typeof Worker === 'undefined') {
-    if (here === undefined) throw new Error(NO_ADDRESS);
+    if (here === undefined) throw new Error(`${NO_ADDRESS}: ${advice}`);
     // Not in the form that bundlers recognise: they would make an asset of it.
     return new (nodeWorkerClass())(new URL(script, here));
   }
@@ -19,7 +22,7 @@ export function newWorker(script: string, direct: () => WorkerLike): WorkerLike 
   try {
     return direct();
   } catch (cause) {
-    if (here === undefined) throw new Error(NO_ADDRESS, { cause });
+    if (here === undefined) throw new Error(`${NO_ADDRESS}: ${advice}`, { cause });
     // From another site, such as a CDN, scripts can be imported but not started.
     if (!here.endsWith('/new-worker.js')) throw cause;
     return workerOf(`import ${JSON.stringify(new URL(script, here).href)};`);
@@ -27,7 +30,7 @@ export function newWorker(script: string, direct: () => WorkerLike): WorkerLike 
 }
 
 const NO_ADDRESS =
-  "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it: pass { worker: () => new Worker(...) } with a bundle of halfedge/worker-thread";
+  "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it";
 
 function nodeWorkerClass(): new (script: URL) => WorkerLike {
   const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };

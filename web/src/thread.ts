@@ -41,4 +41,5 @@ const newMeshWorker = () =>
     'worker-thread.js',
     // In this form, bundlers recognise a worker.
     () => new Worker(new URL('./worker-thread.js', import.meta.url), { type: 'module' }),
+    'pass { worker: () => new Worker(...) } with a bundle of halfedge/worker-thread',
   );

@@ -11,6 +11,7 @@ export function newPickingWorker(): WorkerLike | null {
     return newWorker(
       'three/picking-thread.js',
       () => new Worker(new URL('./picking-thread.js', import.meta.url), { type: 'module' }),
+      'pass { worker }',
     );
   } catch {
     return null;
