@@ -186,12 +186,12 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
       const folder = project('worker-esbuild', {
         'main.js': program(TITLE, { options: `{ worker: ${worker} }` }),
         'mesh-worker.js': "import 'halfedge/worker-thread';",
-        'dist/index.html': page('main.js'),
+        'dist/page/index.html': page('../main.js'), // not beside the bundle
       });
       await node(folder, esbuild, ...String(command).split(' '));
       const wasm = join(folder, 'node_modules/halfedge/dist/core.wasm');
       copyFileSync(wasm, join(folder, 'dist/core.wasm'));
-      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }));
+      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }), 'page/');
     });
 
     test.each([
