@@ -520,6 +520,18 @@ OFF
     expect(tags).toEqual(['1', '2', 'v3']);
   });
 
+  test('loads at once where nothing tells what is in sight, as in jsdom', async () => {
+    const lacks = '<script>delete window.IntersectionObserver; delete window.matchMedia;</script>';
+    const page = await figures(`${lacks}<div style="height: 3000px"></div>${ONE_RING}`, {
+      webgl: false,
+    });
+    await page.page.waitForSelector('halfedge-figure[state=ready]', { state: 'attached' });
+    await page.figure((figure) => figure.play());
+    await page.page.waitForSelector('halfedge-figure[step="1"]', { state: 'attached' });
+    await page.figure((figure) => figure.remove());
+    expect(page.complaints.filter((text) => !/WebGL/.test(text))).toEqual([]);
+  });
+
   test.each([true, false])('stands meshes up whose z points up (WebGL: %s)', async (webgl) => {
     const tower = 'OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
     const page = await figures(

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { disconnect, withPage } from './support/browser.js';
+import { disconnect, titleOf, withPage } from './support/browser.js';
 import { page } from './support/programs.js';
 import { install, node, project, tool } from './support/project.js';
 import { type RunningServer, serve } from './support/server.js';
@@ -75,5 +75,39 @@ describe('Installed, `halfedge/exercise`', () => {
     const output = await node(folder, tool('vite/bin/vite.js'), 'build');
     expect(output).not.toMatch(/warn|externalized|node:/i);
     await expectWorking(serve(join(folder, 'dist')));
+  });
+
+  const program = (from: string) => `
+import { init } from 'halfedge/inline';
+import '${from}';
+const exercise = document.createElement('halfedge-exercise');
+exercise.task = 'valence';
+document.body.append(exercise);
+init().then(() => exercise.run()).then(({ passed }) => String(passed), (error) => error.message).then((text) => { document.title = text; });
+`;
+  const instead = "import 'halfedge/exercise/standalone' instead, which contains it";
+
+  test.each([
+    [
+      'esm',
+      'halfedge/exercise',
+      `Some bundlers (Angular, Bun, esbuild, Rollup) leave it behind: ${instead}`,
+    ],
+    ['iife', 'halfedge/exercise', `can't be looked for beside it: ${instead}`],
+    ['esm', 'halfedge/exercise/standalone', 'false'],
+    ['iife', 'halfedge/exercise/standalone', 'false'],
+  ])('by esbuild as %s from %s, it runs or says what to do', async (format, from, told) => {
+    const folder = projectWithPeers('exercise-esbuild', {
+      'main.js': program(from),
+      'index.html': '<!doctype html><body><script type="module" src="bundle.js"></script>',
+    });
+    const options = ['--bundle', `--format=${format}`, '--outfile=bundle.js', '--log-level=error'];
+    await node(folder, tool('esbuild/bin/esbuild'), 'main.js', ...options);
+    const server = await serve(folder);
+    try {
+      expect(await titleOf(server.address)).toContain(told);
+    } finally {
+      await server.close();
+    }
   });
 });

@@ -87,6 +87,30 @@ describe('The tarball', () => {
     expect(importing).toEqual([]);
   });
 
+  test('has no modules that import each other in a circle, of which Rollup warns', () => {
+    const folder = join(packed.folder, 'installed/node_modules/halfedge/dist');
+    const imports = new Map(
+      filesBelow(folder)
+        .filter((path) => path.endsWith('.js') && !/standalone|base64|source/.test(path))
+        .map((path) => {
+          const text = readFileSync(path, 'utf8');
+          const froms = text.matchAll(/^(?:import|export)\s[^;']*'(\.[^']+)'/gm);
+          return [path, [...froms].map(([, to]) => join(path, '..', to))];
+        }),
+    );
+    const done = new Set<string>();
+    const circles: string[] = [];
+    const follow = (path: string, way: string[]) => {
+      if (way.includes(path)) circles.push([...way, path].map((to) => relative(folder, to)).join());
+      if (way.includes(path) || done.has(path)) return;
+      for (const to of imports.get(path) ?? []) follow(to, [...way, path]);
+      done.add(path);
+    };
+    for (const path of imports.keys()) follow(path, []);
+    expect(imports.size).toBeGreaterThan(200);
+    expect(circles).toEqual([]);
+  });
+
   test('pleases publint', async () => {
     const output = await node(root, tool('publint/src/cli.js'), 'run', packed.tarball, '--strict');
     expect(output).toContain('All good!');

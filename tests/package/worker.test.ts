@@ -2,7 +2,7 @@ import { copyFileSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path';
 import { disconnect, titleOf, visit } from './support/browser.js';
 import { page, TITLE } from './support/programs.js';
-import { node, project, tool } from './support/project.js';
+import { install, node, project, tool } from './support/project.js';
 import { type RunningServer, STRICT_POLICY, serve, serveWith } from './support/server.js';
 
 /** Its second face is turned over, its third is no face. */
@@ -134,6 +134,22 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
     });
   });
 
+  test('through Vite and webpack only where one is used: a picker has its own', async () => {
+    const script = "import { MeshPicker } from 'halfedge/three/picking'; console.log(MeshPicker);";
+    const folder = project('worker-unused', {
+      'package.json': sources['package.json'],
+      'src/index.js': script,
+      'index.html': page('/src/index.js'),
+    });
+    install(folder, ['three', 'three-mesh-bvh']);
+    await node(folder, tool('vite/bin/vite.js'), 'build', '--outDir', 'vite');
+    const options = ['--mode', 'production', '--no-performance', '--json', 'stats.json'];
+    await node(folder, tool('webpack/bin/webpack.js'), ...options);
+    const scripts = readdirSync(join(folder, 'vite/assets')).filter((name) => /thread/.test(name));
+    expect(scripts).toEqual([expect.stringMatching(/^picking-thread-/)]);
+    expect(readFileSync(join(folder, 'stats.json'), 'utf8')).not.toContain('/worker-thread.js');
+  });
+
   describe('through Vite in development, installed above the project,', () => {
     const workspace = (name: string, config = '{}') =>
       project(name, {
@@ -170,12 +186,12 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
       const folder = project('worker-esbuild', {
         'main.js': program(TITLE, { options: `{ worker: ${worker} }` }),
         'mesh-worker.js': "import 'halfedge/worker-thread';",
-        'dist/index.html': page('main.js'),
+        'dist/page/index.html': page('../main.js'), // not beside the bundle
       });
       await node(folder, esbuild, ...String(command).split(' '));
       const wasm = join(folder, 'node_modules/halfedge/dist/core.wasm');
       copyFileSync(wasm, join(folder, 'dist/core.wasm'));
-      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }));
+      await expectWorking(await serve(join(folder, 'dist'), { policy: STRICT_POLICY }), 'page/');
     });
 
     test.each([

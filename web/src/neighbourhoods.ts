@@ -1,15 +1,13 @@
 import { describe } from './arguments.js';
 import { refuse } from './checks.js';
-import type { RawWords } from './core.mjs';
 import { Editing } from './editing.js';
 import type { EdgeLike, FaceLike, ItemList, VertexLike } from './items.js';
 import { type Links, listOfItems } from './links.js';
-import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
 import { checkObject } from './options.js';
 import { unwrap } from './reports.js';
-import { type Rows, take } from './rings.js';
+import { type Rows, take, takeItems } from './rings.js';
 
 /** Some items of a mesh, in any order. */
 export interface Items {
@@ -118,15 +116,6 @@ function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items:
     return unwrap(core.surroundings(links.address, SURROUNDINGS.indexOf(which), ...blocks));
   });
   return takeItems(core, raw);
-}
-
-/** Copies of the items that the core hands over. */
-export function takeItems(
-  core: Core,
-  raw: { vertices: RawWords; edges: RawWords; faces: RawWords },
-): ItemSet {
-  const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces);
-  return { vertices, edges, faces };
 }
 
 /** The lists by name. What has others, but none of these, was spelt in another way. */

@@ -5,6 +5,7 @@ import { type Direction, type ItemList, PLURALS } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
+import type { ItemSet } from './neighbourhoods.js';
 import { unwrap } from './reports.js';
 
 /** The circulators around a vertex, a face and an edge; in the order of the enum Ring in C++. */
@@ -91,6 +92,15 @@ export function take<Blocks extends RawWords[]>(
   } finally {
     for (const { address } of blocks) core.free(address);
   }
+}
+
+/** As `take`, of items by their kinds. */
+export function takeItems(
+  core: Core,
+  raw: { vertices: RawWords; edges: RawWords; faces: RawWords },
+): ItemSet {
+  const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces);
+  return { vertices, edges, faces };
 }
 
 /** A copy: in `array`, or the first part of it, if it has room for it. */

@@ -5,9 +5,9 @@ import { modeOf } from './edit.js';
 import { Links, listOfItems } from './links.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
-import { type ItemSet, takeItems } from './neighbourhoods.js';
+import type { ItemSet } from './neighbourhoods.js';
 import { unwrap } from './reports.js';
-import { take } from './rings.js';
+import { take, takeItems } from './rings.js';
 import type { OwnBytes } from './write.js';
 
 /**

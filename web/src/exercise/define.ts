@@ -17,11 +17,11 @@ declare global {
 
 /**
  * Makes exercises and figures of the elements, with a way to load the WebAssembly module and one to start
- * workers. The first call counts.
+ * workers; `advice` says what to do where the script of a worker isn't found. The first call counts.
  */
-export function define(init: () => Promise<void>, worker: () => WorkerLike): void {
+export function define(init: () => Promise<void>, worker: () => WorkerLike, advice?: string): void {
   defineFigure(init);
-  runWith(worker);
+  runWith({ worker, advice });
   // There are no elements where there is no page.
   if (typeof customElements === 'undefined' || customElements.get('halfedge-exercise')) return;
   customElements.define('halfedge-exercise', HalfedgeExercise);

@@ -1,5 +1,4 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
-import type { WorkerLike } from '../connection.js';
 import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
@@ -12,7 +11,7 @@ import { taskNamed } from './judge/tasks.js';
 import type { Failure, Verdict } from './judge/verdict.js';
 import { Memory } from './memory.js';
 import { exampleOf, type Picture, pictureOf } from './picture.js';
-import { runProgram } from './runner.js';
+import { runProgram, type Workers } from './runner.js';
 import { exerciseStyles } from './styles.js';
 import { page } from './template.js';
 
@@ -22,11 +21,11 @@ export type ExerciseState = 'ready' | 'running' | 'passed' | 'failed';
 const LIMIT = 3000;
 
 /** Makes a worker that runs the script of exercises; each entry of the package has its own way. */
-let makeWorker: (() => WorkerLike) | null = null;
+let workers: Workers | null = null;
 
 /** To be called by the entry, before any exercise runs. The first call counts. */
-export function runWith(make: () => WorkerLike): void {
-  makeWorker ??= make;
+export function runWith(those: Workers): void {
+  workers ??= those;
 }
 
 /** Why a run ended that nobody waits for any more: nothing to be told. */
@@ -138,9 +137,9 @@ export class HalfedgeExercise extends LitElement {
       await started();
       const { code, seed, limit } = this;
       const { signal } = abort;
-      if (!makeWorker) throw new Error('No entry of the package was imported.');
+      if (!workers) throw new Error('No entry of the package was imported.');
       signal.throwIfAborted();
-      const ran = await runProgram({ task, code, seed, limit, worker: makeWorker, signal });
+      const ran = await runProgram({ task, code, seed, limit, ...workers, signal });
       this.#take(ran.trials);
       this.result = ran.verdict;
       this.state = ran.verdict.passed ? 'passed' : 'failed';

@@ -1,4 +1,4 @@
-import { connect, type Thread, type WorkerLike } from '../connection.js';
+import { connect, NOT_LOADED, type Thread, type WorkerLike } from '../connection.js';
 import { compiledModule, messageOf } from '../loader.js';
 import { deal, type Trial } from './judge/deal.js';
 import { failureIn, meshResult } from './judge/grade.js';
@@ -14,15 +14,21 @@ import {
 } from './judge/verdict.js';
 import type { Job, Reply } from './messages.js';
 
+/** How workers are made. */
+export interface Workers {
+  /** Makes a worker that runs thread.js. */
+  readonly worker: () => WorkerLike;
+  /** What to do where the script of it isn't found. */
+  readonly advice: string | undefined;
+}
+
 /** What is to be run, and how. */
-export interface RunOptions {
+export interface RunOptions extends Workers {
   readonly task: ExerciseTask;
   readonly code: string;
   readonly seed: number;
   /** After so many milliseconds without a sign of life a program is ended. */
   readonly limit: number;
-  /** Makes a worker that runs thread.js. */
-  readonly worker: () => WorkerLike;
   readonly signal: AbortSignal;
 }
 
@@ -70,7 +76,8 @@ class Run {
       const job = this.#job();
       this.#thread = connect(options.worker(), {
         message: (data) => this.#hear(data as Reply),
-        failure: (why) => this.#break(new Error(`The worker of the exercise failed: ${why}.`)),
+        failure: (why) =>
+          this.#break(new Error(`The worker of the exercise failed: ${this.#advised(why)}.`)),
       });
       this.#thread.keepAlive(true);
       this.#thread.post(job, []);
@@ -83,6 +90,12 @@ class Run {
 
   cancel(): void {
     this.#break(this.#options.signal.reason);
+  }
+
+  /** Why there is no worker, with what to do about it. */
+  #advised(why: string): string {
+    const { advice } = this.#options;
+    return why === NOT_LOADED && advice !== undefined ? `${why}. ${advice}` : why;
   }
 
   #job(): Job {

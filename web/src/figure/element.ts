@@ -45,10 +45,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #walk: WalkStory | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
-  readonly #watcher = new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
-    rootMargin: NEAR,
-  });
-  readonly #dark = window.matchMedia('(prefers-color-scheme: dark)');
+  // jsdom, where components are tested, has neither of these. It shows nothing: all is in sight there.
+  readonly #watcher =
+    typeof IntersectionObserver === 'undefined'
+      ? null
+      : new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
+          rootMargin: NEAR,
+        });
+  readonly #dark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
   readonly #retheme = () => this.#view?.applyTheme();
 
   /** The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. */
@@ -145,15 +149,15 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   override connectedCallback(): void {
     super.connectedCallback();
     this.state = 'waiting'; // whatever a copied attribute says
-    this.#dark.addEventListener('change', this.#retheme);
-    this.#watcher.observe(this);
-    if (this.loading === 'eager') void this.#load();
+    this.#dark?.addEventListener('change', this.#retheme);
+    this.#watcher?.observe(this);
+    if (this.loading === 'eager' || this.#watcher === null) void this.#load();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#dark.removeEventListener('change', this.#retheme);
-    this.#watcher.disconnect();
+    this.#dark?.removeEventListener('change', this.#retheme);
+    this.#watcher?.disconnect();
     this.#close();
     this.state = 'waiting';
     this.dispatchEvent(new Event('halfedge-settled'));

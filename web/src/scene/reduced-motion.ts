@@ -1,4 +1,4 @@
-/** Whether the user asks for less motion. */
+/** Whether the user asks for less motion. jsdom, where components are tested, can't say. */
 export function prefersReducedMotion(): boolean {
-  return window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+  return globalThis.matchMedia?.('(prefers-reduced-motion: reduce)').matches ?? false;
 }

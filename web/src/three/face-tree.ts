@@ -1,8 +1,8 @@
 import type { Ray } from 'three';
 import type { SerializedBVH } from 'three-mesh-bvh';
 import { checkCallback } from '../checks.js';
+import type { WorkerLike } from '../connection.js';
 import { checkOptions, type OptionNames } from '../options.js';
-import type { WorkerLike } from '../thread.js';
 import {
   distanceToTriangle,
   type TriangleHit,

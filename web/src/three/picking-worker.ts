@@ -1,4 +1,5 @@
-import { newWorker, type WorkerLike } from '../thread.js';
+import type { WorkerLike } from '../connection.js';
+import { newWorker } from '../new-worker.js';
 
 /**
  * Starts a worker that builds the search trees of pickers; null where none can be started, such as in Node.
@@ -10,6 +11,7 @@ export function newPickingWorker(): WorkerLike | null {
     return newWorker(
       'three/picking-thread.js',
       () => new Worker(new URL('./picking-thread.js', import.meta.url), { type: 'module' }),
+      'pass { worker }',
     );
   } catch {
     return null;

@@ -40,7 +40,7 @@ export function judgeFault(fault: Fault, call: string): Finding {
       return finding({
         code: 'forbidden',
         title: 'The security policy of this page forbids to run code that was typed in.',
-        hint: 'It has to allow ’unsafe-eval’ for the worker of the exercise.',
+        hint: "It has to allow 'unsafe-eval' for the worker of the exercise.",
       });
   }
 }
