@@ -287,8 +287,17 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] UnnotedWriter unnoted_writer() { return UnnotedWriter(*this); }
   /// Notes all links of `h` but its vertex for history: faster and in less memory than one by one.
   void note_loop_links(Halfedge h) {
-    if (journal_ != nullptr && !journal_->is_new_halfedge(h.index())) [[unlikely]]
+    if (needs_note(h)) [[unlikely]]
       note_loop_links_at(h.index());
+  }
+  /// Notes one of them.
+  void note_next(Halfedge h) {
+    if (needs_note(h)) [[unlikely]]
+      journal_->record(Field::kNext, h.index(), links_.next[h.index()]);
+  }
+  void note_prev(Halfedge h) {
+    if (stores_prev() && needs_note(h)) [[unlikely]]
+      journal_->record(Field::kPrev, h.index(), links_.prev[h.index()]);
   }
 
   /// next(h) = n and prev(n) = h.
@@ -523,6 +532,9 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
       journal_->record(field, i, array[i]);
     array[i] = word;
   }
+  [[nodiscard]] bool needs_note(Halfedge h) const {
+    return journal_ != nullptr && !journal_->is_new_halfedge(h.index());
+  }
   void note_new(Field field, Index slots) {
     if (journal_ != nullptr) [[unlikely]]
       journal_->record_new(field, slots);
@@ -540,6 +552,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
   void note_loop_links_at(Index h);
   void exchange_loop_links(Journal::Write& first);
+  template <class Visit>
+  void for_edge_links(const Visit& visit);
   void note_recycled(Edge e, bool is_taken);
   void exchange_recycled_edge(Journal::Write& first);
   void exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,

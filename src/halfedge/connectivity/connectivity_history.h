@@ -27,15 +27,24 @@ void BasicConnectivity<kStored>::exchange_loop_links(Journal::Write& first) {
   if constexpr (kStorage.face) std::swap(links_.face[h], second.word);
 }
 
-// The words in the order in which `exchange_recycled_edge` takes them.
+// Calls `visit` with each array of links that is stored, and the place of the two words that an
+// edge has in it among its eight.
+template <Storage kStored>
+template <class Visit>
+void BasicConnectivity<kStored>::for_edge_links(const Visit& visit) {
+  visit(links_.next, 0);
+  if (stores_prev()) visit(links_.prev, 2);
+  visit(links_.to_vertex, 4);
+  if constexpr (kStorage.face) visit(links_.face, 6);
+}
+
 template <Storage kStored>
 void BasicConnectivity<kStored>::note_recycled(Edge e, bool is_taken) {
+  const Index h = edge_halfedge(e).index();
   Index words[8] = {};
-  Index* word = words;
-  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
-    *word++ = array[edge_halfedge(e, 0).index()];
-    *word++ = array[edge_halfedge(e, 1).index()];
-    return true;
+  for_edge_links([&](const Array<Index>& array, int place) {
+    words[place] = array[h];
+    words[place + 1] = array[h + 1];
   });
   journal_->record_recycled_edge(e.index(), words, is_taken);
 }
@@ -43,15 +52,14 @@ void BasicConnectivity<kStored>::note_recycled(Edge e, bool is_taken) {
 template <Storage kStored>
 void BasicConnectivity<kStored>::exchange_recycled_edge(Journal::Write& first) {
   const Index e = first.index;
-  free_edges_.exchange(e, links_.next[2 * std::size_t{e}]);
+  const Index h = edge_halfedge(Edge(e)).index();
+  free_edges_.exchange(e, links_.next[h]);
   Index words[8] = {};
   Index* word = words;
   Journal::for_edge_words(&first, [&word](Index noted) { *word++ = noted; });
-  word = words;
-  (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
-    std::swap(array[edge_halfedge(Edge(e), 0).index()], *word++);
-    std::swap(array[edge_halfedge(Edge(e), 1).index()], *word++);
-    return true;
+  for_edge_links([&](Array<Index>& array, int place) {
+    std::swap(array[h], words[place]);
+    std::swap(array[h + 1], words[place + 1]);
   });
   word = words;
   Journal::for_edge_words(&first, [&word](Index& noted) { noted = *word++; });

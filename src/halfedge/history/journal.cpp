@@ -40,24 +40,10 @@ void Journal::record_in_new_place(Field field, Index index, Index word) {
 
 void Journal::record_loop_links(Index h, Index next, Index prev, Index face) {
   if (has_undone_ || writes_.room_in_chunk() < kWritesOfLoopLinks) [[unlikely]] {
-    forget_redo();
-    if (!make_room_in_row(kWritesOfLoopLinks)) return lose();
+    if (!find_room_in_row(kWritesOfLoopLinks)) return;
   }
   writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
   writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
-}
-
-void Journal::record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
-  forget_redo();
-  if (!make_room_in_row(kWritesOfRecycledEdge)) return lose();
-  writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[0]});
-  writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
-  writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
-  writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[7]});
-  if (is_taken) {
-    std::copy_backward(taken_, taken_ + 3, taken_ + 4);
-    taken_[0] = edge;
-  }
 }
 
 void Journal::record_new(Field field, Index slots) {
@@ -68,9 +54,12 @@ void Journal::record_new(Field field, Index slots) {
 }
 
 // So that as many are in one chunk. False when memory is exhausted.
-bool Journal::make_room_in_row(std::size_t writes) {
+bool Journal::find_room_in_row(std::size_t writes) {
+  forget_redo();
   while (writes_.room_in_chunk() < writes) {
-    if (!writes_.push_back({Field::kFiller, 0, 0})) return false;
+    if (writes_.push_back({Field::kFiller, 0, 0})) continue;
+    lose();
+    return false;
   }
   return true;
 }

@@ -96,7 +96,19 @@ class Journal {
   void record_loop_links(Index h, Index next, Index prev, Index face);
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
-  void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken);
+  void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
+    if (has_undone_ || writes_.room_in_chunk() < kWritesOfRecycledEdge) [[unlikely]] {
+      if (!find_room_in_row(kWritesOfRecycledEdge)) return;
+    }
+    writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[0]});
+    writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
+    writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
+    writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[7]});
+    if (is_taken) {
+      std::copy_backward(taken_, taken_ + 3, taken_ + 4);
+      taken_[0] = edge;
+    }
+  }
 
   /// Notes that slots are about to be added behind the present ones. `field` is kNewVertices,
   /// kNewHalfedges or kNewFaces.
@@ -182,7 +194,7 @@ class Journal {
     return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
   }
   [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
-  [[nodiscard]] bool make_room_in_row(std::size_t writes);
+  [[nodiscard, gnu::noinline]] bool find_room_in_row(std::size_t writes);
   bool close_step();
   void forget_undone();
   void forget_beyond_limits();

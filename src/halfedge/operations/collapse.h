@@ -67,7 +67,9 @@ void zip_triangle(Mesh& mesh, const CollapseSite& site, Halfedge kept, Halfedge 
   mesh.release(mesh.face(kept));
   mesh.copy_corner(kept, beyond);
   if (mesh.history() != nullptr) [[unlikely]] {
-    for (const Halfedge side : {before, kept, after}) mesh.note_loop_links(side);
+    mesh.note_next(before);
+    mesh.note_loop_links(kept);
+    mesh.note_prev(after);
   }
   const auto writer = mesh.unnoted_writer();
   writer.link(before, kept);
