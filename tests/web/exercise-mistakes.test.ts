@@ -593,6 +593,19 @@ describe('A typical mistake', () => {
     expect(failureOf('valence', throwing).line).toBe(3);
   });
 
+  test('that the task knows has no hint but the task’s own', () => {
+    const two = 'function eulerCharacteristic(mesh) { return 2; }';
+    expect(failureOf('euler-characteristic', two)).toMatchObject({ code: 'two', hint: '' });
+    const degree: ExerciseTask = {
+      ...taskNamed('valence'),
+      meshes: ['prism'],
+      mistakes: [{ code: 'three', answer: () => 3, says: 'Not every vertex is like that.' }],
+      reference: () => 4,
+    };
+    const three = 'function valence(mesh, v) { return 3; }';
+    expect(failureOf(degree, three)).toMatchObject({ code: 'three', hint: '' });
+  });
+
   test('shows where the walk went, and what it missed', () => {
     const code = around('vertexVertices', TAKE, 'h = mesh.next(h)');
     const { steps, marks, item } = failureOf('vertex-vertices', code);
