@@ -341,6 +341,13 @@ describe('A typical mistake', () => {
       /^It turns around v\d, not around the face\./,
     ],
     [
+      'taking the index of the face for that of a halfedge',
+      'face-vertices',
+      around('faceVertices', TAKE, 'h = mesh.next(h)', 'v'),
+      'walks-face',
+      /^It walks around f\d, not around f\d\. On the tetrahedron, .*mesh\.faceHalfedge\(f\)/,
+    ],
+    [
       'taking every face for a triangle',
       'face-vertices',
       `function faceVertices(mesh, f) {
