@@ -106,6 +106,13 @@ describe('A typical mistake', () => {
       /^It goes round 2 times\./,
     ],
     [
+      'taking each one twice in one lap',
+      'vertex-vertices',
+      around('vertexVertices', `${TAKE}; ring.push(mesh.toVertex(h))`, CCW),
+      'repeats',
+      /^It takes v\d twice\./,
+    ],
+    [
       'looking before leaving',
       'vertex-vertices',
       `function vertexVertices(mesh, v) {

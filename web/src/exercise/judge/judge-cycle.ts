@@ -1,6 +1,6 @@
 import { NONE } from '../../api.js';
 import type { Item } from '../../teaching/items.js';
-import { isRun, sameCycle, sameCycleEitherWay, sameList, turned } from './cycles.js';
+import { isRun, rotated, sameCycle, sameCycleEitherWay, sameList, turned } from './cycles.js';
 import {
   type Asked,
   type Finding,
@@ -168,10 +168,11 @@ function repeated({ of, expected, got }: Lists): Part | null {
       hint: 'It is done as soon as the walk is back at the halfedge where it began: that one is taken already.',
     };
   }
-  if (got.length > 1 && got.length % expected.length === 0 && got.length > expected.length) {
+  const laps = got.length / expected.length;
+  if (laps > 1 && Number.isInteger(laps) && sameList(got, rotated(got, expected.length))) {
     return {
       code: 'several-laps',
-      title: `It goes round ${got.length / expected.length} times.`,
+      title: `It goes round ${laps} times.`,
       hint: 'One lap is over as soon as the walk is back at the halfedge where it began.',
     };
   }
