@@ -268,6 +268,13 @@ describe('A typical mistake', () => {
       /^It gives back a promise; expected a number\. .* leave the words async and await out\.$/,
     ],
     [
+      'an async generator',
+      'face-vertices',
+      'async function* faceVertices(mesh, f) { yield 3; }',
+      'wrong-type',
+      /^It gives back an async generator; expected a list\. .* leave the words async and await out\.$/,
+    ],
+    [
       'going to and fro in place of back',
       'previous',
       'function previous(mesh, h) {\n  let before = mesh.next(h);\n  while (mesh.next(before) !== h) before = mesh.opposite(before);\n  return before;\n}',
@@ -417,6 +424,15 @@ describe('A typical mistake', () => {
       ),
       'one-too-many',
       /^It counts one too many\./,
+    ],
+    [
+      'giving NONE where nothing meets the vertex',
+      'valence',
+      around('valence', 'ring.push(h)', CCW)
+        .replace('return ring;\n}', 'return ring.length;\n}')
+        .replace('return ring;', 'return NONE;'),
+      'one-too-few',
+      /^It counts one too few\. On the sheet with a lonely vertex, .* Nothing meets it: mesh\.vertexHalfedge is NONE\.$/,
     ],
     [
       'adding to undefined',

@@ -34,8 +34,9 @@ export function judgeNumber(
       ...parts,
       code: off > 0 ? 'one-too-many' : 'one-too-few',
       title: `It counts one too ${off > 0 ? 'many' : 'few'}.`,
-      hint:
-        off > 0
+      hint: isolated(asked)
+        ? NOTHING_MEETS
+        : off > 0
           ? 'Is the start counted twice: when the walk begins, and when it is back?'
           : 'Is the start, or the last one, left out? do … while counts before it looks.',
     });
@@ -46,6 +47,13 @@ export function judgeNumber(
     title: `It gives back ${got}; expected ${expected}.`,
     hint: (got === 0 && zeroHint(reads)) || '',
   });
+}
+
+const NOTHING_MEETS = 'Nothing meets it: mesh.vertexHalfedge is NONE.';
+
+function isolated(asked: Asked): boolean {
+  const subject = subjectOf(asked);
+  return subject?.kind === 'vertex' && asked.mesh.isIsolatedVertex(subject.index);
 }
 
 type Part = Pick<Finding, 'code' | 'title' | 'hint'>;
@@ -95,8 +103,7 @@ function boundaryHint(asked: Asked, expected: boolean, reads: readonly Read[]): 
   const subject = subjectOf(asked);
   if (subject?.kind !== 'vertex') return '';
   const gaps = gapsAt(asked).map(itemName);
-  if (asked.mesh.isIsolatedVertex(subject.index))
-    return 'Nothing meets it: mesh.vertexHalfedge is NONE.';
+  if (isolated(asked)) return NOTHING_MEETS;
   if (!expected || gaps.length === 0) {
     return `Every halfedge that leaves it has a face. ${zeroHint(reads) ?? ''}`.trim();
   }
@@ -174,6 +181,7 @@ export function wrongType(got: unknown, expected: string, parts: Partial<Finding
 }
 
 function promiseHint(got: unknown): string {
-  if (strangeness(got) !== 'a promise') return '';
-  return 'A function that is async gives back a promise. Nothing here has to be waited for: leave the words async and await out.';
+  const what = strangeness(got);
+  if (what !== 'a promise' && what !== 'an async generator') return '';
+  return `A function that is async gives back ${what}. Nothing here has to be waited for: leave the words async and await out.`;
 }

@@ -181,7 +181,9 @@ function aroundAnotherFace(
 ): Part | null {
   const other = [...mesh.faces()].find((face) => {
     const own = walksAround(mesh, { kind: 'face', index: face });
-    return face !== f && own.some(([kind, , , list]) => kind === of && sameCycleEitherWay(got, list));
+    return (
+      face !== f && own.some(([kind, , , list]) => kind === of && sameCycleEitherWay(got, list))
+    );
   });
   if (other === undefined) return null;
   return {
