@@ -51,6 +51,23 @@ describe('A page of figures', () => {
       copies,
     );
   });
+
+  test('loads a figure that came into view while the page was busy', async () => {
+    const late = `<script>
+      const Observer = IntersectionObserver;
+      window.IntersectionObserver = class extends Observer {
+        constructor(tell, options) {
+          const entries = [];
+          super((more) => entries.push(...more) > 1 && tell(entries), options);
+        }
+      };
+    </script>`;
+    const page = await figures(`${late}<div style="height: 4000px"></div>${ONE_RING}`);
+    await page.page.waitForTimeout(200);
+    expect(await page.figure(({ state }) => state)).toBe('waiting');
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForSelector('halfedge-figure[state=ready]');
+  });
 });
 
 describe('A figure', () => {

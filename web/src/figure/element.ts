@@ -45,9 +45,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #walk: WalkStory | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
-  readonly #watcher = new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
-    rootMargin: NEAR,
-  });
+  /** The last entry tells how it is now: while the page was busy, there may have been several. */
+  readonly #watcher = new IntersectionObserver(
+    (entries) => this.#seen(entries[entries.length - 1].isIntersecting),
+    { rootMargin: NEAR },
+  );
   readonly #dark = window.matchMedia('(prefers-color-scheme: dark)');
   readonly #retheme = () => this.#view?.applyTheme();
 
