@@ -296,6 +296,21 @@ describe('An exercise', () => {
     expect(await page.page.textContent('halfedge-exercise .cm-line.faulty')).toBe('  return 3 +;');
   });
 
+  test('keeps what is typed from the page', async () => {
+    const page = await exercise('task="valence"');
+    await page.page.evaluate(() => {
+      const heard: string[] = [];
+      Object.assign(window, { heard });
+      document.addEventListener('keydown', ({ key }) => heard.push(key));
+    });
+    await page.page.focus('halfedge-exercise .cm-content');
+    for (const key of ['n', ' ', 'ArrowLeft', 'Escape', 'Control+Alt+s']) {
+      await page.page.keyboard.press(key);
+    }
+    const heard = await page.page.evaluate(() => (window as unknown as { heard: string[] }).heard);
+    expect(heard.filter((key) => !/Control|Alt/.test(key))).toEqual(['s']);
+  });
+
   test('lets the keyboard in and out', async () => {
     const page = await exercise('task="valence" solution');
     await page.page.focus('halfedge-exercise .cm-content');

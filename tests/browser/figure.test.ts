@@ -88,6 +88,28 @@ describe('A figure', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test('keeps the keys that it uses from the page, and no others', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.page.evaluate(() => {
+      const heard: string[] = [];
+      Object.assign(window, { heard });
+      document.addEventListener('keydown', ({ key }) => heard.push(key));
+    });
+    const press = async (inside: string, keys: readonly string[]) => {
+      await page.page.focus(`halfedge-figure ${inside}`);
+      for (const key of keys) await page.page.keyboard.press(key);
+      return page.page.evaluate(() =>
+        (window as unknown as { heard: string[] }).heard.splice(0).join(' '),
+      );
+    };
+    const onCanvas = ['.', ' ', ' ', 'ArrowLeft', 'n', 'x', 'PageDown', 'Control+b'];
+    expect(await press('canvas', onCanvas)).toBe('x PageDown Control b');
+    expect(await press('[part~=slider]', ['ArrowLeft', 'Home', 'x'])).toBe('x');
+    expect(await press('[part~=direction]', [' ', 'ArrowLeft'])).toBe('ArrowLeft');
+    expect(await press('select', ['ArrowDown', 'c', 'Escape'])).toBe('Escape');
+  });
+
   test('is played, stepped, turned and walked by keys and buttons', async () => {
     const page = await figures(ONE_RING);
     await page.ready();

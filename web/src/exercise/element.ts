@@ -1,5 +1,6 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { WorkerLike } from '../connection.js';
+import { keepUsedKey } from '../figure/keys.js';
 import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
@@ -101,6 +102,7 @@ export class HalfedgeExercise extends LitElement {
     this.solution = false;
     this.state = 'ready';
     this.result = this.shown = this.failure = null;
+    this.addEventListener('keydown', keepUsedKey);
   }
 
   /** The code in the editor. */

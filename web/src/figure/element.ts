@@ -13,7 +13,7 @@ import {
 import type { Edit } from '../teaching/motion.js';
 import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
-import { actOnKey, KEYS } from './keys.js';
+import { actOnKey, KEYS, keepUsedKey } from './keys.js';
 import { FigureModel } from './model.js';
 import { Poster } from './poster.js';
 import { openFaces, openSource } from './source.js';
@@ -52,6 +52,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   );
   readonly #dark = window.matchMedia('(prefers-color-scheme: dark)');
   readonly #retheme = () => this.#view?.applyTheme();
+
+  constructor() {
+    super();
+    this.addEventListener('keydown', keepUsedKey);
+  }
 
   /** The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. */
   get mesh(): HalfedgeMesh | null {
