@@ -88,6 +88,26 @@ describe('A figure', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test.each(['transform: scale(1.6); transform-origin: 0 0', 'transform: scale(0.5)', 'zoom: 1.6'])(
+    'is picked in where it is shown in another size: %s',
+    async (style) => {
+      const page = await figures(
+        `<div style="width: 400px; ${style}"><halfedge-figure src="shape:cube" camera="0 0 1"></halfedge-figure></div>`,
+      );
+      await page.ready();
+      const front = await page.figure(({ mesh }) =>
+        [...(mesh?.faces() ?? [])].find((f) => (mesh?.faceNormal(f)[2] ?? 0) > 0.9),
+      );
+      const box = await page.page.locator('halfedge-figure canvas').boundingBox();
+      if (!box) throw new Error('The figure has no canvas.');
+      const { x, y, width, height } = box;
+      await page.page.mouse.click(x + 0.58 * width, y + 0.62 * height);
+      expect(await page.figure(({ select }) => select)).toBe(`f${front}`);
+      await page.page.mouse.click(x + 0.05 * width, y + 0.05 * height);
+      expect(await page.figure(({ select }) => select)).toBe(null);
+    },
+  );
+
   test('keeps the keys that it uses from the page, and no others', async () => {
     const page = await figures(ONE_RING);
     await page.ready();
