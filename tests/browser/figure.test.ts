@@ -88,6 +88,24 @@ describe('A figure', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test('is whole in a tab that was hidden while it loaded', async () => {
+    const page = await figures(
+      '<div hidden><halfedge-figure src="shape:cube" loading="eager"></halfedge-figure></div><halfedge-figure src="shape:cube"></halfedge-figure>',
+    );
+    await page.ready();
+    await page.page.evaluate(() => {
+      document.querySelector('div')?.removeAttribute('hidden');
+    });
+    await page.page.waitForFunction(
+      () => (document.querySelector('halfedge-figure')?.getBoundingClientRect().height ?? 0) > 99,
+    );
+    await page.settled();
+    const pictures = await page.page.$$eval('halfedge-figure', (all) =>
+      all.map((figure) => figure.shadowRoot?.querySelector('canvas')?.toDataURL()),
+    );
+    expect(pictures[0] === pictures[1]).toBe(true);
+  });
+
   test.each(['transform: scale(1.6); transform-origin: 0 0', 'transform: scale(0.5)', 'zoom: 1.6'])(
     'is picked in where it is shown in another size: %s',
     async (style) => {
