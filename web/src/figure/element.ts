@@ -197,6 +197,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             part="canvas"
             tabindex="0"
             role="img"
+            lang=${this.alt === null ? this.#lang : nothing}
             aria-label=${this.alt ?? `A mesh. ${this.#model.words}`}
             aria-description=${KEYS}
             @keydown=${this.#pressed}
@@ -208,9 +209,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
           ${
             this.failure === null
               ? nothing
-              : html`<p class="error" part="error" role="alert">${icon('warning')}${this.failure}</p>`
+              : html`<p class="error" part="error" role="alert" lang="en" dir="auto">${icon('warning')}${this.failure}</p>`
           }
-          <button type="button" class="home" part="button home" title="Show it whole" aria-label="Show it whole" @click=${this.fit}>
+          <button type="button" class="home" part="button home" lang="en" title="Show it whole" aria-label="Show it whole" @click=${this.fit}>
             ${icon('focus')}
           </button>
         </div>
@@ -230,6 +231,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     return this.#view ?? this.#drawing;
   }
 
+  /** Sentences are English, but for those that a page gives. */
+  get #lang(): string | typeof nothing {
+    return this.trail ? nothing : 'en';
+  }
+
   #poster(): TemplateResult | typeof nothing {
     if (this.#view && this.state === 'ready') return nothing;
     const drawn =
@@ -243,7 +249,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const { story } = this.#model;
     const refused = story?.refusal ? icon('refused') : nothing;
     const look = visible && this.mesh ? 'sentence' : 'hidden';
-    return html`<p class=${look} part="sentence" aria-live="polite">${refused}<span>${this.#model.words}</span></p>`;
+    return html`<p class=${look} part="sentence" aria-live="polite" lang=${this.#lang} dir="auto">${refused}<span>${this.#model.words}</span></p>`;
   }
 
   async #load(): Promise<void> {
