@@ -636,6 +636,24 @@ describe('A typical mistake', () => {
     expect(failureOf(degree, three)).toMatchObject({ code: 'three', hint: '' });
   });
 
+  test('is told without what is true of the previous halfedge only, and NONE by its name', () => {
+    const across: ExerciseTask = {
+      ...taskNamed('previous'),
+      meshes: ['sheet'],
+      answer: { kind: 'item', of: 'face' },
+      reference: (mesh, h) => mesh.face((h as { index: number }).index),
+      *asks(mesh) {
+        for (const index of mesh.halfedges()) {
+          if (mesh.isBoundaryHalfedge(index)) yield [{ kind: 'halfedge', index }];
+        }
+      },
+    };
+    const code = 'function previous(mesh, h) { return mesh.face(mesh.opposite(h)); }';
+    const { title, expected, hint, marks } = failureOf(across, code);
+    expect(title).toMatch(/^It gives back f\d; expected NONE\.$/);
+    expect([expected, hint, marks]).toEqual(['NONE', '', []]);
+  });
+
   test('shows where the walk went, and what it missed', () => {
     const code = around('vertexVertices', TAKE, 'h = mesh.next(h)');
     const { steps, marks, item } = failureOf('vertex-vertices', code);

@@ -1,6 +1,6 @@
 // Answers that are one value: a number, yes or no, an item.
 
-import type { HalfedgeMesh } from '../../api.js';
+import { type HalfedgeMesh, NONE } from '../../api.js';
 import { type Item, isLive, itemName } from '../../teaching/items.js';
 import { type Asked, type Finding, finding, isIndex, namesOf, subjectOf } from './finding.js';
 import { TURNS, turnedAround } from './judge-walk.js';
@@ -128,7 +128,9 @@ export function judgeItem(
   if (got === expected.index) return null;
   const { mesh } = asked;
   const steps = stepsOf(mesh, reads);
-  const parts = { got: shown(got), expected: itemName(expected), steps, marks: [expected] };
+  const isNone = expected.index === NONE;
+  const wanted = isNone ? 'NONE' : itemName(expected);
+  const parts = { got: shown(got), expected: wanted, steps, marks: isNone ? [] : [expected] };
   if (typeof got !== 'number') return wrongType(got, `a ${expected.kind}, by its index`, parts);
   const item = { kind: expected.kind, index: got };
   if (!isIndex(got) || !isLive(mesh, item)) {
@@ -143,9 +145,18 @@ export function judgeItem(
     ...parts,
     got: itemName(item),
     code: 'wrong-item',
-    title: `It gives back ${itemName(item)}${relation ? `, which is ${relation}` : ''}; expected ${itemName(expected)}.`,
-    hint: 'The next of the one that is asked for is the given one: that is how to know it.',
+    title: `It gives back ${itemName(item)}${relation ? `, which is ${relation}` : ''}; expected ${wanted}.`,
+    hint: leadsBack(asked, expected) ? LEADS_BACK : '',
   });
+}
+
+const LEADS_BACK =
+  'The next of the one that is asked for is the given one: that is how to know it.';
+
+function leadsBack(asked: Asked, { kind, index }: Item): boolean {
+  const subject = subjectOf(asked);
+  if (kind !== 'halfedge' || index === NONE || subject?.kind !== 'halfedge') return false;
+  return asked.mesh.next(index) === subject.index;
 }
 
 /** What an item is to the one that was asked about: `its next`. */
