@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../../api.js';
+import { refuse } from '../../checks.js';
 import type { Asked } from './finding.js';
 import { type Sample, samplesNamed } from './meshes.js';
 import { randomOf } from './random.js';
@@ -23,14 +24,36 @@ export interface Trial {
  */
 export function deal(task: ExerciseTask, seed: number): Trial[] {
   const random = randomOf(seed);
-  return (['tidy', 'shuffled'] as const).flatMap((numbering) =>
-    samplesNamed(task.meshes).map((sample) => {
-      const mesh = sample.make();
-      if (numbering === 'shuffled') shuffle(mesh, random);
-      return { sample, numbering, mesh, calls: [...task.asks(mesh)] };
-    }),
-  );
+  const trials: Trial[] = [];
+  try {
+    for (const numbering of ['tidy', 'shuffled'] as const) {
+      for (const sample of samplesNamed(task.meshes)) {
+        const calls: (readonly Argument[])[] = [];
+        const mesh = sample.make();
+        trials.push({ sample, numbering, mesh, calls });
+        if (numbering === 'shuffled') shuffle(mesh, random);
+        calls.push(...callsOf(task, mesh));
+      }
+    }
+    // Whatever a program does would be right.
+    const asks = trials.some(({ calls }) => calls.length > 0);
+    if (!asks) refuse('what task.asks gives', [], 'at least one call, on one of the meshes');
+    return trials;
+  } catch (error) {
+    for (const { mesh } of trials) mesh.dispose();
+    throw error;
+  }
 }
+
+function callsOf(task: ExerciseTask, mesh: HalfedgeMesh): (readonly Argument[])[] {
+  const calls = [...task.asks(mesh)];
+  for (const call of calls) {
+    if (!Array.isArray(call)) refuse('what task.asks gives', call, ARGUMENTS);
+  }
+  return calls;
+}
+
+const ARGUMENTS = 'for each call an array of arguments, such as [{ kind: "face", index: 0 }]';
 
 /** One call of a trial, as a judge wants it. */
 export function askedIn(
