@@ -126,6 +126,20 @@ describe('A figure', () => {
     },
   );
 
+  test.each([
+    ['flip e99', 0, 'e is 99; expected an edge from 0 to 11.'],
+    ['deleteFace f0, splitFace f0', 1, 'f is face 0, which was deleted; expected a live one.'],
+  ])('refuses an operation on what is not there: %s', async (operation, before, sentence) => {
+    const page = await figures(
+      `<halfedge-figure src="shape:cube" operation="${operation}" controls></halfedge-figure>`,
+    );
+    await page.ready();
+    await page.figure((figure) => figure.seek(9));
+    expect(await page.figure(({ step }) => step)).toBe(before + 1);
+    expect(await page.sentence()).toContain(sentence);
+    expect(page.complaints).toEqual([]);
+  });
+
   test('keeps the keys that it uses from the page, and no others', async () => {
     const page = await figures(ONE_RING);
     await page.ready();
