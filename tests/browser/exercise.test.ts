@@ -325,6 +325,52 @@ describe('An exercise', () => {
     expect(await page.page.textContent('halfedge-exercise .cm-line.faulty')).toBe('  return 3 +;');
   });
 
+  test('writes code and English from left to right on a page that is not English', async () => {
+    const figure =
+      '<halfedge-figure src="shape:cube" select="v0" query="vertexVertices" controls="player code"><span slot="caption" id="caption">שלום</span></halfedge-figure>';
+    open = await FigurePage.open(
+      `<div dir="rtl" lang="he"><halfedge-exercise task="valence"><p slot="statement" id="statement">שלום</p></halfedge-exercise>${figure}</div>`,
+      { script: 'exercise' },
+    );
+    const { page } = open;
+    await open.ready();
+    const looks = (selectors: string[]) =>
+      Promise.all(
+        selectors.map((selector) =>
+          page
+            .locator(selector)
+            .last()
+            .evaluate((it) => getComputedStyle(it).direction),
+        ),
+      );
+    const ours = ['.cm-content', '[part=title]', '[part=sentence]', '[part=controls]', '.lines'];
+    expect(await looks(ours)).toEqual(ours.map(() => 'ltr'));
+    expect(await looks(['#caption', '#statement'])).toEqual(['rtl', 'rtl']);
+    const english = ['[part=title]', '[part=sentence]', '.lines'];
+    for (const selector of english) {
+      const lang = await page
+        .locator(selector)
+        .last()
+        .evaluate((it) => it.closest<HTMLElement>('[lang]')?.lang);
+      expect([selector, lang]).toEqual([selector, 'en']);
+    }
+  });
+
+  test('keeps what is typed from the page', async () => {
+    const page = await exercise('task="valence"');
+    await page.page.evaluate(() => {
+      const heard: string[] = [];
+      Object.assign(window, { heard });
+      document.addEventListener('keydown', ({ key }) => heard.push(key));
+    });
+    await page.page.focus('halfedge-exercise .cm-content');
+    for (const key of ['n', ' ', 'ArrowLeft', 'Escape', 'Control+Alt+s']) {
+      await page.page.keyboard.press(key);
+    }
+    const heard = await page.page.evaluate(() => (window as unknown as { heard: string[] }).heard);
+    expect(heard.filter((key) => !/Control|Alt/.test(key))).toEqual(['s']);
+  });
+
   test('lets the keyboard in and out', async () => {
     const page = await exercise('task="valence" solution');
     await page.page.focus('halfedge-exercise .cm-content');

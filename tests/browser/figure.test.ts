@@ -51,6 +51,23 @@ describe('A page of figures', () => {
       copies,
     );
   });
+
+  test('loads a figure that came into view while the page was busy', async () => {
+    const late = `<script>
+      const Observer = IntersectionObserver;
+      window.IntersectionObserver = class extends Observer {
+        constructor(tell, options) {
+          const entries = [];
+          super((more) => entries.push(...more) > 1 && tell(entries), options);
+        }
+      };
+    </script>`;
+    const page = await figures(`${late}<div style="height: 4000px"></div>${ONE_RING}`);
+    await page.page.waitForTimeout(200);
+    expect(await page.figure(({ state }) => state)).toBe('waiting');
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForSelector('halfedge-figure[state=ready]');
+  });
 });
 
 describe('A figure', () => {
@@ -69,6 +86,77 @@ describe('A figure', () => {
     expect(await page.sentence()).toBe(steps[4].sentence);
     expect(await page.figure(({ playing }) => playing)).toBe(false);
     expect(page.complaints).toEqual([]);
+  });
+
+  test('is whole in a tab that was hidden while it loaded', async () => {
+    const page = await figures(
+      '<div hidden><halfedge-figure src="shape:cube" loading="eager"></halfedge-figure></div><halfedge-figure src="shape:cube"></halfedge-figure>',
+    );
+    await page.ready();
+    await page.page.evaluate(() => {
+      document.querySelector('div')?.removeAttribute('hidden');
+    });
+    await page.page.waitForFunction(
+      () => (document.querySelector('halfedge-figure')?.getBoundingClientRect().height ?? 0) > 99,
+    );
+    await page.settled();
+    const pictures = await page.page.$$eval('halfedge-figure', (all) =>
+      all.map((figure) => figure.shadowRoot?.querySelector('canvas')?.toDataURL()),
+    );
+    expect(pictures[0] === pictures[1]).toBe(true);
+  });
+
+  test.each(['transform: scale(1.6); transform-origin: 0 0', 'transform: scale(0.5)', 'zoom: 1.6'])(
+    'is picked in where it is shown in another size: %s',
+    async (style) => {
+      const page = await figures(
+        `<div style="width: 400px; ${style}"><halfedge-figure src="shape:cube" camera="0 0 1"></halfedge-figure></div>`,
+      );
+      await page.ready();
+      const front = await page.figure(({ mesh }) =>
+        [...(mesh?.faces() ?? [])].find((f) => (mesh?.faceNormal(f)[2] ?? 0) > 0.9),
+      );
+      const box = await page.page.locator('halfedge-figure canvas').boundingBox();
+      if (!box) throw new Error('The figure has no canvas.');
+      const { x, y, width, height } = box;
+      await page.page.mouse.click(x + 0.58 * width, y + 0.62 * height);
+      expect(await page.figure(({ select }) => select)).toBe(`f${front}`);
+      await page.page.mouse.click(x + 0.05 * width, y + 0.05 * height);
+      expect(await page.figure(({ select }) => select)).toBe(null);
+    },
+  );
+
+  test('refuses an operation on what an earlier one has deleted', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" operation="deleteFace f0, splitFace f0" controls></halfedge-figure>',
+    );
+    await page.ready();
+    await page.figure((figure) => figure.seek(9));
+    expect(await page.figure(({ step }) => step)).toBe(2);
+    expect(await page.sentence()).toContain('f is face 0, which was deleted; expected a live one.');
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('keeps the keys that it uses from the page, and no others', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.page.evaluate(() => {
+      const heard: string[] = [];
+      Object.assign(window, { heard });
+      document.addEventListener('keydown', ({ key }) => heard.push(key));
+    });
+    const press = async (inside: string, keys: readonly string[]) => {
+      await page.page.focus(`halfedge-figure ${inside}`);
+      for (const key of keys) await page.page.keyboard.press(key);
+      return page.page.evaluate(() =>
+        (window as unknown as { heard: string[] }).heard.splice(0).join(' '),
+      );
+    };
+    const onCanvas = ['.', ' ', ' ', 'ArrowLeft', 'n', 'x', 'PageDown', 'Control+b'];
+    expect(await press('canvas', onCanvas)).toBe('x PageDown Control b');
+    expect(await press('[part~=slider]', ['ArrowLeft', 'Home', 'x'])).toBe('x');
+    expect(await press('[part~=direction]', [' ', 'ArrowLeft'])).toBe('ArrowLeft');
+    expect(await press('select', ['ArrowDown', 'c', 'Escape'])).toBe('Escape');
   });
 
   test('is played, stepped, turned and walked by keys and buttons', async () => {

@@ -63,7 +63,7 @@ describe('A typical mistake', () => {
         return ring;
       }`,
       'misses-last',
-      /^It misses one: v\d\./,
+      /^It misses one: v\d\. .* A loop that looks ahead stops before it has taken the last/,
     ],
     [
       'missing the first one',
@@ -104,6 +104,13 @@ describe('A typical mistake', () => {
       ),
       'several-laps',
       /^It goes round 2 times\./,
+    ],
+    [
+      'taking each one twice in one lap',
+      'vertex-vertices',
+      around('vertexVertices', `${TAKE}; ring.push(mesh.toVertex(h))`, CCW),
+      'repeats',
+      /^It takes v\d twice\./,
     ],
     [
       'looking before leaving',
@@ -261,6 +268,13 @@ describe('A typical mistake', () => {
       /^It gives back a promise; expected a number\. .* leave the words async and await out\.$/,
     ],
     [
+      'an async generator',
+      'face-vertices',
+      'async function* faceVertices(mesh, f) { yield 3; }',
+      'wrong-type',
+      /^It gives back an async generator; expected a list\. .* leave the words async and await out\.$/,
+    ],
+    [
       'going to and fro in place of back',
       'previous',
       'function previous(mesh, h) {\n  let before = mesh.next(h);\n  while (mesh.next(before) !== h) before = mesh.opposite(before);\n  return before;\n}',
@@ -341,6 +355,13 @@ describe('A typical mistake', () => {
       /^It turns around v\d, not around the face\./,
     ],
     [
+      'taking the index of the face for that of a halfedge',
+      'face-vertices',
+      around('faceVertices', TAKE, 'h = mesh.next(h)', 'v'),
+      'walks-face',
+      /^It walks around f\d, not around f\d\. On the tetrahedron, .*mesh\.faceHalfedge\(f\)/,
+    ],
+    [
       'taking every face for a triangle',
       'face-vertices',
       `function faceVertices(mesh, f) {
@@ -348,7 +369,7 @@ describe('A typical mistake', () => {
         return [h, mesh.next(h), mesh.prev(h)].map((it) => mesh.toVertex(it));
       }`,
       'misses-last',
-      /^It misses one: v\d\. On the prism, /,
+      /^It misses one: v\d\. On the prism, .* There are 4 to be found here\.$/,
     ],
     [
       'going to the other side of the boundary',
@@ -403,6 +424,15 @@ describe('A typical mistake', () => {
       ),
       'one-too-many',
       /^It counts one too many\./,
+    ],
+    [
+      'giving NONE where nothing meets the vertex',
+      'valence',
+      around('valence', 'ring.push(h)', CCW)
+        .replace('return ring;\n}', 'return ring.length;\n}')
+        .replace('return ring;', 'return NONE;'),
+      'one-too-few',
+      /^It counts one too few\. On the sheet with a lonely vertex, .* Nothing meets it: mesh\.vertexHalfedge is NONE\.$/,
     ],
     [
       'adding to undefined',
@@ -591,6 +621,37 @@ describe('A typical mistake', () => {
     expect(failureOf('valence', code).line).toBe(4);
     const throwing = 'function valence(mesh, v) {\n  for (;;)\n    null.x;\n}';
     expect(failureOf('valence', throwing).line).toBe(3);
+  });
+
+  test('that the task knows has no hint but the task’s own', () => {
+    const two = 'function eulerCharacteristic(mesh) { return 2; }';
+    expect(failureOf('euler-characteristic', two)).toMatchObject({ code: 'two', hint: '' });
+    const degree: ExerciseTask = {
+      ...taskNamed('valence'),
+      meshes: ['prism'],
+      mistakes: [{ code: 'three', answer: () => 3, says: 'Not every vertex is like that.' }],
+      reference: () => 4,
+    };
+    const three = 'function valence(mesh, v) { return 3; }';
+    expect(failureOf(degree, three)).toMatchObject({ code: 'three', hint: '' });
+  });
+
+  test('is told without what is true of the previous halfedge only, and NONE by its name', () => {
+    const across: ExerciseTask = {
+      ...taskNamed('previous'),
+      meshes: ['sheet'],
+      answer: { kind: 'item', of: 'face' },
+      reference: (mesh, h) => mesh.face((h as { index: number }).index),
+      *asks(mesh) {
+        for (const index of mesh.halfedges()) {
+          if (mesh.isBoundaryHalfedge(index)) yield [{ kind: 'halfedge', index }];
+        }
+      },
+    };
+    const code = 'function previous(mesh, h) { return mesh.face(mesh.opposite(h)); }';
+    const { title, expected, hint, marks } = failureOf(across, code);
+    expect(title).toMatch(/^It gives back f\d; expected NONE\.$/);
+    expect([expected, hint, marks]).toEqual(['NONE', '', []]);
   });
 
   test('shows where the walk went, and what it missed', () => {

@@ -148,6 +148,10 @@ test.each([
   [{ gets: 'arrays' }, 'task.gets is "arrays"; expected "mesh" or "links".'],
   [{ uses: 'next' }, 'task.uses is "next"; expected an array.'],
   [{ uses: ['next', 7] }, 'task.uses[1] is 7; expected a text.'],
+  [
+    { uses: ['mesh.next'] },
+    'task.uses[0] is "mesh.next"; expected the name of a method or property',
+  ],
   [{ meshes: [] }, 'task.meshes is an array of 0 elements; expected one mesh or more.'],
   [{ meshes: ['torus', 'cube'] }, 'task.meshes[1] is "cube"; expected one of tetrahedron, prism,'],
   [{ asks: [[]] }, 'task.asks is an array of 1 element; expected a function.'],

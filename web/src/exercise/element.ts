@@ -1,4 +1,5 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
+import { keepUsedKey } from '../figure/keys.js';
 import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
@@ -100,6 +101,7 @@ export class HalfedgeExercise extends LitElement {
     this.solution = false;
     this.state = 'ready';
     this.result = this.shown = this.failure = null;
+    this.addEventListener('keydown', keepUsedKey);
     this.#takeEarlyCode();
   }
 

@@ -26,7 +26,9 @@ const parts = css`
     --code-function: #58fecb;
   }
 
+  /* Code and buttons run from left to right, on every page; texts as their words do. */
   section {
+    direction: ltr;
     container-type: inline-size;
     overflow: hidden;
     border: 1px solid var(--line);

@@ -2,6 +2,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { icon } from '../figure/template.js';
 import type { ExerciseState } from './element.js';
 import type { ExerciseTask } from './judge/task.js';
+import { tasks } from './judge/tasks.js';
 import type { Failure, MeshResult, Verdict } from './judge/verdict.js';
 import type { Picture } from './picture.js';
 
@@ -32,14 +33,14 @@ export function page(
   const sentence = failure
     ? html`<p class="error" part="error" role="alert">${failure}</p>`
     : nothing;
-  if (!task) return html`<section part="exercise">${sentence}</section>`;
+  if (!task) return html`<section part="exercise" lang="en">${sentence}</section>`;
   return html`
-    <section part="exercise" aria-labelledby="title">
+    <section part="exercise" aria-labelledby="title" lang=${tasks.includes(task) ? 'en' : nothing}>
       <header part="header">
-        <div class="title" id="title" part="title" role="heading" aria-level="3">${task.title}</div>
+        <div class="title" id="title" part="title" role="heading" aria-level="3" dir="auto">${task.title}</div>
         ${badge(actions.state)}
       </header>
-      <div class="statement" part="statement"><slot name="statement"><p>${withCode(task.statement)}</p></slot></div>
+      <div class="statement" part="statement"><slot name="statement" dir="auto"><p dir="auto">${withCode(task.statement)}</p></slot></div>
       <div class="work">
         <div class="writing">
           <div class="editor" part="editor"></div>
@@ -146,13 +147,13 @@ function told(failure: Failure, stale: string, actions: Actions): TemplateResult
     <div class=${`verdict failed${stale}`} part="verdict failed">
       ${icon('warning')}
       <div>
-        <p class="headline" part="headline">${title}</p>
+        <p class="headline" part="headline" dir="auto">${title}</p>
         ${
           known.length > 0
             ? html`<dl part="facts">${known.map(([name, value]) => html`<dt>${name}</dt><dd><code>${value}</code></dd>`)}</dl>`
             : nothing
         }
-        ${hint ? html`<p class="hint" part="hint">${withCode(hint)}</p>` : nothing}
+        ${hint ? html`<p class="hint" part="hint" dir="auto">${withCode(hint)}</p>` : nothing}
         ${
           line === null
             ? nothing

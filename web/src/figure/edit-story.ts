@@ -39,6 +39,7 @@ export abstract class EditStory implements Story {
   get current(): Item | null {
     const last = this.#done.at(-1);
     const item = last && !this.refusal ? last.after : this.item(this.#done.length);
+    // A step may name what was never there, or what an earlier one has deleted.
     return item && isLive(this.#mesh, item) ? item : null;
   }
 

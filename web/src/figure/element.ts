@@ -13,7 +13,7 @@ import {
 import type { Edit } from '../teaching/motion.js';
 import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
-import { actOnKey, KEYS } from './keys.js';
+import { actOnKey, KEYS, keepUsedKey } from './keys.js';
 import { FigureModel } from './model.js';
 import { Poster } from './poster.js';
 import { openFaces, openSource } from './source.js';
@@ -45,15 +45,24 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #walk: WalkStory | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
-  // jsdom, where components are tested, has neither of these. It shows nothing: all is in sight there.
+  /**
+   * The last entry tells how it is now: while the page was busy, there may have been several. jsdom, where
+   * components are tested, has neither this nor the next. It shows nothing: all is in sight there.
+   */
   readonly #watcher =
     typeof IntersectionObserver === 'undefined'
       ? null
-      : new IntersectionObserver(([entry]) => this.#seen(entry.isIntersecting), {
-          rootMargin: NEAR,
-        });
+      : new IntersectionObserver(
+          (entries) => this.#seen(entries[entries.length - 1].isIntersecting),
+          { rootMargin: NEAR },
+        );
   readonly #dark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
   readonly #retheme = () => this.#view?.applyTheme();
+
+  constructor() {
+    super();
+    this.addEventListener('keydown', keepUsedKey);
+  }
 
   /** The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. */
   get mesh(): HalfedgeMesh | null {
@@ -194,6 +203,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             part="canvas"
             tabindex="0"
             role="img"
+            lang=${this.alt === null ? this.#lang : nothing}
             aria-label=${this.alt ?? `A mesh. ${this.#model.words}`}
             aria-description=${KEYS}
             @keydown=${this.#pressed}
@@ -205,9 +215,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
           ${
             this.failure === null
               ? nothing
-              : html`<p class="error" part="error" role="alert">${icon('warning')}${this.failure}</p>`
+              : html`<p class="error" part="error" role="alert" lang="en" dir="auto">${icon('warning')}${this.failure}</p>`
           }
-          <button type="button" class="home" part="button home" title="Show it whole" aria-label="Show it whole" @click=${this.fit}>
+          <button type="button" class="home" part="button home" lang="en" title="Show it whole" aria-label="Show it whole" @click=${this.fit}>
             ${icon('focus')}
           </button>
         </div>
@@ -232,6 +242,11 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     return this.#view ?? this.#drawing;
   }
 
+  /** Sentences are English, but for those that a page gives. */
+  get #lang(): string | typeof nothing {
+    return this.trail ? nothing : 'en';
+  }
+
   #poster(): TemplateResult | typeof nothing {
     if (this.#view && this.state === 'ready') return nothing;
     const drawn =
@@ -245,7 +260,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     const { story } = this.#model;
     const refused = story?.refusal ? icon('refused') : nothing;
     const look = visible && this.mesh ? 'sentence' : 'hidden';
-    return html`<p class=${look} part="sentence" aria-live="polite">${refused}<span>${this.#model.words}</span></p>`;
+    return html`<p class=${look} part="sentence" aria-live="polite" lang=${this.#lang} dir="auto">${refused}<span>${this.#model.words}</span></p>`;
   }
 
   async #load(): Promise<void> {

@@ -62,3 +62,24 @@ export function actOnKey(event: KeyboardEvent, actions: KeyActions): boolean {
   actions.walk(event.key as WalkKey);
   return true;
 }
+
+/** The keys of a slider. */
+const SLIDES = /^(Arrow.*|Home|End|Page.*)$/;
+
+/**
+ * Keeps a key from the page that an element has used: a deck of slides would go on to the next one, too. To be
+ * called by the element itself; pages don't see what inside of it has the focus.
+ */
+export function keepUsedKey(event: KeyboardEvent): void {
+  const [inner] = event.composedPath();
+  if (event.defaultPrevented || uses(inner, event)) event.stopPropagation();
+}
+
+function uses(inner: EventTarget, { key, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  if (!(inner instanceof HTMLElement) || ctrlKey || metaKey) return false;
+  if (inner.isContentEditable) return true;
+  if (altKey || key === 'Tab' || key === 'Escape') return false;
+  if (inner instanceof HTMLInputElement) return SLIDES.test(key);
+  if (inner instanceof HTMLButtonElement) return key === ' ' || key === 'Enter';
+  return inner instanceof HTMLSelectElement;
+}

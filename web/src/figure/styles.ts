@@ -13,6 +13,13 @@ const parts = css`
     background: var(--page);
   }
 
+  /* Names, code and buttons run from left to right, on every page; the caption is the page's. */
+  .stage,
+  .bar,
+  .code {
+    direction: ltr;
+  }
+
   .stage {
     position: relative;
     aspect-ratio: var(--halfedge-aspect, 16 / 10);

@@ -31,7 +31,7 @@ export function playerBar(
   const empty = idle || count === 0;
   const turns = story instanceof WalkStory && hasDirection(story.player.query.circulator);
   return html`
-    <div class="bar" part="controls" role="group" aria-label="Player">
+    <div class="bar" part="controls" lang="en" role="group" aria-label="Player">
       <div class="buttons">
         ${button('restart', 'Back to the start', position === 0, () => controls.seek(0))}
         ${button('back', 'Step back', position === 0, () => controls.seek(position - 1))}
@@ -106,7 +106,7 @@ export function codeListing(
   const ran = (idle ? null : player.current?.ran) ?? [];
   const call = queryCode(player.query);
   return html`
-    <div class="code" part="code">
+    <div class="code" part="code" lang="en">
       <header>
         <code title=${call}>${call}</code>
         <select

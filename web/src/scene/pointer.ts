@@ -29,9 +29,12 @@ export function listenToPointer(
     act: (event: HTMLElementEventMap[Name]) => void,
   ) => canvas.addEventListener(name, act, signal ? { signal } : {});
   const itemAt = (event: PointerEvent) => {
-    const { left, top } = canvas.getBoundingClientRect();
+    const { left, top, width, height } = canvas.getBoundingClientRect();
     const reach = event.pointerType === 'touch' ? FINGER : 1;
-    return listener.itemAt(event.clientX - left, event.clientY - top, reach);
+    // The page may show the canvas larger or smaller than it is: a deck does so with its slides.
+    const x = ((event.clientX - left) * canvas.clientWidth) / width;
+    const y = ((event.clientY - top) * canvas.clientHeight) / height;
+    return listener.itemAt(x, y, reach);
   };
   // Once a frame is enough: a mouse may tell of more moves than that.
   const hover = () => {

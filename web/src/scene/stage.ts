@@ -496,13 +496,13 @@ export class Stage {
   #refit(isResized: boolean): void {
     const before = this.#unit;
     this.#unit = this.distanceFor(1);
-    if (!isResized || before === 0) return;
+    if (!isResized) return;
     const fitted = this.#fitted;
     const { target, position } = this.goal;
     const direction = position.clone().sub(target);
     if (direction.lengthSq() === 0) return;
     if (fitted) this.lookAtAll(fitted, direction);
-    else this.look(target, direction, (direction.length() * this.#unit) / before);
+    else if (before > 0) this.look(target, direction, (direction.length() * this.#unit) / before);
   }
 
   #resize(): void {

@@ -1,4 +1,4 @@
-import type { HalfedgeMesh } from '../../api.js';
+import { HalfedgeMesh } from '../../api.js';
 import { checkIterable, refuse } from '../../checks.js';
 import { type Item, isLive } from '../../teaching/items.js';
 import { samples } from './meshes.js';
@@ -22,8 +22,16 @@ export function checkTask(argument: string, task: ExerciseTask): ExerciseTask {
   if (gets !== 'mesh' && gets !== 'links') {
     refuse(`${argument}.gets`, gets, '"mesh" or "links"', 'string');
   }
-  for (const [i, name] of listOf(`${argument}.uses`, uses))
+  for (const [i, name] of listOf(`${argument}.uses`, uses)) {
     checkText(`${argument}.uses[${i}]`, name);
+    if (name in HalfedgeMesh.prototype) continue;
+    refuse(
+      `${argument}.uses[${i}]`,
+      name,
+      'the name of a method or property of HalfedgeMesh',
+      'string',
+    );
+  }
   if (meshes !== undefined) checkMeshes(`${argument}.meshes`, meshes);
   checkFunction(`${argument}.asks`, task.asks);
   checkFunction(`${argument}.reference`, task.reference);

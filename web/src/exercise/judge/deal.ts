@@ -24,16 +24,23 @@ export interface Trial {
  */
 export function deal(task: ExerciseTask, seed: number): Trial[] {
   const random = randomOf(seed);
-  const trials = (['tidy', 'shuffled'] as const).flatMap((numbering) =>
-    samplesNamed(task.meshes).map((sample) => {
-      const mesh = sample.make();
-      if (numbering === 'shuffled') shuffle(mesh, random);
-      return { sample, numbering, mesh, calls: callsFrom(task.asks(mesh), mesh) };
-    }),
-  );
-  if (trials.some(({ calls }) => calls.length > 0)) return trials;
-  for (const { mesh } of trials) mesh.dispose();
-  throw new Error('asks gives no call on any mesh: every program would be right.');
+  const trials: Trial[] = [];
+  try {
+    for (const numbering of ['tidy', 'shuffled'] as const) {
+      for (const sample of samplesNamed(task.meshes)) {
+        const calls: (readonly Argument[])[] = [];
+        const mesh = sample.make();
+        trials.push({ sample, numbering, mesh, calls });
+        if (numbering === 'shuffled') shuffle(mesh, random);
+        calls.push(...callsFrom(task.asks(mesh), mesh));
+      }
+    }
+    if (trials.some(({ calls }) => calls.length > 0)) return trials;
+    throw new Error('asks gives no call on any mesh: every program would be right.');
+  } catch (error) {
+    for (const { mesh } of trials) mesh.dispose();
+    throw error;
+  }
 }
 
 /** One call of a trial, as a judge wants it. */

@@ -1,6 +1,6 @@
 import { NONE } from '../../api.js';
 import type { Item } from '../../teaching/items.js';
-import { isRun, sameCycle, sameCycleEitherWay, sameList, turned } from './cycles.js';
+import { isRun, rotated, sameCycle, sameCycleEitherWay, sameList, turned } from './cycles.js';
 import {
   type Asked,
   type Finding,
@@ -13,7 +13,7 @@ import {
 import { otherLists, wrongWalk } from './judge-walk.js';
 import { wasGiven, zeroHint, zeroIsFalse } from './judge-zero.js';
 import { described, type Read } from './outcome.js';
-import { stepsTo } from './trail.js';
+import { stepsOf, stepsTo } from './trail.js';
 
 /** What is asked, what was expected, and what came. */
 export interface Lists {
@@ -168,10 +168,11 @@ function repeated({ of, expected, got }: Lists): Part | null {
       hint: 'It is done as soon as the walk is back at the halfedge where it began: that one is taken already.',
     };
   }
-  if (got.length > 1 && got.length % expected.length === 0 && got.length > expected.length) {
+  const laps = got.length / expected.length;
+  if (laps > 1 && Number.isInteger(laps) && sameList(got, rotated(got, expected.length))) {
     return {
       code: 'several-laps',
-      title: `It goes round ${got.length / expected.length} times.`,
+      title: `It goes round ${laps} times.`,
       hint: 'One lap is over as soon as the walk is back at the halfedge where it began.',
     };
   }
@@ -205,7 +206,7 @@ function missingZero({ of, expected, got, reads }: Lists): Part | null {
   };
 }
 
-function missing({ asked, of, expected, got }: Lists): Part | null {
+function missing({ asked, of, expected, got, reads }: Lists): Part | null {
   const missed = expected.filter((index) => !got.includes(index));
   if (missed.length === 0) return null;
   const names = namesOf(of, missed);
@@ -229,8 +230,17 @@ function missing({ asked, of, expected, got }: Lists): Part | null {
   return {
     code: 'misses-last',
     title: `It misses one: ${names}.`,
-    hint: 'A loop that looks ahead stops before it has taken the last: do … while takes first, then looks whether the walk is back.',
+    hint: cameBack(asked, reads) ? LOOKS_AHEAD : `There are ${expected.length} to be found here.`,
   };
+}
+
+const LOOKS_AHEAD =
+  'A loop that looks ahead stops before it has taken the last: do … while takes first, then looks whether the walk is back.';
+
+/** Whether the walk has been at one halfedge twice: what takes a fixed number of steps has not. */
+function cameBack({ mesh }: Asked, reads: readonly Read[]): boolean {
+  const walked = stepsOf(mesh, reads).map(({ halfedge }) => halfedge);
+  return new Set(walked).size < walked.length;
 }
 
 function otherOrder({ asked, of, expected, got, anyStart }: Lists): Part {

@@ -1,6 +1,6 @@
 // Answers that are one value: a number, yes or no, an item.
 
-import type { HalfedgeMesh } from '../../api.js';
+import { type HalfedgeMesh, NONE } from '../../api.js';
 import { type Item, isLive, itemName } from '../../teaching/items.js';
 import { type Asked, type Finding, finding, isIndex, namesOf, subjectOf } from './finding.js';
 import { TURNS, turnedAround } from './judge-walk.js';
@@ -34,8 +34,9 @@ export function judgeNumber(
       ...parts,
       code: off > 0 ? 'one-too-many' : 'one-too-few',
       title: `It counts one too ${off > 0 ? 'many' : 'few'}.`,
-      hint:
-        off > 0
+      hint: isolated(asked)
+        ? NOTHING_MEETS
+        : off > 0
           ? 'Is the start counted twice: when the walk begins, and when it is back?'
           : 'Is the start, or the last one, left out? do … while counts before it looks.',
     });
@@ -46,6 +47,13 @@ export function judgeNumber(
     title: `It gives back ${got}; expected ${expected}.`,
     hint: (got === 0 && zeroHint(reads)) || '',
   });
+}
+
+const NOTHING_MEETS = 'Nothing meets it: mesh.vertexHalfedge is NONE.';
+
+function isolated(asked: Asked): boolean {
+  const subject = subjectOf(asked);
+  return subject?.kind === 'vertex' && asked.mesh.isIsolatedVertex(subject.index);
 }
 
 type Part = Pick<Finding, 'code' | 'title' | 'hint'>;
@@ -95,8 +103,7 @@ function boundaryHint(asked: Asked, expected: boolean, reads: readonly Read[]): 
   const subject = subjectOf(asked);
   if (subject?.kind !== 'vertex') return '';
   const gaps = gapsAt(asked).map(itemName);
-  if (asked.mesh.isIsolatedVertex(subject.index))
-    return 'Nothing meets it: mesh.vertexHalfedge is NONE.';
+  if (isolated(asked)) return NOTHING_MEETS;
   if (!expected || gaps.length === 0) {
     return `Every halfedge that leaves it has a face. ${zeroHint(reads) ?? ''}`.trim();
   }
@@ -121,7 +128,9 @@ export function judgeItem(
   if (got === expected.index) return null;
   const { mesh } = asked;
   const steps = stepsOf(mesh, reads);
-  const parts = { got: shown(got), expected: itemName(expected), steps, marks: [expected] };
+  const isNone = expected.index === NONE;
+  const wanted = isNone ? 'NONE' : itemName(expected);
+  const parts = { got: shown(got), expected: wanted, steps, marks: isNone ? [] : [expected] };
   if (typeof got !== 'number') return wrongType(got, `a ${expected.kind}, by its index`, parts);
   const item = { kind: expected.kind, index: got };
   if (!isIndex(got) || !isLive(mesh, item)) {
@@ -136,9 +145,18 @@ export function judgeItem(
     ...parts,
     got: itemName(item),
     code: 'wrong-item',
-    title: `It gives back ${itemName(item)}${relation ? `, which is ${relation}` : ''}; expected ${itemName(expected)}.`,
-    hint: 'The next of the one that is asked for is the given one: that is how to know it.',
+    title: `It gives back ${itemName(item)}${relation ? `, which is ${relation}` : ''}; expected ${wanted}.`,
+    hint: leadsBack(asked, expected) ? LEADS_BACK : '',
   });
+}
+
+const LEADS_BACK =
+  'The next of the one that is asked for is the given one: that is how to know it.';
+
+function leadsBack(asked: Asked, { kind, index }: Item): boolean {
+  const subject = subjectOf(asked);
+  if (kind !== 'halfedge' || index === NONE || subject?.kind !== 'halfedge') return false;
+  return asked.mesh.next(index) === subject.index;
 }
 
 /** What an item is to the one that was asked about: `its next`. */
@@ -174,6 +192,7 @@ export function wrongType(got: unknown, expected: string, parts: Partial<Finding
 }
 
 function promiseHint(got: unknown): string {
-  if (strangeness(got) !== 'a promise') return '';
-  return 'A function that is async gives back a promise. Nothing here has to be waited for: leave the words async and await out.';
+  const what = strangeness(got);
+  if (what !== 'a promise' && what !== 'an async generator') return '';
+  return `A function that is async gives back ${what}. Nothing here has to be waited for: leave the words async and await out.`;
 }

@@ -147,9 +147,10 @@ function notAroundVertex({ asked: { mesh }, of, got }: Lists, v: number): Part |
   };
 }
 
-function notAroundFace({ asked: { mesh }, of, got }: Lists, f: number): Part | null {
+function notAroundFace({ asked: { mesh }, of, got, reads }: Lists, f: number): Part | null {
   if (got.length < 2 || of === 'face') return null;
   const first = mesh.faceHalfedge(f);
+  const left = reads.some(({ name }) => name === 'opposite');
   if (of === 'vertex' && got.every((value) => value === got[0])) {
     return {
       code: 'turns-elsewhere',
@@ -157,6 +158,8 @@ function notAroundFace({ asked: { mesh }, of, got }: Lists, f: number): Part | n
       hint: LEAVES_FACE,
     };
   }
+  // The ring of a vertex may be the corners of another face.
+  if (!left) return aroundAnotherFace(mesh, of, got, f);
   for (const v of [mesh.fromVertex(first), mesh.toVertex(first)]) {
     const ring = [...mesh.vertexOutgoingHalfedges(v)];
     const lists = of === 'vertex' ? [ring.map((h) => mesh.toVertex(h))] : [ring];
@@ -168,6 +171,26 @@ function notAroundFace({ asked: { mesh }, of, got }: Lists, f: number): Part | n
     };
   }
   return null;
+}
+
+function aroundAnotherFace(
+  mesh: HalfedgeMesh,
+  of: Item['kind'],
+  got: readonly unknown[],
+  f: number,
+): Part | null {
+  const other = [...mesh.faces()].find((face) => {
+    const own = walksAround(mesh, { kind: 'face', index: face });
+    return (
+      face !== f && own.some(([kind, , , list]) => kind === of && sameCycleEitherWay(got, list))
+    );
+  });
+  if (other === undefined) return null;
+  return {
+    code: 'walks-face',
+    title: `It walks around ${namesOf('face', [other])}, not around ${namesOf('face', [f])}.`,
+    hint: 'An index of a face is none of a halfedge: mesh.faceHalfedge(f) is the halfedge where to begin.',
+  };
 }
 
 /** How to turn around a vertex, and around which one. */

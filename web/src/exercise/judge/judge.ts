@@ -76,8 +76,9 @@ function withMistake(asked: Asked, value: unknown, found: Finding): Finding {
     return answer === value;
   });
   if (!known) return found;
-  const { code, says, hint } = known;
-  return { ...found, code, title: says, hint: hint ?? found.hint };
+  // What is said of numbers and lists at large is about another mistake.
+  const { code, says, hint = '' } = known;
+  return { ...found, code, title: says, hint };
 }
 
 function nothingBack(value: undefined | null): Finding {

@@ -85,6 +85,9 @@ export function plainOf(value: unknown): Plain {
   }
   if (Array.isArray(value)) return { strange: 'a list' };
   if (value instanceof Promise) return { strange: 'a promise' };
+  if (typeof value === 'object' && Symbol.asyncIterator in value) {
+    return { strange: 'an async generator' };
+  }
   return { strange: typeof value === 'object' ? 'an object' : `a ${typeof value}` };
 }
 
