@@ -350,4 +350,17 @@ describe('Of many faces, MeshPicker', () => {
     picker.dispose();
     mesh.dispose();
   });
+
+  test('grows the tree itself where what is to come first fails', async () => {
+    const thread = new FakeWorker();
+    const begin = () => Promise.reject(new Error('No picture.'));
+    const { mesh, picker, faceAt } = many(() => thread as never, { begin });
+    await picker.ready;
+    expect([thread.isTerminated, (faceAt(100, 90) as number) >> 1]).toEqual([
+      true,
+      90 * ROWS + 100,
+    ]);
+    picker.dispose();
+    mesh.dispose();
+  });
 });

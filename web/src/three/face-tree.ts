@@ -196,7 +196,10 @@ export class FaceTree {
         const seed = tree.seed;
         worker.postMessage(seed, [seed.points.buffer, seed.vertices.buffer]);
       };
-      if (this.#begin) void this.#begin().then(post);
+      const fail = () => {
+        if (this.#young?.tree === tree) end(growHere);
+      };
+      if (this.#begin) void this.#begin().then(post, fail);
       else post();
     });
   }
