@@ -152,9 +152,10 @@ describe('Star, closure and link', () => {
     const before = bytesInUse();
     expect(() => mesh.star(null as never)).toThrow('items is null; expected an object.');
     expect(() => mesh.link({ vertex: [0] } as never)).toThrow(
-      new TypeError(
-        'items has "vertex", but neither vertices, edges nor faces; expected lists of them.',
-      ),
+      new TypeError('items has the name "vertex"; expected vertices, edges or faces.'),
+    );
+    expect(() => mesh.star({ vertices: [0], face: [1] } as never)).toThrow(
+      new TypeError('items has the name "face"; expected vertices, edges or faces.'),
     );
     expect(() => mesh.star({ vertices: 3 as never })).toThrow(
       /^items.vertices is 3; expected an array/,

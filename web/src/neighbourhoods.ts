@@ -1,4 +1,3 @@
-import { describe } from './arguments.js';
 import { refuse } from './checks.js';
 import type { RawWords } from './core.mjs';
 import { Editing } from './editing.js';
@@ -7,7 +6,7 @@ import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
-import { checkObject } from './options.js';
+import { checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 import { type Rows, take } from './rings.js';
 
@@ -17,6 +16,8 @@ export interface Items {
   readonly edges?: ItemList<EdgeLike> | undefined;
   readonly faces?: ItemList<FaceLike> | undefined;
 }
+
+const ITEMS: OptionNames<Items> = { vertices: true, edges: true, faces: true };
 
 /** Some items of a mesh, each once, in ascending order. Can be passed wherever {@link Items} are expected. */
 export interface ItemSet {
@@ -103,7 +104,7 @@ export abstract class Neighbourhoods extends Editing {
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
   links.checkAlive();
   const { core } = links;
-  const { vertices, edges, faces } = listsOf(checkObject(items, 'items'));
+  const { vertices = [], edges = [], faces = [] } = checkOptions(items, ITEMS, 'items');
   const lists = {
     vertices: listOfItems(links, 'vertex', 'items.vertices', vertices),
     edges: listOfItems(links, 'edge', 'items.edges', edges),
@@ -127,17 +128,6 @@ export function takeItems(
 ): ItemSet {
   const [vertices, edges, faces] = take(core, raw.vertices, raw.edges, raw.faces);
   return { vertices, edges, faces };
-}
-
-/** The lists by name. What has others, but none of these, was spelt in another way. */
-function listsOf(items: Items): Required<Items> {
-  const { vertices = [], edges = [], faces = [] } = items;
-  const lists = { vertices, edges, faces };
-  const [other] = Object.keys(items);
-  if (other === undefined || Object.keys(lists).some((name) => name in items)) return lists;
-  throw new TypeError(
-    `items has ${describe(other)}, but neither vertices, edges nor faces; expected lists of them.`,
-  );
 }
 
 /** `k` as the core takes it, which has no infinity, but no distance that is as large either. */
