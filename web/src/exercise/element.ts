@@ -1,5 +1,6 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { WorkerLike } from '../connection.js';
+import { FLAG } from '../figure/flag.js';
 import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import { CodeEditor } from './editor.js';
@@ -47,7 +48,7 @@ export class HalfedgeExercise extends LitElement {
     seed: { type: Number, reflect: true },
     limit: { type: Number },
     save: { reflect: true },
-    solution: { type: Boolean, reflect: true },
+    solution: FLAG,
     theme: { reflect: true },
     state: { reflect: true },
     result: { state: true },
