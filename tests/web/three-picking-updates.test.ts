@@ -1,5 +1,6 @@
 // What a picker hits after its mesh has changed: face by face, all at once, and while its tree grows.
 
+import { Worker } from 'node:worker_threads';
 import { HalfedgeMesh, init } from 'halfedge';
 import { MeshGeometry } from 'halfedge/three';
 import { FaceTree, type FaceTreeOptions, MeshPicker } from 'halfedge/three/picking';
@@ -360,6 +361,23 @@ describe('Of many faces, MeshPicker', () => {
       true,
       90 * ROWS + 100,
     ]);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('has its tree grown by a worker of Node', async () => {
+    const script = new URL('../../dist/three/picking-thread.js', import.meta.url);
+    let worker: Worker | undefined;
+    const { mesh, picker, faceAt } = many(() => {
+      worker = new Worker(script);
+      return worker as never;
+    });
+    const ended = new Promise((resolve) => worker?.on('exit', resolve));
+    const told = new Promise((resolve) => worker?.on('message', resolve));
+    await picker.ready;
+    expect(await told).toMatchObject({ roots: expect.anything() });
+    await ended;
+    expect((faceAt(100, 90) as number) >> 1).toBe(90 * ROWS + 100);
     picker.dispose();
     mesh.dispose();
   });
