@@ -71,6 +71,21 @@ describe('A page of figures', () => {
 });
 
 describe('A figure', () => {
+  test('takes the word false for what it says', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" build="false" autoplay="false"></halfedge-figure>',
+    );
+    await page.ready();
+    const flags = () => page.figure(({ build, autoplay }) => [build, autoplay]);
+    expect(await flags()).toEqual([false, false]);
+    await page.figure((figure) => figure.setAttribute('build', ''));
+    expect(await flags()).toEqual([true, false]);
+    await page.figure((figure) => figure.setAttribute('build', 'false'));
+    expect(await flags()).toEqual([false, false]);
+    await page.figure((figure) => Object.assign(figure, { autoplay: true }));
+    expect(await page.figure((figure) => figure.hasAttribute('autoplay'))).toBe(true);
+  });
+
   test('plays the circulator that it is asked for, and tells each step', async () => {
     const page = await figures(ONE_RING, { motion: true });
     await page.ready();

@@ -103,7 +103,9 @@ describe('A file', () => {
     expect(await explorer.page.textContent('[role=alert]')).toContain(
       '“broken.off” was not opened',
     );
-    expect(await explorer.page.textContent('[role=alert]')).toContain('Icosahedron is open.');
+    expect(await explorer.page.textContent('[role=alert]')).toContain(
+      'The view shows Icosahedron.',
+    );
     await explorer.screenshot('error-1280-light');
     expect(await explorer.state('mesh')).toBe('Icosahedron');
     await explorer.press('.');

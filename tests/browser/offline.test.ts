@@ -92,7 +92,7 @@ describe('What is fetched when it is needed for the first time', () => {
     expect(await told(page)).toEqual([
       `“${file.name}” was not opened`,
       why,
-      `${ONLINE} Cube is open.`,
+      `${ONLINE} The view shows Cube.`,
     ]);
     isThere = true;
     await choose();

@@ -312,7 +312,7 @@ test('A link to a mesh that cannot be opened says so, and leaves the one on show
   const explorer = await ExplorerPage.open({ link });
   const title = () => explorer.page.textContent('.notice h2');
   expect(await title()).toBe('“Cut short” was not opened');
-  expect(await explorer.page.textContent('.notice .calm')).toContain('Bunny is open.');
+  expect(await explorer.page.textContent('.notice .calm')).toContain('The view shows Bunny.');
   await explorer.page.evaluate(() => {
     location.hash = 'sample=icosahedron&select=e5';
   });

@@ -37,6 +37,20 @@ test.each(pages.map((path) => relative(root, path)))('links of %s lead somewhere
   expect(broken.map(([link]) => link)).toEqual([]);
 });
 
+/** Said by pages of the npm package that link to what it leaves out. */
+const NEEDS_REPOSITORY = /^Links that lead out of `docs` need the repository: /m;
+
+test.each(
+  pages.map((path) => relative(root, path)).filter((name) => /^(docs|CHANGELOG)/.test(name)),
+)('%s links to files of the npm package, or says that others are in the repository', (name) => {
+  const path = join(root, name);
+  const files = [...prose(path).matchAll(/\]\((?!https?:)([^)#\s]+)/g)]
+    .map(([, file]) => relative(root, resolve(dirname(path), file)))
+    .filter((file) => !/^(README|CHANGELOG|docs\/[^/]+|docs\/reference\/[^/]+)\.md$/.test(file));
+  if (files.some((file) => file.startsWith('docs/'))) expect(files).toEqual([]);
+  expect(NEEDS_REPOSITORY.test(prose(path))).toBe(files.length > 0);
+});
+
 /** The public names of a class and of those that it extends. */
 function namesOf(type: typeof HalfedgeMesh | typeof DirectedEdgesMesh): string[] {
   const names = new Set<string>();

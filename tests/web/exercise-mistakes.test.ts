@@ -1,5 +1,7 @@
-import { init } from 'halfedge';
+import { HalfedgeMesh, init } from 'halfedge';
 import { type ExerciseTask, taskNamed } from 'halfedge/exercise/judge';
+import { attempt } from '../../dist/exercise/judge/attempt.js';
+import { compile, type Program } from '../../dist/exercise/judge/program.js';
 import { failureOf } from './support/exercises.js';
 
 beforeAll(() => init());
@@ -660,6 +662,19 @@ describe('A typical mistake', () => {
     expect(item).toBe('v0');
     expect(steps.map(({ item: { kind } }) => kind)).toEqual(['vertex', 'vertex', 'vertex']);
     expect(marks).toHaveLength(1);
+  });
+
+  test.each([
+    ['sent away', 'structuredClone(links.next, { transfer: [links.next.buffer] })'],
+    ['replaced by what nobody can send', 'links.next = () => 0'],
+  ])('tells of links that were %s, also from a worker', (_how, code) => {
+    const program = `function flipEdge(links) { ${code}; }`;
+    expect(failureOf('flip-edge', program)).toMatchObject({ code: 'links-replaced' });
+    const mesh = HalfedgeMesh.tetrahedron();
+    const call = compile(program, 'flipEdge') as Program;
+    const outcome = attempt(call, taskNamed('flip-edge'), mesh as never, [0]);
+    expect(() => structuredClone(outcome)).not.toThrow();
+    mesh.dispose();
   });
 
   test('does not let one call change what the next one gets', () => {

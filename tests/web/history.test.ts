@@ -361,3 +361,25 @@ test('History works without prev, and on a closed surface', () => {
   quads.history.enabled = true;
   expectRefused(() => quads.flipEdge(0), 'not-a-triangle');
 });
+
+test('The bytes of meshes tell whether they are the same, as bundlers.md says of tests', () => {
+  using mesh = HalfedgeMesh.grid(3, 3);
+  using other = HalfedgeMesh.grid(3, 3);
+  const same = () => Buffer.compare(mesh.toBytes(), other.toBytes()) === 0;
+  expect(same()).toBe(true);
+  other.history.enabled = true;
+  for (const change of [() => other.setPosition(0, [9, 9, 9]), () => other.deleteFace(4)]) {
+    change();
+    expect(same()).toBe(false);
+    other.history.undo();
+    expect(same()).toBe(true);
+  }
+  for (const one of [mesh, other]) one.deleteFace(4);
+  expect(same()).toBe(true);
+  other.attributes.add('vertex', 'weight', { type: 'float32' });
+  expect(same()).toBe(false);
+  other.attributes.remove('vertex', 'weight');
+  expect(same()).toBe(true);
+  other.compact();
+  expect([same(), other.toPolygons()]).toEqual([false, mesh.toPolygons()]);
+});

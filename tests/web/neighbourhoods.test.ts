@@ -67,6 +67,17 @@ describe('kRing', () => {
 });
 
 describe('Star, closure and link', () => {
+  test('take the maps of append for what they lead to', () => {
+    const mesh = HalfedgeMesh.grid(2, 2);
+    const added = mesh.append(HalfedgeMesh.tetrahedron());
+    const star = mesh.star(added);
+    expect([...star.vertices]).toEqual([...added.vertices]);
+    expect(star.faces).toHaveLength(4);
+    expect(() => mesh.star({ halfedges: [0] } as never)).toThrow(
+      'items has the name "halfedges"; expected vertices, edges or faces.',
+    );
+  });
+
   test('are those of the circulators around a vertex', () => {
     using mesh = HalfedgeMesh.icoSphere(2);
     for (const v of mesh.vertices()) {
@@ -152,9 +163,10 @@ describe('Star, closure and link', () => {
     const before = bytesInUse();
     expect(() => mesh.star(null as never)).toThrow('items is null; expected an object.');
     expect(() => mesh.link({ vertex: [0] } as never)).toThrow(
-      new TypeError(
-        'items has "vertex", but neither vertices, edges nor faces; expected lists of them.',
-      ),
+      new TypeError('items has the name "vertex"; expected vertices, edges or faces.'),
+    );
+    expect(() => mesh.star({ vertices: [0], face: [1] } as never)).toThrow(
+      new TypeError('items has the name "face"; expected vertices, edges or faces.'),
     );
     expect(() => mesh.star({ vertices: 3 as never })).toThrow(
       /^items.vertices is 3; expected an array/,

@@ -268,6 +268,15 @@ describe('fromBufferGeometry', () => {
     expect(fromBufferGeometry(whole).mesh.faceCount).toBe(2);
   });
 
+  test('counts from a start before the first as three.js does', () => {
+    const geometry = square((g) => g.setDrawRange(-3, 6));
+    const drawn = fromBufferGeometry(geometry, { dropIsolated: true });
+    expect([...drawn.maps.vertices]).toEqual([0, 1, 2, -1]);
+    expect(drawn.mesh.faceCount).toBe(1);
+    const nothing = square((g) => g.setDrawRange(-6, 3));
+    expect(fromBufferGeometry(nothing).mesh.faceCount).toBe(0);
+  });
+
   test.each([false, true])('reads morph targets and gives them back, relative: %s', (relative) => {
     const geometry = square((g) => {
       const base = g.attributes.position.array;

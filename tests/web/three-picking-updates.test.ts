@@ -1,5 +1,6 @@
 // What a picker hits after its mesh has changed: face by face, all at once, and while its tree grows.
 
+import { Worker } from 'node:worker_threads';
 import { HalfedgeMesh, init } from 'halfedge';
 import { MeshGeometry } from 'halfedge/three';
 import { FaceTree, type FaceTreeOptions, MeshPicker } from 'halfedge/three/picking';
@@ -347,6 +348,36 @@ describe('Of many faces, MeshPicker', () => {
     };
     const { mesh, picker } = many(() => thread as never, { begin });
     expect(asked).toBe(1);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('grows the tree itself where what is to come first fails', async () => {
+    const thread = new FakeWorker();
+    const begin = () => Promise.reject(new Error('No picture.'));
+    const { mesh, picker, faceAt } = many(() => thread as never, { begin });
+    await picker.ready;
+    expect([thread.isTerminated, (faceAt(100, 90) as number) >> 1]).toEqual([
+      true,
+      90 * ROWS + 100,
+    ]);
+    picker.dispose();
+    mesh.dispose();
+  });
+
+  test('has its tree grown by a worker of Node', async () => {
+    const script = new URL('../../dist/three/picking-thread.js', import.meta.url);
+    let worker: Worker | undefined;
+    const { mesh, picker, faceAt } = many(() => {
+      worker = new Worker(script);
+      return worker as never;
+    });
+    const ended = new Promise((resolve) => worker?.on('exit', resolve));
+    const told = new Promise((resolve) => worker?.on('message', resolve));
+    await picker.ready;
+    expect(await told).toMatchObject({ roots: expect.anything() });
+    await ended;
+    expect((faceAt(100, 90) as number) >> 1).toBe(90 * ROWS + 100);
     picker.dispose();
     mesh.dispose();
   });

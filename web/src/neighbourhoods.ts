@@ -1,13 +1,13 @@
-import { describe } from './arguments.js';
 import { refuse } from './checks.js';
 import { Editing } from './editing.js';
 import type { EdgeLike, FaceLike, ItemList, VertexLike } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import { withInputs } from './memory.js';
 import { linksOf } from './navigation.js';
-import { checkObject } from './options.js';
+import { checkObject, checkOptions, type OptionNames } from './options.js';
 import { unwrap } from './reports.js';
 import { type Rows, take, takeItems } from './rings.js';
+import type { AppendMaps } from './transfer.js';
 
 /** Some items of a mesh, in any order. */
 export interface Items {
@@ -15,6 +15,8 @@ export interface Items {
   readonly edges?: ItemList<EdgeLike> | undefined;
   readonly faces?: ItemList<FaceLike> | undefined;
 }
+
+const ITEMS: OptionNames<Items> = { vertices: true, edges: true, faces: true };
 
 /** Some items of a mesh, each once, in ascending order. Can be passed wherever {@link Items} are expected. */
 export interface ItemSet {
@@ -101,7 +103,7 @@ export abstract class Neighbourhoods extends Editing {
 function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items: unknown): ItemSet {
   links.checkAlive();
   const { core } = links;
-  const { vertices, edges, faces } = listsOf(checkObject(items, 'items'));
+  const { vertices = [], edges = [], faces = [] } = listsOf(items);
   const lists = {
     vertices: listOfItems(links, 'vertex', 'items.vertices', vertices),
     edges: listOfItems(links, 'edge', 'items.edges', edges),
@@ -118,15 +120,12 @@ function surroundings(links: Links, which: (typeof SURROUNDINGS)[number], items:
   return takeItems(core, raw);
 }
 
-/** The lists by name. What has others, but none of these, was spelt in another way. */
-function listsOf(items: Items): Required<Items> {
-  const { vertices = [], edges = [], faces = [] } = items;
-  const lists = { vertices, edges, faces };
-  const [other] = Object.keys(items);
-  if (other === undefined || Object.keys(lists).some((name) => name in items)) return lists;
-  throw new TypeError(
-    `items has ${describe(other)}, but neither vertices, edges nor faces; expected lists of them.`,
-  );
+/** What AppendMaps have, too: their halfedges are those of their edges. */
+function listsOf(items: unknown): Items {
+  const named = checkObject(items, 'items') as Partial<AppendMaps>;
+  if (!named.halfedges || !named.edges) return checkOptions(named, ITEMS, 'items');
+  const { halfedges, ...lists } = named;
+  return checkOptions(lists, ITEMS, 'items');
 }
 
 /** `k` as the core takes it, which has no infinity, but no distance that is as large either. */

@@ -16,7 +16,7 @@ export function failureNotice(explorer: Explorer): HTMLElement {
     const shown = explorer.document.value?.name;
     const { lesson, advice } = failure;
     const others = advice ? null : 'Choose another mesh above.';
-    const still = shown ? `${shown} is open.` : others;
+    const still = shown ? `The view shows ${shown}.` : others;
     const calm = [lesson, advice, still].filter(Boolean).join(' ');
     tell(failure.title, failure.message, calm);
   });

@@ -1,4 +1,5 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
+import { FLAG } from '../figure/flag.js';
 import { keepUsedKey } from '../figure/keys.js';
 import { started } from '../figure/start.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
@@ -47,7 +48,7 @@ export class HalfedgeExercise extends LitElement {
     seed: { type: Number, reflect: true },
     limit: { type: Number },
     save: { reflect: true },
-    solution: { type: Boolean, reflect: true },
+    solution: FLAG,
     theme: { reflect: true },
     state: { reflect: true },
     result: { state: true },

@@ -1,5 +1,6 @@
 import { LitElement, type PropertyValues } from 'lit';
 import type { UpAxis } from '../scene/up.js';
+import { FLAG } from './flag.js';
 import type { Settings } from './model.js';
 import type { Source } from './source.js';
 import type { Trail } from './trail-story.js';
@@ -45,7 +46,7 @@ export abstract class FigureAttributes extends LitElement {
     direction: { reflect: true },
     step: { type: Number, reflect: true },
     operation: { reflect: true },
-    build: { type: Boolean, reflect: true },
+    build: FLAG,
     overlays: { reflect: true },
     dialect: { reflect: true },
     controls: { reflect: true },
@@ -53,7 +54,7 @@ export abstract class FigureAttributes extends LitElement {
     up: { reflect: true },
     theme: { reflect: true },
     speed: { type: Number, reflect: true },
-    autoplay: { type: Boolean, reflect: true },
+    autoplay: FLAG,
     loading: { reflect: true },
     alt: { reflect: true },
     bytes: { attribute: false },

@@ -1,7 +1,7 @@
 import type { Ray } from 'three';
 import type { SerializedBVH } from 'three-mesh-bvh';
 import { checkCallback } from '../checks.js';
-import type { WorkerLike } from '../connection.js';
+import { connect, type WorkerLike } from '../connection.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import {
   distanceToTriangle,
@@ -161,16 +161,19 @@ export class FaceTree {
     this.#stopWorker();
     this.#moves = 0;
     this.#young = { tree, changed: new Set(), isBehind: false };
-    const worker = tree.size > SMALL ? (this.#makeWorker() as TreeWorker | null) : null;
+    const worker = tree.size > SMALL ? this.#makeWorker() : null;
     if (worker === null) {
       tree.grow();
       this.#settle();
       return;
     }
     this.#ready = new Promise((resolve) => {
+      let isEnded = false;
       const end = (use: () => void) => {
+        if (isEnded) return; // a worker of Node tells of its end, too
+        isEnded = true;
         this.#stopWorker = () => {};
-        worker.terminate();
+        thread.terminate();
         use();
         resolve();
       };
@@ -179,24 +182,29 @@ export class FaceTree {
         tree.grow();
         this.#settle();
       };
-      worker.addEventListener('message', ({ data }) =>
-        end(() => {
-          try {
-            tree.adopt(data);
-          } catch {
-            return growHere(); // it has another release of three-mesh-bvh, or another script
-          }
-          this.#settle();
-        }),
-      );
-      // From some sites no worker can be started that imports three.js.
-      worker.addEventListener('error', () => end(growHere));
+      const thread = connect(worker, {
+        message: (data) =>
+          end(() => {
+            try {
+              tree.adopt(data as SerializedBVH);
+            } catch {
+              return growHere(); // it has another release of three-mesh-bvh, or another script
+            }
+            this.#settle();
+          }),
+        // From some sites no worker can be started that imports three.js.
+        failure: () => end(growHere),
+      });
+      thread.keepAlive(true);
       const post = () => {
         if (this.#young?.tree !== tree) return; // given up in the meantime
         const seed = tree.seed;
-        worker.postMessage(seed, [seed.points.buffer, seed.vertices.buffer]);
+        thread.post(seed, [seed.points.buffer, seed.vertices.buffer]);
       };
-      if (this.#begin) void this.#begin().then(post);
+      const fail = () => {
+        if (this.#young?.tree === tree) end(growHere);
+      };
+      if (this.#begin) void this.#begin().then(post, fail);
       else post();
     });
   }
@@ -210,11 +218,6 @@ export class FaceTree {
     this.#isBehind ||= isBehind;
     for (const face of [...this.#loose.keys()]) if (!changed.has(face)) this.#loose.delete(face);
   }
-}
-
-interface TreeWorker extends WorkerLike {
-  addEventListener(type: 'message', listener: (event: { data: SerializedBVH }) => void): void;
-  addEventListener(type: 'error', listener: () => void): void;
 }
 
 function coordinates(points: Float32Array, vertices: ArrayLike<number>): Float32Array {

@@ -1,14 +1,11 @@
 // The script of a worker: grows trees for `halfedge/three/picking`.
 
+import type { SerializedBVH } from 'three-mesh-bvh';
+import { openPort } from '../port.js';
 import { grownOver, type TreeSeed } from './triangle-tree.js';
 
-interface Scope {
-  postMessage(message: unknown, transfer: readonly object[]): void;
-  addEventListener(type: 'message', listener: (event: { data: TreeSeed }) => void): void;
-}
-
-const scope = globalThis as unknown as Scope;
-scope.addEventListener('message', ({ data }) => {
-  const { grown, buffers } = grownOver(data);
-  scope.postMessage(grown, buffers);
+const port = openPort<TreeSeed, SerializedBVH>();
+port.listen((seed) => {
+  const { grown, buffers } = grownOver(seed);
+  port.post(grown, buffers);
 });

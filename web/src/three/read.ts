@@ -145,7 +145,8 @@ function trianglesOf(
   if (index !== null) checkIndex(index);
   const length = index?.count ?? rows;
   const first = Math.max(0, drawRange.start);
-  const count = Math.max(0, Math.min(length, first + drawRange.count) - first);
+  // A start before 0 takes from the count, as where three.js draws.
+  const count = Math.max(0, Math.min(length, drawRange.start + drawRange.count) - first);
   if (count % 3 !== 0) {
     throw geometryError(
       'truncated',

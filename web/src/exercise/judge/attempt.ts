@@ -1,4 +1,5 @@
 import type { HalfedgeMesh } from '../../api.js';
+import { typedArrayName } from '../../arguments.js';
 import { offered } from './offered.js';
 import { type LinkArrays, type Outcome, type Read, sendable } from './outcome.js';
 import { allowTurns, Endless, lineOf, messageOf, type Program } from './program.js';
@@ -29,7 +30,11 @@ export function attempt(
     const given = links ?? offered(mesh, uses, reads);
     const result = program(given, ...parameters);
     // A generator runs only now.
-    return { kind: 'returned', value: links ?? sendable(result), reads };
+    return {
+      kind: 'returned',
+      value: links ? leftOf(links, Object.keys(mesh.connectivity)) : sendable(result),
+      reads,
+    };
   } catch (error) {
     if (error instanceof Endless) {
       const { line } = error;
@@ -53,4 +58,20 @@ function copyOf(links: LinkArrays): LinkArrays {
     vertexHalfedge: vertexHalfedge.slice(),
     faceHalfedge: faceHalfedge.slice(),
   };
+}
+
+/**
+ * Copies of the arrays that a program has left. What it has put in the place of one, or has sent elsewhere,
+ * may be nothing that can be sent from a worker.
+ */
+function leftOf(links: LinkArrays, names: readonly string[]): Partial<LinkArrays> {
+  const left: Record<string, Int32Array> = {};
+  for (const name of names) {
+    const array = links[name as keyof LinkArrays];
+    // One that was sent away has no elements, and can't be gone through.
+    if (typedArrayName(array) === 'Int32Array') {
+      left[name] = array.length === 0 ? new Int32Array() : Int32Array.from(array);
+    }
+  }
+  return left;
 }

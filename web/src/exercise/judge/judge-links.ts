@@ -7,7 +7,7 @@ import { type Asked, type Finding, finding, namesOf } from './finding.js';
 import type { LinkArrays } from './outcome.js';
 
 /** Checks the arrays that a program has left behind, against what the reference makes of the mesh. */
-export function judgeLinks(asked: Asked, got: LinkArrays): Finding | null {
+export function judgeLinks(asked: Asked, got: Partial<LinkArrays>): Finding | null {
   const { mesh, task, parameters } = asked;
   const right = mesh.clone();
   const result = mesh.clone();
@@ -15,8 +15,9 @@ export function judgeLinks(asked: Asked, got: LinkArrays): Finding | null {
     task.reference(right, ...parameters);
     for (const name of Object.keys(mesh.connectivity) as (keyof LinkArrays)[]) {
       const [links, own] = [got?.[name], result.connectivity[name]];
-      const isWhole = typedArrayName(links) === 'Int32Array' && links.length === own.length;
-      if (!isWhole) return replaced(name);
+      if (typedArrayName(links) !== 'Int32Array' || links?.length !== own.length) {
+        return replaced(name);
+      }
       own.set(links);
     }
     return unsound(result, mesh) ?? otherSurface(result, right, mesh);

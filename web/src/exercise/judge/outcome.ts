@@ -25,7 +25,7 @@ export type Plain = number | boolean | string | null | undefined | Strange;
 
 /** What came of one call. */
 export type Outcome = (
-  | { readonly kind: 'returned'; readonly value: Plain | readonly Plain[] | LinkArrays }
+  | { readonly kind: 'returned'; readonly value: Plain | readonly Plain[] | Partial<LinkArrays> }
   | { readonly kind: 'threw'; readonly message: string; readonly line: number | null }
   /** A loop was ended that went on and on. */
   | {
