@@ -1,4 +1,5 @@
-import type { HalfedgeMesh } from '../api.js';
+import type { HalfedgeMesh, ItemKind } from '../api.js';
+import { refuse } from '../checks.js';
 import { type Item, isLive, itemName, parseItemName } from '../teaching/items.js';
 import type { Visit } from '../teaching/player.js';
 import type { Story } from './story.js';
@@ -29,13 +30,21 @@ export class TrailStory implements Story {
   readonly #visits: readonly Visit[];
   #position = 0;
 
-  /** Throws a sentence for an item that the mesh does not have. */
+  /** Throws a sentence for what is no trail, and for an item that the mesh does not have. */
   constructor(mesh: HalfedgeMesh, trail: Trail) {
+    const { steps, missing = [] } = trail;
+    if (!Array.isArray(steps))
+      refuse('trail.steps', steps, 'an array of { item, halfedge, sentence }');
+    if (!Array.isArray(missing)) refuse('trail.missing', missing, 'an array of names of items');
     this.#trail = trail;
-    this.missing = (trail.missing ?? []).map((name) => itemOf(mesh, name));
-    this.#visits = trail.steps.map(({ item, halfedge }) => {
-      const found = itemOf(mesh, item);
-      const carrier = halfedge === undefined ? -1 : itemOf(mesh, halfedge).index;
+    this.missing = missing.map((name, i) => itemOf(mesh, `trail.missing[${i}]`, name));
+    this.#visits = steps.map((step, i) => {
+      const found = itemOf(mesh, `trail.steps[${i}].item`, step?.item);
+      const { halfedge } = step;
+      const carrier =
+        halfedge === undefined
+          ? -1
+          : itemOf(mesh, `trail.steps[${i}].halfedge`, halfedge, 'halfedge').index;
       return { item: found, halfedge: carrier, cursor: carrier, ran: [] };
     });
   }
@@ -69,8 +78,9 @@ export class TrailStory implements Story {
   }
 }
 
-function itemOf(mesh: HalfedgeMesh, name: string): Item {
-  const found = parseItemName(name);
-  if (found && isLive(mesh, found)) return found;
-  throw new Error(`The trail has “${name}”; expected an item of this mesh, such as v3.`);
+function itemOf(mesh: HalfedgeMesh, argument: string, name: unknown, kind?: ItemKind): Item {
+  const found = typeof name === 'string' ? parseItemName(name) : null;
+  if (found && isLive(mesh, found) && (kind === undefined || found.kind === kind)) return found;
+  const [what, example] = kind === undefined ? ['an item', 'v3'] : [`a ${kind}`, 'h7'];
+  refuse(argument, name, `${what} of this mesh, such as "${example}"`, 'string');
 }
