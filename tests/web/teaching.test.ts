@@ -1,14 +1,17 @@
 import { type Direction, HalfedgeMesh, init } from 'halfedge';
 import {
+  checkOperation,
   circulators,
   deedName,
   deedTitle,
   dialectOf,
   isLive,
   itemSlots,
+  operations,
   parseDeed,
   programOf,
   run,
+  runOperation,
   visit,
 } from 'halfedge/teaching';
 
@@ -88,4 +91,26 @@ describe('A deed', () => {
   ])('is not read from “%s”', (text, sentence) => {
     expect(() => parseDeed(text)).toThrow(sentence);
   });
+});
+
+test('What is no operation, no item or no text is told so', () => {
+  const mesh = HalfedgeMesh.cube();
+  const item = { kind: 'edge', index: 0 } as const;
+  const [operation] = operations;
+  for (const call of [runOperation, checkOperation] as ((...list: unknown[]) => unknown)[]) {
+    expect(() => call('flipEdge', { mesh, item })).toThrow(
+      'operation is "flipEdge"; expected one of `operations`.',
+    );
+    expect(() => call({ ...operation, stem: 'melt' }, { mesh, item })).toThrow(
+      'operation.stem is "melt"; expected a method of HalfedgeMesh.',
+    );
+    expect(() => call(operation, { item })).toThrow(
+      'operands.mesh is undefined; expected a HalfedgeMesh.',
+    );
+  }
+  expect(() => parseDeed(3 as never)).toThrow(
+    'text is 3; expected an operation such as "flip e3".',
+  );
+  expect(isLive(mesh, {} as never)).toBe(false);
+  expect(isLive(mesh, { kind: 'face', index: -1 })).toBe(false);
 });

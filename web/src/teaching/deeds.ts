@@ -1,4 +1,5 @@
 import { type HalfedgeMesh, NONE } from '../api.js';
+import { refuse } from '../checks.js';
 import { type Item, isLive, item, itemName, parseItemName } from './items.js';
 import type { Operands, Operation } from './operation.js';
 import { operations } from './operations.js';
@@ -15,6 +16,7 @@ export interface Deed {
  * kind of item in its name. Throws a sentence for what is none.
  */
 export function parseDeed(text: string): Deed {
+  if (typeof text !== 'string') refuse('text', text, 'an operation such as "flip e3"');
   const [name = '', ...names] = text.trim().split(/\s+/);
   const [first = null, second = null, ...others] = names.map(itemOf);
   const on = first?.kind ?? 'mesh';

@@ -39,7 +39,7 @@ export function itemSlots(mesh: HalfedgeMesh, kind: ItemKind): number {
 
 /** Whether the mesh has the item: its index is in range, and it was not deleted. */
 export function isLive(mesh: HalfedgeMesh, { kind, index }: Item): boolean {
-  if (index >= itemSlots(mesh, kind)) return false;
+  if (!(index < itemSlots(mesh, kind))) return false;
   const { next, vertexHalfedge, faceHalfedge } = mesh.connectivity;
   switch (kind) {
     case 'vertex':

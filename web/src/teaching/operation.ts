@@ -1,4 +1,5 @@
 import { HalfedgeError, type HalfedgeMesh, type ItemKind, type Witness } from '../api.js';
+import { refuse } from '../checks.js';
 import type { Item } from './items.js';
 
 /** What an operation is applied to: one item, the whole mesh, or a first and a second item. */
@@ -69,6 +70,7 @@ function argumentsOf(operation: Operation, operands: Operands): readonly unknown
  * that leaves the mesh as it is tells when it is run: its check would take as long.
  */
 export function checkOperation(operation: Operation, operands: Operands): Refusal | null {
+  checkOperands(operation, operands);
   if (operation.opens) return null;
   if (operation.second && !operands.second) return operation.checkFirst?.(operands) ?? null;
   const name = `check${operation.stem[0].toUpperCase()}${operation.stem.slice(1)}`;
@@ -83,7 +85,18 @@ export function checkOperation(operation: Operation, operands: Operands): Refusa
 
 /** Does the operation; throws what the method throws. */
 export function runOperation(operation: Operation, operands: Operands): unknown {
+  checkOperands(operation, operands);
   return method(operands.mesh, operation.stem)?.(...argumentsOf(operation, operands));
+}
+
+/** Throws unless it is an operation, and there is a mesh that has it. */
+function checkOperands(operation: Operation, operands: Operands): void {
+  const mesh = operands?.mesh;
+  if (typeof mesh !== 'object' || mesh === null) refuse('operands.mesh', mesh, 'a HalfedgeMesh');
+  if (typeof operation?.stem !== 'string') refuse('operation', operation, 'one of `operations`');
+  if (!method(mesh, operation.stem)) {
+    refuse('operation.stem', operation.stem, 'a method of HalfedgeMesh', 'string');
+  }
 }
 
 /** The refusal that an error of the package is; throws what is none. */
