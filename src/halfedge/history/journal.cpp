@@ -38,14 +38,6 @@ void Journal::record_in_new_place(Field field, Index index, Index word) {
   if (!writes_.push_back({field, index, word})) lose();
 }
 
-void Journal::record_loop_links(Index h, Index next, Index prev, Index face) {
-  if (has_undone_ || writes_.room_in_chunk() < kWritesOfLoopLinks) [[unlikely]] {
-    if (!find_room_in_row(kWritesOfLoopLinks)) return;
-  }
-  writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
-  writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
-}
-
 void Journal::record_new(Field field, Index slots) {
   Index& new_from = new_from_[std::size_t(field) - std::size_t(Field::kNewVertices)];
   if (new_from != kNone) return;

@@ -92,8 +92,20 @@ class Journal {
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word);
+  /// The same for a link of a halfedge. pre: it isn't new in this step
+  void record_link(Field field, Index h, Index word) {
+    if (has_undone_ || writes_.room_in_chunk() == 0) [[unlikely]]
+      return record_in_new_place(field, h, word);
+    writes_.push_back_in_chunk({field, h, word});
+  }
   /// The same for the links of `h` in its loop. pre: `h` isn't new in this step
-  void record_loop_links(Index h, Index next, Index prev, Index face);
+  void record_loop_links(Index h, Index next, Index prev, Index face) {
+    if (has_undone_ || writes_.room_in_chunk() < kWritesOfLoopLinks) [[unlikely]] {
+      if (!find_room_in_row(kWritesOfLoopLinks)) return;
+    }
+    writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
+    writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
+  }
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
   void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
