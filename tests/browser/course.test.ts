@@ -1,18 +1,11 @@
 import { seriousFindings } from './support/axe.js';
-import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
+import { closeFigures, disconnect, type FigurePageSettings, figures } from './support/figures.js';
 
-let open: FigurePage | undefined;
-
-afterEach(async () => {
-  await open?.close();
-  open = undefined;
-});
+afterEach(closeFigures);
 afterAll(disconnect);
 
-async function course(settings: FigurePageSettings): Promise<FigurePage> {
-  open = await FigurePage.open('', { ...settings, path: 'docs/course.html' });
-  return open;
-}
+const course = (settings: FigurePageSettings) =>
+  figures('', { ...settings, path: 'docs/course.html' });
 
 describe('The course page', () => {
   test.each([

@@ -204,3 +204,24 @@ const WITHOUT_WEBGL: Preparation = {
   name: 'figures without WebGL',
   prepare: (page) => watch(page, false),
 };
+
+/** The page on show in a test: one at a time. */
+let open: FigurePage | undefined;
+
+/** Opens a page with that body. */
+export async function figures(
+  body: string,
+  settings: FigurePageSettings = {},
+): Promise<FigurePage> {
+  open = await FigurePage.open(body, settings);
+  return open;
+}
+
+/** To be called after each test that opens one. */
+export async function closeFigures(): Promise<void> {
+  await open?.close();
+  open = undefined;
+}
+
+export const ONE_RING =
+  '<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>';

@@ -1,0 +1,320 @@
+// What pages do with figures: many of them, hidden, scaled, printed, moved, and without what a browser has.
+
+import { STRICT_POLICY } from '../package/support/server.js';
+import { closeFigures, disconnect, figures, ONE_RING } from './support/figures.js';
+
+afterEach(closeFigures);
+afterAll(disconnect);
+
+describe('A page of figures', () => {
+  test('shows twenty of them with one WebGL context, and draws nothing while nothing changes', async () => {
+    const shapes = ['tetrahedron', 'cube', 'octahedron', 'dodecahedron', 'grid(3, 2)'];
+    const body = Array.from({ length: 20 }, (_, i) => {
+      const shape = shapes[i % shapes.length];
+      return `<halfedge-figure loading="eager" src="shape:${shape}" select="f0"></halfedge-figure>`;
+    });
+    const page = await figures(`<style>body { columns: 5 }</style>${body.join('')}`);
+    expect(await page.ready()).toBe(20);
+    const copies = await page.settled();
+    expect((await page.counts()).contexts).toBe(1);
+    for (const colours of await page.colours()) expect(colours).toBeGreaterThan(10);
+    await page.page.waitForTimeout(500);
+    expect((await page.counts()).copies).toBe(copies);
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('loads a figure when it comes near, and does not draw one that is out of sight', async () => {
+    const page = await figures(`<div style="height: 4000px"></div>${ONE_RING}`);
+    expect(await page.figure(({ state }) => state)).toBe('waiting');
+    expect((await page.counts()).contexts).toBe(0);
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForSelector('halfedge-figure[state=ready]');
+    await page.page.evaluate(() => scrollTo(0, 0));
+    const copies = await page.settled();
+    await page.figure((figure) => figure.seek(2));
+    expect(await page.settled()).toBe(copies);
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForFunction(
+      (before) => (window as unknown as { copies: number }).copies > before,
+      copies,
+    );
+  });
+
+  test('loads a figure that came into view while the page was busy', async () => {
+    const late = `<script>
+      const Observer = IntersectionObserver;
+      window.IntersectionObserver = class extends Observer {
+        constructor(tell, options) {
+          const entries = [];
+          super((more) => entries.push(...more) > 1 && tell(entries), options);
+        }
+      };
+    </script>`;
+    const page = await figures(`${late}<div style="height: 4000px"></div>${ONE_RING}`);
+    await page.page.waitForTimeout(200);
+    expect(await page.figure(({ state }) => state)).toBe('waiting');
+    await page.page.evaluate(() => scrollTo(0, 4000));
+    await page.page.waitForSelector('halfedge-figure[state=ready]');
+  });
+});
+
+describe('A figure in its page', () => {
+  test('is whole in a tab that was hidden while it loaded', async () => {
+    const page = await figures(
+      '<div hidden><halfedge-figure src="shape:cube" loading="eager"></halfedge-figure></div><halfedge-figure src="shape:cube"></halfedge-figure>',
+    );
+    await page.ready();
+    await page.page.evaluate(() => {
+      document.querySelector('div')?.removeAttribute('hidden');
+    });
+    await page.page.waitForFunction(
+      () => (document.querySelector('halfedge-figure')?.getBoundingClientRect().height ?? 0) > 99,
+    );
+    await page.settled();
+    const pictures = await page.page.$$eval('halfedge-figure', (all) =>
+      all.map((figure) => figure.shadowRoot?.querySelector('canvas')?.toDataURL()),
+    );
+    expect(pictures[0] === pictures[1]).toBe(true);
+  });
+
+  test.each(['transform: scale(1.6); transform-origin: 0 0', 'transform: scale(0.5)', 'zoom: 1.6'])(
+    'is picked in where it is shown in another size: %s',
+    async (style) => {
+      const page = await figures(
+        `<div style="width: 400px; ${style}"><halfedge-figure src="shape:cube" camera="0 0 1"></halfedge-figure></div>`,
+      );
+      await page.ready();
+      const front = await page.figure(({ mesh }) =>
+        [...(mesh?.faces() ?? [])].find((f) => (mesh?.faceNormal(f)[2] ?? 0) > 0.9),
+      );
+      const box = await page.page.locator('halfedge-figure canvas').boundingBox();
+      if (!box) throw new Error('The figure has no canvas.');
+      const { x, y, width, height } = box;
+      await page.page.mouse.click(x + 0.58 * width, y + 0.62 * height);
+      expect(await page.figure(({ select }) => select)).toBe(`f${front}`);
+      await page.page.mouse.click(x + 0.05 * width, y + 0.05 * height);
+      expect(await page.figure(({ select }) => select)).toBe(null);
+    },
+  );
+
+  test('keeps the keys that it uses from the page, and no others', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.page.evaluate(() => {
+      const heard: string[] = [];
+      Object.assign(window, { heard });
+      document.addEventListener('keydown', ({ key }) => heard.push(key));
+    });
+    const press = async (inside: string, keys: readonly string[]) => {
+      await page.page.focus(`halfedge-figure ${inside}`);
+      for (const key of keys) await page.page.keyboard.press(key);
+      return page.page.evaluate(() =>
+        (window as unknown as { heard: string[] }).heard.splice(0).join(' '),
+      );
+    };
+    const onCanvas = ['.', ' ', ' ', 'ArrowLeft', 'n', 'x', 'PageDown', 'Control+b'];
+    expect(await press('canvas', onCanvas)).toBe('x PageDown Control b');
+    expect(await press('[part~=slider]', ['ArrowLeft', 'Home', 'x'])).toBe('x');
+    expect(await press('[part~=direction]', [' ', 'ArrowLeft'])).toBe('ArrowLeft');
+    expect(await press('select', ['ArrowDown', 'c', 'Escape'])).toBe('Escape');
+  });
+
+  test('is printed whole after the window was resized while it was out of sight', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube"></halfedge-figure><div style="height: 5000px"></div>',
+    );
+    await page.ready();
+    await page.page.evaluate(() => scrollTo(0, 5000));
+    await page.settled();
+    await page.page.setViewportSize({ width: 700, height: 500 });
+    await page.settled();
+    await page.page.pdf();
+    const drawn = await page.figure(({ shadowRoot }) => {
+      const canvas = shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+      const pixels = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height);
+      return pixels?.data.some((value) => value > 0);
+    });
+    expect(drawn).toBe(true);
+  });
+
+  test('keeps its labels in their places on paper, where nothing is drawn anew', async () => {
+    const page = await figures('<halfedge-figure src="shape:cube" select="v1"></halfedge-figure>');
+    await page.ready();
+    await page.page.emulateMedia({ media: 'print' });
+    const places = await page.figure((figure) => {
+      const place = () => {
+        const [tag, stage] = ['.tag.self', '.stage'].map((part) =>
+          figure.shadowRoot?.querySelector(part)?.getBoundingClientRect(),
+        );
+        if (!tag || !stage) return [];
+        return [
+          (tag.left + tag.width / 2 - stage.left) / stage.width,
+          (tag.top + tag.height / 2 - stage.top) / stage.height,
+        ];
+      };
+      return ['', '500px', '350px'].map((width) => {
+        figure.style.width = width; // measured before the size is noticed
+        return place().map((part) => Number(part.toFixed(2)));
+      });
+    });
+    expect(places[0]).toHaveLength(2);
+    expect(places[1]).toEqual(places[0]);
+    expect(places[2]).toEqual(places[0]);
+  });
+
+  test('can be read where the system forces its colours', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" select="f0" query="faceVertices" step="2" overlays="labels" controls="player code"></halfedge-figure>',
+    );
+    await page.page.emulateMedia({ forcedColors: 'active' });
+    await page.ready();
+    const looks = await page.figure(({ shadowRoot }) => {
+      const style = (selector: string) =>
+        getComputedStyle(shadowRoot?.querySelector(selector) as Element);
+      const probe = document.body.appendChild(document.createElement('i'));
+      probe.style.backgroundColor = 'Highlight';
+      const highlight = getComputedStyle(probe).backgroundColor;
+      return {
+        // Forced, the letters and their halo would have one colour.
+        names: style('.tag.index').getPropertyValue('forced-color-adjust'),
+        isLit: style('.code [aria-current]').backgroundColor === highlight,
+      };
+    });
+    expect(looks).toEqual({ names: 'none', isLit: true });
+  });
+
+  test('lets the wheel scroll the page until it has the focus', async () => {
+    const page = await figures(`${ONE_RING}<div style="height: 4000px"></div>`);
+    await page.ready();
+    await page.page.mouse.move(300, 200);
+    await page.page.mouse.wheel(0, 120);
+    await page.page.waitForFunction(() => scrollY > 0);
+    await page.page.evaluate(() => scrollTo(0, 0));
+    await page.page.focus('halfedge-figure canvas');
+    const { copies } = await page.counts();
+    await page.page.mouse.wheel(0, 120);
+    await page.page.waitForFunction(
+      (before) => (window as unknown as { copies: number }).copies > before,
+      copies,
+    );
+    expect(await page.page.evaluate(() => scrollY)).toBe(0);
+  });
+
+  test('draws itself without WebGL, and can be stepped all the same', async () => {
+    const page = await figures(ONE_RING, { webgl: false });
+    await page.ready();
+    await page.figure((figure) => figure.seek(2));
+    expect(await page.sentence()).toContain('→ vertex');
+    expect(await page.page.$$eval('halfedge-figure .poster polygon', (it) => it.length)).toBe(20);
+    const tags = await page.page.$$eval('halfedge-figure .poster text', (it) =>
+      it.map(({ textContent }) => textContent),
+    );
+    expect(tags).toEqual(['1', '2', 'v3']);
+  });
+
+  test('loads at once where nothing tells what is in sight, as in jsdom', async () => {
+    const lacks = '<script>delete window.IntersectionObserver; delete window.matchMedia;</script>';
+    const page = await figures(`${lacks}<div style="height: 3000px"></div>${ONE_RING}`, {
+      webgl: false,
+    });
+    await page.page.waitForSelector('halfedge-figure[state=ready]', { state: 'attached' });
+    await page.figure((figure) => figure.play());
+    await page.page.waitForSelector('halfedge-figure[step="1"]', { state: 'attached' });
+    await page.figure((figure) => figure.remove());
+    expect(page.complaints.filter((text) => !/WebGL/.test(text))).toEqual([]);
+  });
+
+  test('works where the page forbids to make code of texts', async () => {
+    const page = await figures(ONE_RING, { policy: STRICT_POLICY });
+    await page.ready();
+    await page.figure((figure) => figure.seek(5));
+    const visited = await page.events('halfedge-step');
+    expect(visited.map(({ step }) => step)).toEqual([5]);
+    const last = await page.figure(({ mesh }) => [...(mesh?.vertexVertices(3) ?? [])].at(-1));
+    expect(visited[0].item).toBe(`v${last}`);
+  });
+
+  test('moves in the page, and goes on', async () => {
+    const page = await figures(`<main></main>${ONE_RING}`);
+    await page.ready();
+    await page.page.evaluate(() => {
+      const figure = document.querySelector('halfedge-figure') as HTMLElement;
+      document.querySelector('main')?.append(figure);
+    });
+    await page.ready();
+    await page.page.focus('halfedge-figure canvas');
+    await page.page.keyboard.press('.');
+    expect(await page.figure(({ step }) => step)).toBe(1);
+    expect((await page.counts()).contexts).toBe(1);
+  });
+
+  test('loads where it was copied from one that is on show', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const copied = await page.figure(async (figure) => {
+      const copy = figure.cloneNode() as typeof figure;
+      figure.replaceWith(copy);
+      return (await copy.ready()).vertexCount;
+    });
+    expect(copied).toBe(12);
+  });
+
+  test('is waited for while it is moved, whatever it has loaded by then', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const counts = await page.figure(async (figure) => {
+      const other = document.createElement('halfedge-figure') as typeof figure;
+      other.src = 'shape:cube';
+      other.loading = 'lazy';
+      figure.after(other);
+      const waiting = [other.ready(), other.ready()];
+      figure.before(other);
+      return (await Promise.all(waiting)).map(({ vertexCount }) => vertexCount);
+    });
+    expect(counts).toEqual([8, 8]);
+  });
+
+  test('tells all who wait for it when it is taken out of the page', async () => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    const answers = await page.figure(async (figure) => {
+      const other = document.createElement('halfedge-figure') as typeof figure;
+      other.src = 'shape:cube';
+      figure.after(other);
+      const waiting = [other.ready(), other.ready()];
+      other.remove();
+      const tooLong = new Promise<string>((done) => setTimeout(done, 5000, 'It never settles.'));
+      const answer = (promise: Promise<unknown>) =>
+        promise.then(() => 'It is ready.').catch(({ message }: Error) => message);
+      return Promise.all(waiting.map((promise) => Promise.race([answer(promise), tooLong])));
+    });
+    expect(answers).toEqual(Array(2).fill('The figure is not in a page.'));
+  });
+
+  test('follows the theme of the system, or its own', async () => {
+    const body = '<halfedge-figure src="shape:cube"></halfedge-figure>';
+    const page = await figures(body, { dark: true });
+    await page.ready();
+    const background = () =>
+      page.figure((figure) => getComputedStyle(figure).getPropertyValue('--page').trim());
+    expect(await background()).toBe('#15181c');
+    await page.figure((figure) => figure.setAttribute('theme', 'light'));
+    expect(await background()).toBe('#ffffff');
+  });
+});
+
+describe('The page for frames', () => {
+  test('takes attributes from its address, and tells its height', async () => {
+    const page = await figures(`<script>
+        addEventListener('message', ({ data }) => { window.told = data; });
+      </script>
+      <iframe width="500" height="300" src="/dist/figure/frame.html?src=shape:cube&select=f0&query=faceVertices&step=2&controls=player&caption=A%20face"></iframe>`);
+    await page.page.waitForFunction(
+      () => ((window as unknown as { told?: { height: number } }).told?.height ?? 0) > 350,
+    );
+    const frame = page.page.frames()[1];
+    await frame.waitForSelector('halfedge-figure[state=ready][step="2"]');
+    expect(await frame.textContent('[part=sentence]')).toContain('→ vertex');
+    expect(await frame.textContent('halfedge-figure [slot=caption]')).toBe('A face');
+  });
+});
