@@ -32,6 +32,8 @@ export class FigureView {
   readonly #state: () => FigureState;
   readonly #ended = new AbortController();
   #palette: Palette;
+  /** The size that the labels were told last. */
+  #told = { x: 0, y: 0 };
 
   /** Throws where there is no WebGL. */
   constructor(
@@ -60,6 +62,8 @@ export class FigureView {
   /** On paper the picture is stretched, without being drawn anew, and its labels have to be, too. */
   #tellSize({ style }: HTMLElement): void {
     const { x, y } = this.stage.size;
+    if (this.#told.x === x && this.#told.y === y) return;
+    this.#told = { x, y };
     style.setProperty('--drawn-width', `${x}px`);
     style.setProperty('--drawn-height', `${y}px`);
   }
