@@ -293,11 +293,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Notes one of them.
   void note_next(Halfedge h) {
     if (needs_note(h)) [[unlikely]]
-      journal_->record_link(Field::kNext, h.index(), links_.next[h.index()]);
+      journal_->record_in_old_slot(Field::kNext, h.index(), links_.next[h.index()]);
   }
   void note_prev(Halfedge h) {
     if (stores_prev() && needs_note(h)) [[unlikely]]
-      journal_->record_link(Field::kPrev, h.index(), links_.prev[h.index()]);
+      journal_->record_in_old_slot(Field::kPrev, h.index(), links_.prev[h.index()]);
   }
 
   /// next(h) = n and prev(n) = h.

@@ -28,9 +28,7 @@ std::size_t Journal::bytes() const {
 // All that is rare is elsewhere, so that this needs no register to be saved.
 void Journal::record(Field field, Index index, Index word) {
   if (field < Field::kVertexSlots && index >= new_from_[kSlotsOf[std::size_t(field)]]) return;
-  if (has_undone_ || writes_.room_in_chunk() == 0) [[unlikely]]
-    return record_in_new_place(field, index, word);
-  writes_.push_back_in_chunk({field, index, word});
+  record_in_old_slot(field, index, word);
 }
 
 void Journal::record_in_new_place(Field field, Index index, Index word) {
@@ -45,7 +43,6 @@ void Journal::record_new(Field field, Index slots) {
   new_from = slots;
 }
 
-// So that as many are in one chunk. False when memory is exhausted.
 bool Journal::find_room_in_row(std::size_t writes) {
   forget_redo();
   while (writes_.room_in_chunk() < writes) {

@@ -92,26 +92,22 @@ class Journal {
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word);
-  /// The same for a link of a halfedge. pre: it isn't new in this step
-  void record_link(Field field, Index h, Index word) {
+  /// The same for a slot that isn't new in this step.
+  void record_in_old_slot(Field field, Index index, Index word) {
     if (has_undone_ || writes_.room_in_chunk() == 0) [[unlikely]]
-      return record_in_new_place(field, h, word);
-    writes_.push_back_in_chunk({field, h, word});
+      return record_in_new_place(field, index, word);
+    writes_.push_back_in_chunk({field, index, word});
   }
   /// The same for the links of `h` in its loop. pre: `h` isn't new in this step
   void record_loop_links(Index h, Index next, Index prev, Index face) {
-    if (has_undone_ || writes_.room_in_chunk() < kWritesOfLoopLinks) [[unlikely]] {
-      if (!find_room_in_row(kWritesOfLoopLinks)) return;
-    }
+    if (!has_room_in_row(kWritesOfLoopLinks)) return;
     writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
     writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
   }
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
   void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
-    if (has_undone_ || writes_.room_in_chunk() < kWritesOfRecycledEdge) [[unlikely]] {
-      if (!find_room_in_row(kWritesOfRecycledEdge)) return;
-    }
+    if (!has_room_in_row(kWritesOfRecycledEdge)) return;
     writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[0]});
     writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
     writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
@@ -206,6 +202,12 @@ class Journal {
     return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
   }
   [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
+  // So that as many are in one chunk. False when memory is exhausted.
+  [[nodiscard]] bool has_room_in_row(std::size_t writes) {
+    if (!has_undone_ && writes_.room_in_chunk() >= writes) [[likely]]
+      return true;
+    return find_room_in_row(writes);
+  }
   [[nodiscard, gnu::noinline]] bool find_room_in_row(std::size_t writes);
   bool close_step();
   void forget_undone();
