@@ -321,6 +321,32 @@ describe('Bevels', () => {
     expectRefused(() => disk.bevelEdge(disk.findEdge(0, 1), 0.5), 'boundary-edge');
     expectRefused(() => disk.bevelVertex(1, 0.5), 'valence-below-three');
   });
+
+  /** `mesh` after its vertex 0 was cut off, and the sides towards it collapsed one after the other. */
+  function bevelledAndBack(mesh: HalfedgeMesh, vertexCount: number): HalfedgeMesh {
+    const sides = mesh.faceEdges(mesh.bevelVertex(0, 0.25)).toArray();
+    while (mesh.vertexCount > vertexCount) {
+      const ends = sides.flatMap((e) =>
+        mesh.isLiveEdge(e) ? mesh.edgeHalfedges(e).toArray() : [],
+      );
+      mesh.collapse(ends.find((h) => mesh.toVertex(h) === 0) ?? NONE);
+    }
+    return mesh;
+  }
+
+  test('of a vertex is undone by collapses, but at a pinched vertex only by undo', () => {
+    using mesh = octahedron();
+    using corner = HalfedgeMesh.grid(3, 3, { triangles: true });
+    for (const m of [mesh, corner]) {
+      const before = facesOf(m);
+      expect(facesOf(bevelledAndBack(m, m.vertexCount))).toEqual(before);
+    }
+    using pinched = HalfedgeMesh.fromFaces([
+      [0, 1, 2],
+      [0, 3, 4],
+    ]);
+    expectRefused(() => bevelledAndBack(pinched, 5), 'boundary-vertices');
+  });
 });
 
 describe('Gluing and cutting', () => {

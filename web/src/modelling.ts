@@ -146,7 +146,8 @@ export abstract class Modelling extends Surgery {
    * `amount` says, from 0 (at the vertex) to 1 (at the other end). The vertex itself becomes one of the
    * corners.
    *
-   * Inverse: `collapse` of all sides of the new face except one; only undo restores positions.
+   * Inverse: `collapse` of all sides of the new face except one; only undo restores positions. At a pinched
+   * vertex undo, because a collapse would let the boundary meet itself.
    *
    * @returns the new face, whose degree is the former valence of `v`
    * @throws HalfedgeError `valence-below-three`, `out-of-range`
