@@ -310,7 +310,7 @@ export class HalfedgeMesh extends Shapes {
    * Makes the dual: a new mesh with a vertex at the centroid of each face, and a face around each vertex that
    * is not on the boundary. Its vertex i lies in the i-th live face, and its face j surrounds the j-th live
    * interior vertex. So the dual of the dual of a closed mesh has the same vertices and faces, in the same
-   * order. Attributes are not carried over.
+   * order, though a face may begin at another corner. Attributes are not carried over.
    *
    * @throws HalfedgeError if the dual would not be a polygon mesh: `degree-below-three` (an interior vertex
    * of valence 1 or 2), `duplicate-edge` (two faces that share two edges), `same-face-twice` (an edge with
