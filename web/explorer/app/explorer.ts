@@ -35,6 +35,9 @@ import type { Tab } from './tabs.js';
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
 
+/** The position of the one that a new page has. */
+export const DEFAULT_SPEED = 2;
+
 /** What the meshes that undo leads back to may have: about 256 MiB. */
 const KEPT_HALFEDGES = 12_000_000;
 
@@ -74,7 +77,8 @@ export class Explorer {
   /** Whose names the code and the links have. */
   readonly dialect = new Signal<DialectId>('halfedge');
   readonly play = new Signal<Play | null>(null);
-  readonly speed = new Signal(2);
+  /** A position among `SPEEDS`. */
+  readonly speed = new Signal<number>(DEFAULT_SPEED);
   /** What is being opened, while it is. */
   readonly busy = new Signal<string | null>(null);
   /** How far it is, where that is known. */
