@@ -556,4 +556,14 @@ describe('The list of problems', () => {
     await explorer.screenshot('problem-1280-light');
     await explorer.press('2');
   });
+
+  test('names vertices that lie in one place, and goes to one', async () => {
+    await explorer.broken('crack', 'Crack');
+    await explorer.press('3');
+    const problem = explorer.page.locator('[data-problem=coincident-vertices]').first();
+    expect(await problem.textContent()).toMatch(/^warning.*as vertex \d+ does\.$/i);
+    await problem.click();
+    expect(await explorer.state('selected')).toMatch(/^v\d+$/);
+    await explorer.press('2');
+  });
 });

@@ -116,6 +116,19 @@ describe('The records', () => {
     await explorer.screenshot('records-1280-light');
   });
 
+  test('tell screen readers what is selected, and where the walk is', async () => {
+    const marked = (state: string) =>
+      explorer.page.locator(`.record[${state}] [role=rowheader]`).allTextContents();
+    await explorer.goTo('h700');
+    expect(await marked('aria-selected=true')).toEqual(['h700']);
+    expect(await marked('aria-current=step')).toEqual([]);
+    await explorer.goTo('v1224');
+    expect(await marked('aria-selected=true')).toEqual(['v1224']);
+    await explorer.press('.');
+    const [first] = mesh.vertexOutgoingHalfedges(1224);
+    expect(await marked('aria-current=step')).toEqual([`h${first}`]);
+  });
+
   test('can be read and walked by keys alone, as a grid', async () => {
     await explorer.goTo('h700');
     await explorer.page.focus('[role=grid]');

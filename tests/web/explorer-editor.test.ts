@@ -261,3 +261,45 @@ describe('A mesh that was made of another one', () => {
     expect(bytesInUse()).toBe(before);
   });
 });
+
+describe('what is wrong with where the vertices lie', () => {
+  /** Two triangles along one edge, of which each has vertices of its own. */
+  const crack = () =>
+    HalfedgeMesh.fromTriangles(
+      [0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, -1, 0],
+      [0, 1, 2, 3, 4, 5],
+    );
+
+  test('is found once the mesh is at rest', () => {
+    const explorer = new Explorer();
+    explorer.openMesh('crack', crack());
+    expect(explorer.problems.value).toBeNull();
+    import.meta.jest.runAllTimers();
+    const found = explorer.problems.value?.map(({ code, index }) => [code, index]);
+    expect(found).toEqual([
+      ['coincident-vertices', 3],
+      ['coincident-vertices', 4],
+    ]);
+    expect(explorer.facts.value?.problems).toEqual([]);
+  });
+
+  test('is looked for again after an edit', () => {
+    const explorer = new Explorer();
+    explorer.openMesh('crack', crack());
+    import.meta.jest.runAllTimers();
+    const stitch = repairs.find(({ stem }) => stem === 'stitchBoundaries') as Operation;
+    explorer.editor.run(stitch);
+    import.meta.jest.runAllTimers();
+    expect(explorer.problems.value).toEqual([]);
+  });
+
+  test('is of the mesh on show: another one begins with nothing', () => {
+    const explorer = new Explorer();
+    explorer.openMesh('crack', crack());
+    import.meta.jest.runAllTimers();
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    expect(explorer.problems.value).toBeNull();
+    import.meta.jest.runAllTimers();
+    expect(explorer.problems.value).toEqual([]);
+  });
+});

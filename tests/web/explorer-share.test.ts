@@ -72,6 +72,26 @@ describe('a link', () => {
     expect([explorer.tab.value, explorer.pickMode.value]).toEqual(['records', 'halfedge']);
   });
 
+  test('has the speed of the player, unless it is that of a new page', async () => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const plain = share.linkOf(explorer, sight);
+    expect(plain).not.toContain('speed=');
+    const { value: usual } = explorer.speed;
+    explorer.speed.value = 4;
+    const link = share.linkOf(explorer, sight);
+    expect(link).toContain('&speed=4&');
+    await share.follow(plain, explorer, sight);
+    expect(explorer.speed.value).toBe(usual);
+    await share.follow(link, explorer, sight);
+    expect(explorer.speed.value).toBe(4);
+    const wrong = link.replace('speed=4', 'speed=3');
+    await expect(share.follow(wrong, explorer, sight)).rejects.toThrow(
+      'It has speed=3; expected one of 0.5, 1, 1.5, 2.5, 4, 8.',
+    );
+  });
+
   test('has the axis that points up, unless it is y', async () => {
     const explorer = new Explorer();
     const sight = sightAt([1, 2, 3, 0, 0, 0]);

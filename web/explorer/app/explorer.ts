@@ -28,18 +28,24 @@ import {
   type Source,
 } from './documents.js';
 import { Editor } from './editor.js';
-import { factsOfMesh, type MeshFacts } from './facts.js';
+import { factsOfMesh, type MeshFacts, type Problems } from './facts.js';
 import { Signal, together } from './signal.js';
 import type { Tab } from './tabs.js';
 
 /** Steps a second, by the position of the speed slider. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
 
+/** The position of the one that a new page has. */
+export const DEFAULT_SPEED = 2;
+
 /** What the meshes that undo leads back to may have: about 256 MiB. */
 const KEPT_HALFEDGES = 12_000_000;
 
 /** Checking a mesh with more faces than this stops the picture for a noticeable moment. */
-const LARGE = 200_000;
+export const LARGE = 200_000;
+
+/** Where the vertices lie takes longer to check than all else: it is done when edits pause, in milliseconds. */
+const PAUSE = 300;
 
 /** A circulator as the user chose it: one of the offered groups, one of its circulators. */
 export interface Choice {
@@ -64,6 +70,8 @@ export interface Play {
 export class Explorer {
   readonly document = new Signal<MeshDocument | null>(null);
   readonly facts = new Signal<MeshFacts | null>(null);
+  /** All that validation found, where the vertices lie included, unless the mesh is large; null until then. */
+  readonly problems = new Signal<Problems | null>(null);
   readonly selected = new Signal<Item | null>(null);
   readonly hovered = new Signal<Item | null>(null);
   readonly tab = new Signal<Tab>('circulate');
@@ -74,7 +82,8 @@ export class Explorer {
   /** Whose names the code and the links have. */
   readonly dialect = new Signal<DialectId>('halfedge');
   readonly play = new Signal<Play | null>(null);
-  readonly speed = new Signal(2);
+  /** A position among `SPEEDS`. */
+  readonly speed = new Signal<number>(DEFAULT_SPEED);
   /** What is being opened, while it is. */
   readonly busy = new Signal<string | null>(null);
   /** How far it is, where that is known. */
@@ -379,6 +388,7 @@ export class Explorer {
     this.selected.value = null;
     this.hovered.value = null;
     this.facts.value = null;
+    this.problems.value = null;
     this.#leaveProblems();
     this.#offerQueries();
     const usual = opened.sample === null ? this.#upOfFiles : 'y';
@@ -393,9 +403,18 @@ export class Explorer {
     const faces = this.document.value?.mesh.faceCount ?? 0;
     const measure = () => {
       const mesh = this.document.value?.mesh;
-      if (mesh) this.facts.value = factsOfMesh(mesh, this.facts.value);
+      if (!mesh) return;
+      const facts = factsOfMesh(mesh, this.facts.value);
+      this.facts.value = facts;
+      if (faces > LARGE) this.problems.value = facts.problems;
+      else this.#measuring = setTimeout(() => this.#lookWhereVerticesLie(), PAUSE);
     };
     this.#measuring = setTimeout(measure, faces > LARGE ? 500 : 60);
+  }
+
+  #lookWhereVerticesLie(): void {
+    const mesh = this.document.value?.mesh;
+    if (mesh) this.problems.value = mesh.validate('geometry');
   }
 
   #offerQueries(): void {

@@ -11,6 +11,9 @@ export interface Numbers {
   readonly components: number;
 }
 
+/** What validation found. */
+export type Problems = ReturnType<HalfedgeMesh['validate']>;
+
 /** What the panels tell of a mesh. */
 export interface MeshFacts {
   readonly numbers: Numbers;
@@ -19,7 +22,8 @@ export interface MeshFacts {
   /** One halfedge of each boundary loop. */
   readonly boundaryLoops: readonly number[];
   readonly isolatedVertices: number;
-  readonly problems: ReturnType<HalfedgeMesh['validate']>;
+  /** Of its connectivity. */
+  readonly problems: Problems;
 }
 
 /** Goes through the whole mesh: on a million faces this takes a noticeable moment. */

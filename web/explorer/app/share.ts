@@ -14,7 +14,7 @@ import type { PickMode } from 'halfedge/three/picking';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { labelsText, NO_LABELS, parseLabels } from './captions.js';
-import type { Explorer } from './explorer.js';
+import { DEFAULT_SPEED, type Explorer, SPEEDS } from './explorer.js';
 import { firstTab, hasProblems, TABS, type Tab } from './tabs.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
@@ -41,7 +41,7 @@ const MOST_LETTERS_READ = 200_000;
 
 /**
  * The state of the page as the part of an address after `#`: sample or mesh, edits, selection,
- * circulator, names, tab, upright axis and camera, each a word that can be read and changed by hand.
+ * circulator, speed, names, tab, upright axis and camera, each a word that can be read and changed by hand.
  *
  * @throws Error with a sentence where the mesh is too large for a link
  */
@@ -72,6 +72,8 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
     if (explorer.direction.value !== 'ccw') link.set('direction', explorer.direction.value);
     if (play.position > 0) link.set('at', String(play.position));
   }
+  if (explorer.speed.value !== DEFAULT_SPEED)
+    link.set('speed', String(SPEEDS[explorer.speed.value]));
   if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
   const { value: labels } = explorer.labels;
   if (labels.scope !== 'off') link.set('labels', labelsText(labels));
@@ -198,6 +200,7 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
     throw new Error(`It has the direction “${direction}”; there are ccw and cw.`);
   }
   explorer.setDirection(direction satisfies Direction);
+  explorer.speed.value = speedOf(link.get('speed'));
   const { value: selected } = explorer.selected;
   if (!['query', 'around', 'at'].some((word) => link.has(word)) || !selected) return;
   const around = link.get('around') ?? '0';
@@ -216,6 +219,16 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
   }
   explorer.choose({ group, circulator });
   setPosition(link.get('at') ?? '0', explorer);
+}
+
+/** The position among the speeds. */
+function speedOf(text: string | null): number {
+  if (text === null) return DEFAULT_SPEED;
+  const position = (SPEEDS as readonly number[]).indexOf(Number(text));
+  if (position < 0) {
+    throw new Error(`It has speed=${text}; expected one of ${SPEEDS.join(', ')}.`);
+  }
+  return position;
 }
 
 function setPosition(text: string, explorer: Explorer): void {

@@ -13,12 +13,13 @@ export function hasLink(): boolean {
 /** What a link chooses besides the mesh. */
 type Choices = ReturnType<typeof choicesOf>;
 
-function choicesOf({ dialect, direction, labels, pointers, pickMode, tab }: Explorer) {
+function choicesOf({ dialect, direction, speed, labels, pointers, pickMode, tab }: Explorer) {
   return {
     tab: tab.value,
     pickMode: pickMode.value,
     dialect: dialect.value,
     direction: direction.value,
+    speed: speed.value,
     labels: labels.value,
     pointers: pointers.value,
   };
@@ -105,10 +106,11 @@ export class AddressFollower {
   #chooseAgain(): void {
     const explorer = this.#explorer;
     if (!this.#chosen) return;
-    const { dialect, direction, labels, pointers, pickMode, tab } = this.#chosen;
+    const { dialect, direction, speed, labels, pointers, pickMode, tab } = this.#chosen;
     this.#chosen = null;
     explorer.setDialect(dialect);
     explorer.setDirection(direction);
+    explorer.speed.value = speed;
     explorer.labels.value = labels;
     explorer.pointers.value = pointers;
     explorer.pickMode.value = pickMode;

@@ -1,6 +1,6 @@
 import type { Item } from 'halfedge/teaching';
-import type { Explorer } from '../app/explorer.js';
-import { grouped, type MeshFacts, type Numbers } from '../app/facts.js';
+import { type Explorer, LARGE } from '../app/explorer.js';
+import { grouped, type MeshFacts, type Numbers, type Problems } from '../app/facts.js';
 import { fill, h, icon } from './dom.js';
 import { downloads, type TakePicture } from './downloads.js';
 import { changeBadge } from './history-bar.js';
@@ -41,7 +41,6 @@ export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePictu
     };
     fill(counts, ...ENTRIES.map((entry) => count(entry, numbers, facts?.changes ?? {})));
     showValidity(validity, facts);
-    problems.show(facts ? problemLines(facts, goTo) : [], PROBLEMS_SHOWN);
     const lines = (facts?.boundaryLoops ?? []).map(
       (index) => () => loopLine(index, [...mesh.halfedgeLoop(index)].length, goTo),
     );
@@ -49,6 +48,15 @@ export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePictu
   };
   explorer.document.subscribe(show);
   explorer.facts.subscribe(show);
+  const unchecked = h(
+    'p',
+    { class: 'unchecked' },
+    `Where the vertices lie is checked up to ${grouped(LARGE)} faces.`,
+  );
+  explorer.problems.subscribe((found) => {
+    problems.show(found ? problemLines(found, goTo) : [], PROBLEMS_SHOWN);
+    unchecked.hidden = !found || (explorer.document.value?.mesh.faceCount ?? 0) <= LARGE;
+  });
   return h(
     'section',
     { class: 'mesh-facts', 'aria-labelledby': 'mesh-title' },
@@ -56,6 +64,7 @@ export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePictu
     counts,
     validity,
     problems.element,
+    unchecked,
     loops.element,
     upChoice(explorer),
     downloads(explorer, takePicture),
@@ -129,7 +138,7 @@ function showValidity(line: HTMLElement, facts: MeshFacts | null): void {
 }
 
 /** What validation found, the worst first; a click goes to the item that it is about. */
-function problemLines({ problems }: MeshFacts, goTo: GoTo): (() => HTMLElement)[] {
+function problemLines(problems: Problems, goTo: GoTo): (() => HTMLElement)[] {
   const order = ['error', 'warning', 'info'];
   const sorted = [...problems].sort(
     (a, b) => order.indexOf(a.severity) - order.indexOf(b.severity),

@@ -103,9 +103,14 @@ export function recordsPanel(explorer: Explorer): HTMLElement {
     setAttribute(element, 'aria-rowindex', row + 2);
     element.dataset.row = String(row);
     element.classList.toggle('deleted', !live);
-    element.classList.toggle('selected', rowsOf(selected.value, kind).includes(row));
+    const isSelected = rowsOf(selected.value, kind).includes(row);
+    const isAt = kind === 'halfedge' && reading.at === row;
+    element.classList.toggle('selected', isSelected);
     element.classList.toggle('hovered', rowsOf(hovered.value, kind).includes(row));
-    element.classList.toggle('at', kind === 'halfedge' && reading.at === row);
+    element.classList.toggle('at', isAt);
+    // What the colours say, for those who hear the table.
+    setAttribute(element, 'aria-selected', isSelected && 'true');
+    setAttribute(element, 'aria-current', isAt && 'step');
     shown.forEach(({ text, target }, column) => {
       const cell = element.children[column] as HTMLElement;
       const isActive = row === active.row && column === active.column;
