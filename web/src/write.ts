@@ -19,13 +19,21 @@ export type FileEncoding = 'text' | 'binary' | 'binary-big-endian';
 /** In the order of the enum Encoding in C++. */
 const ENCODINGS: readonly FileEncoding[] = ['text', 'binary', 'binary-big-endian'];
 
-/** How to write a file. */
-export interface WriteOptions {
+/** The encodings that each format has. */
+export interface FileEncodings {
+  obj: 'text';
+  off: FileEncoding;
+  ply: FileEncoding;
+  stl: 'text' | 'binary';
+}
+
+/** How to write a file: of one format, or of any. */
+export interface WriteOptions<Format extends FileFormat = FileFormat> {
   /**
    * Default: text for OBJ and OFF, binary for PLY and STL. `'binary'` uses the byte order that defines the
    * format: little-endian for PLY and STL, big-endian for OFF. Only PLY has another.
    */
-  encoding?: FileEncoding | undefined;
+  encoding?: FileEncodings[Format] | undefined;
   /** Whether to write attributes, as far as the format has a place for them. Default: true. */
   attributes?: boolean | undefined;
   /**
