@@ -254,6 +254,9 @@ test('init says what to do where programs may not compile WebAssembly', async ()
   const error = await rejection(api.init());
   spy.mockRestore();
   expect(error.code).toBe('init-failed');
+  expect(error.message).toMatch(
+    /^The WebAssembly module from halfedge\/inline can't be compiled: /,
+  );
   expect(error.message).toMatch(/disallowed by embedder.*'halfedge\/core\.wasm'.*init\({ wasm }\)/);
   await api.init({ wasm: await WebAssembly.compile(bytes) });
   expectWorking(api);

@@ -46,12 +46,12 @@ function isModule(source: unknown): source is WebAssembly.Module {
   return source instanceof WebAssembly.Module || tag === '[object WebAssembly.Module]';
 }
 
-/** Compiles what `init` was given. */
-export async function moduleFrom(source: Source): Promise<WebAssembly.Module> {
+/** Compiles what `init` was given. `name` is what bytes are called in messages. */
+export async function moduleFrom(source: Source, name = 'wasm'): Promise<WebAssembly.Module> {
   if (isModule(source)) return source;
   if (typeof source === 'string') return fromAddress(resolve(source));
-  const bytes = bytesOf('wasm', source);
-  return bytes === undefined ? fromAddress(source as URL) : fromBytes(bytes, 'wasm');
+  const bytes = bytesOf(name, source);
+  return bytes === undefined ? fromAddress(source as URL) : fromBytes(bytes, name);
 }
 
 /** Node's modules without a `node:` import, which a bundler would follow (webpack fails on it). */
