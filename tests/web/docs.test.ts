@@ -51,6 +51,15 @@ test.each(
   expect(NEEDS_REPOSITORY.test(prose(path))).toBe(files.length > 0);
 });
 
+test('README.md says what the npm package has of what it links to', () => {
+  const guides = /^(CHANGELOG|docs\/.+)\.md$/;
+  const files = [...prose(join(root, 'README.md')).matchAll(/\]\((?!https?:)([^)#\s]+)/g)];
+  expect(files.filter(([, file]) => !guides.test(file)).length).toBeGreaterThan(0);
+  expect(readFileSync(join(root, 'README.md'), 'utf8')).toMatch(
+    /^The npm package has the guides, the reference and the changelog\. The pictures and all other links of this page need the\s+repository\.$/m,
+  );
+});
+
 /** The public names of a class and of those that it extends. */
 function namesOf(type: typeof HalfedgeMesh | typeof DirectedEdgesMesh): string[] {
   const names = new Set<string>();
