@@ -3,7 +3,7 @@ import { checkCallback, checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
-import { checkOptions, type OptionNames } from './options.js';
+import { checkOptions, isPlain, type OptionNames } from './options.js';
 import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
@@ -98,9 +98,7 @@ function checkWriteOptions(options: unknown, format: FileFormat) {
 
 /** Tables as the core reads them: lines, the name of the attribute first, and NUL at the end of each. */
 function textOf(names: unknown): Uint8Array {
-  if (typeof names !== 'object' || names === null) {
-    refuse('options.names', names, 'an object of lists of names');
-  }
+  if (!isPlain(names)) refuse('options.names', names, 'a plain object of lists of names');
   let text = '';
   for (const [attribute, list] of Object.entries(names)) {
     if (!Array.isArray(list) || !list.every((name) => typeof name === 'string')) {
