@@ -22,6 +22,13 @@ describe('The course page', () => {
     expect(wide).toBeLessThanOrEqual(0);
     expect(await seriousFindings(page.page)).toEqual([]);
     await page.screenshot(`course-${look}`);
+    const names = await page.figure(({ shadowRoot }) =>
+      Array.from(
+        shadowRoot?.querySelectorAll('.tag.index:not(.away)') ?? [],
+        ({ textContent }) => textContent,
+      ),
+    );
+    expect(names.sort()).toEqual(['f0', 'f1', 'f2', 'v0', 'v1', 'v2', 'v3', 'v4']);
   });
 
   test('every figure that plays comes to its end', async () => {

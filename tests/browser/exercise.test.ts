@@ -1,19 +1,20 @@
 import type { ExerciseEvents, HalfedgeExercise } from 'halfedge/exercise';
 import { STRICT_POLICY } from '../package/support/server.js';
 import { seriousFindings } from './support/axe.js';
-import { disconnect, FigurePage, type FigurePageSettings } from './support/figures.js';
+import {
+  closeFigures,
+  disconnect,
+  type FigurePage,
+  type FigurePageSettings,
+  figures,
+} from './support/figures.js';
 
-let open: FigurePage | undefined;
-
-afterEach(async () => {
-  await open?.close();
-  open = undefined;
-});
+afterEach(closeFigures);
 afterAll(disconnect);
 
 async function exercise(attributes: string, settings: FigurePageSettings = {}) {
   const body = `<main><h1>Exercises</h1><h2>One</h2><halfedge-exercise seed="5" ${attributes}></halfedge-exercise></main>`;
-  open = await FigurePage.open(body, { script: 'exercise', width: 1280, height: 900, ...settings });
+  const open = await figures(body, { script: 'exercise', width: 1280, height: 900, ...settings });
   await open.page.waitForSelector('halfedge-exercise .cm-content');
   return open;
 }
@@ -75,7 +76,7 @@ describe('An exercise', () => {
   test('runs in a sandboxed frame, which has no origin', async () => {
     const inner = `<script type=module src=/dist/exercise/standalone.js></script>
       <halfedge-exercise seed=5 task=vertex-vertices></halfedge-exercise>`;
-    open = await FigurePage.open(
+    const open = await figures(
       `<iframe sandbox="allow-scripts" width="900" height="600" srcdoc="${inner}"></iframe>`,
       { script: 'exercise', origins: '*' },
     );
@@ -150,7 +151,7 @@ describe('An exercise', () => {
   });
 
   test('says what is wrong in a definition', async () => {
-    open = await FigurePage.open('<halfedge-exercise task="valence"></halfedge-exercise>', {
+    const open = await figures('<halfedge-exercise task="valence"></halfedge-exercise>', {
       script: 'exercise',
     });
     await open.page.waitForSelector('halfedge-exercise .cm-content');
@@ -279,7 +280,7 @@ describe('An exercise', () => {
   test('takes code that was set before its script was there, and then what is typed', async () => {
     const body = `<halfedge-exercise task="valence" seed="5"></halfedge-exercise>
       <script>document.querySelector('halfedge-exercise').code = 'function valence() { return 2; }';</script>`;
-    open = await FigurePage.open(body, { script: 'exercise' });
+    const open = await figures(body, { script: 'exercise' });
     await open.page.waitForSelector('halfedge-exercise .cm-content');
     expect(await open.page.textContent('halfedge-exercise .cm-line')).toContain('return 2;');
     await type(open, 'function valence() { return 4; }');
@@ -328,7 +329,7 @@ describe('An exercise', () => {
   test('writes code and English from left to right on a page that is not English', async () => {
     const figure =
       '<halfedge-figure src="shape:cube" select="v0" query="vertexVertices" controls="player code"><span slot="caption" id="caption">שלום</span></halfedge-figure>';
-    open = await FigurePage.open(
+    const open = await figures(
       `<div dir="rtl" lang="he"><halfedge-exercise task="valence"><p slot="statement" id="statement">שלום</p></halfedge-exercise>${figure}</div>`,
       { script: 'exercise' },
     );
@@ -409,8 +410,7 @@ describe('An exercise', () => {
 
   test('takes the task of a teacher, and her code to begin with', async () => {
     const body = '<halfedge-exercise></halfedge-exercise>';
-    open = await FigurePage.open(body, { script: 'exercise' });
-    const page = open;
+    const page = await figures(body, { script: 'exercise' });
     await page.page.$eval('halfedge-exercise', (it) => {
       (it as HalfedgeExercise).definition = {
         name: 'three',
@@ -432,7 +432,7 @@ describe('An exercise', () => {
   });
 
   test('says which tasks there are, where it is given another', async () => {
-    open = await FigurePage.open('<halfedge-exercise task="dance"></halfedge-exercise>', {
+    const open = await figures('<halfedge-exercise task="dance"></halfedge-exercise>', {
       script: 'exercise',
     });
     await open.page.waitForSelector('halfedge-exercise [part=error]');
@@ -460,12 +460,11 @@ describe('The page of exercises', () => {
     ['a telephone, light', 'narrow', { width: 390, height: 844 }],
     ['a telephone, dark', 'narrow-dark', { width: 390, height: 844, dark: true }],
   ])('is without fault for axe, solved and not: %s', async (_name, look, settings) => {
-    open = await FigurePage.open('', {
+    const page = await figures('', {
       ...settings,
       path: 'docs/exercises.html',
       script: 'exercise',
     });
-    const page = open;
     const states = await page.page.$$eval('halfedge-exercise', async (all) => {
       const states: string[] = [];
       for (const [i, one] of (all as HalfedgeExercise[]).entries()) {

@@ -53,6 +53,18 @@ static_assert(kIsForwardRange<decltype(std::declval<M>().halfedges())>);
 static_assert(kIsForwardRange<decltype(std::declval<M>().edges())>);
 static_assert(kIsForwardRange<decltype(std::declval<M>().faces())>);
 
+// Their references are values, which `->` gives a life as long as the expression.
+template <class Iterator>
+constexpr bool kHasArrow = requires(const Iterator& at) {
+  { at->index() } -> std::same_as<Index>;
+  { at->valid() } -> std::same_as<bool>;
+};
+static_assert(kHasArrow<decltype(std::declval<M>().vertices().begin())>);
+static_assert(kHasArrow<decltype(std::declval<M>().outgoing_cw(Vertex{}).begin())>);
+static_assert(kHasArrow<decltype(std::declval<M>().edge_faces(Edge{}).begin())>);
+static_assert(kHasArrow<decltype(std::declval<M>().face_vertices_ccw(Face{}).circulator())>);
+static_assert(std::same_as<std::iterator_traits<decltype(M{}.faces().begin())>::reference, Face>);
+
 #if defined(__cpp_lib_ranges)
 // Views and borrowed ranges own nothing, and their iterators need no range: so they can be piped
 // into std::views as values, and what std::ranges::find gives of a temporary one is an iterator.
@@ -373,6 +385,16 @@ TEST(Circulators, AreEndlessAndBidirectional) {
       expect_endless(mesh.edge_faces(e));
     }
   }
+}
+
+TEST(Circulators, ShowTheSameByAnArrow) {
+  const Mesh mesh = built(quad_grid(3, 3));
+  const auto ring = mesh.vertex_vertices_ccw(Vertex(5));
+  for (auto at = ring.begin(); at != ring.end(); ++at) EXPECT_EQ(at->index(), (*at).index());
+  const auto faces = mesh.vertex_faces_cw(Vertex(5)).circulator();
+  EXPECT_EQ(faces->index(), (*faces).index());
+  EXPECT_EQ(std::make_reverse_iterator(faces)->index(), std::prev(faces)->index());
+  for (auto at = mesh.faces().begin(); at != mesh.faces().end(); ++at) EXPECT_TRUE(at->valid());
 }
 
 TEST(Circulators, StepBackByTheOlderFunctionsToo) {

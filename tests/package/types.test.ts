@@ -4,7 +4,7 @@ import { filesBelow } from '../../scripts/lib/files.mjs';
 import { install, packed, project, tool, tryNode } from './support/project.js';
 
 const consumer = `
-import { type Box, type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type EdgeLike, type Face, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type ItemList, type Items, type MeshPart, NONE, type Reference, type Refusal, type Vertex, type XYZ } from 'halfedge';
+import { type Box, type Circulator, type CirculatorKind, DirectedEdgesMesh, type Edge, type EdgeLike, type Face, type FileFormat, type Halfedge, HalfedgeError, HalfedgeMesh, init, type ItemKind, type ItemLike, type ItemList, type Items, type MeshPart, NONE, type Reference, type Refusal, type ValidationLevel, type Vertex, type WriteOptions, type XYZ } from 'halfedge';
 import wasm from 'halfedge/core.wasm';
 import { HE_mesh, type PolyhedronHalfedge, Polyhedron, PolyMesh, type VertexHandle } from 'halfedge/dialects';
 import { type GltfPart, readGltf, readGltfParts, writeGltf } from 'halfedge/gltf';
@@ -114,6 +114,15 @@ export async function handOn(file: Blob, signal?: AbortSignal, format?: 'obj' | 
   return size === 0 ? mesh : HalfedgeMesh.cube({ size });
 }
 
+/** Levels, formats and encodings that only the program knows. */
+export function onDemand(mesh: HalfedgeMesh, either: HalfedgeMesh | DirectedEdgesMesh, format: FileFormat, level: ValidationLevel, options: WriteOptions): (string | Uint8Array)[] {
+  for (let links = 0; links <= 4; links++) if (either.validate(links).length + mesh.validate(links).length > 0) return [];
+  if (mesh.validate(level).length + mesh.validate('geometry').length + either.validate(3).length > 0) return [];
+  const off: Uint8Array = mesh.write('off', { encoding: 'binary-big-endian' });
+  const stl: string = mesh.write('stl', { encoding: 'text' });
+  return [off, stl, mesh.write(format, options), mesh.write(format, { encoding: 'binary' })];
+}
+
 declare const mesh: HalfedgeMesh;
 declare const directed: DirectedEdgesMesh;
 declare const someFace: Face;
@@ -184,6 +193,16 @@ mesh.closure({ edges: [someFace] });
 mesh.link({ faces: [mesh.toVertex(0)] });
 // @ts-expect-error A mesh is no options of another one.
 new HalfedgeMesh(mesh);
+// @ts-expect-error There are levels from 0 to 4.
+mesh.validate(5);
+// @ts-expect-error As above.
+directed.validate(-1);
+// @ts-expect-error A mesh of directed edges is checked for its links alone.
+directed.validate('geometry');
+// @ts-expect-error OBJ is text.
+mesh.write('obj', { encoding: 'binary' });
+// @ts-expect-error Binary STL has one byte order.
+mesh.write('stl', { encoding: 'binary-big-endian' });
 // @ts-expect-error Internals are not exported.
 export { Links } from 'halfedge';
 // @ts-expect-error Nor can they be reached by path.

@@ -382,7 +382,10 @@ describe('Directed Edges', () => {
         () => mesh.vertexFaces(5).into([] as never),
         new TypeError('buffer is an array of 0 elements; expected an Int32Array or a Uint32Array.'),
       ],
-      [() => mesh.validate(5), new RangeError('level is 5; expected an integer from 0 to 4.')],
+      [
+        () => mesh.validate(5 as number),
+        new RangeError('level is 5; expected an integer from 0 to 4.'),
+      ],
     ];
     for (const [act, error] of cases) {
       const actual = caught(act);

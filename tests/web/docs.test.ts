@@ -51,6 +51,36 @@ test.each(
   expect(NEEDS_REPOSITORY.test(prose(path))).toBe(files.length > 0);
 });
 
+test('docs/editing.md explains all policies of attributes, and that undo neither adds nor removes any', async () => {
+  await init();
+  const { attributes, history } = HalfedgeMesh.cube();
+  const policies = () => attributes.add('face', 'heat', { onSplit: 'x' as 'copy' });
+  expect(policies).toThrow(/expected '/);
+  const rows = prose(join(root, 'docs/editing.md'));
+  try {
+    policies();
+  } catch (error) {
+    const [, list] = (error as Error).message.split('expected ');
+    const names = [...list.matchAll(/'([\w-]+)'/g)].map(([, name]) => name);
+    expect(names.filter((name) => !rows.includes(`\n| \`${name}\``))).toEqual([]);
+  }
+  history.enabled = true;
+  attributes.add('face', 'heat');
+  expect(history.canUndo).toBe(false);
+  attributes.remove('face', 'heat');
+  expect(history.canUndo).toBe(false);
+  expect(rows).toContain("Adding or removing a column isn't undone");
+});
+
+test('README.md says what the npm package has of what it links to', () => {
+  const guides = /^(CHANGELOG|docs\/.+)\.md$/;
+  const files = [...prose(join(root, 'README.md')).matchAll(/\]\((?!https?:)([^)#\s]+)/g)];
+  expect(files.filter(([, file]) => !guides.test(file)).length).toBeGreaterThan(0);
+  expect(readFileSync(join(root, 'README.md'), 'utf8')).toMatch(
+    /^The npm package has the guides, the reference and the changelog\. The pictures and all other links of this page need the\s+repository\.$/m,
+  );
+});
+
 /** The public names of a class and of those that it extends. */
 function namesOf(type: typeof HalfedgeMesh | typeof DirectedEdgesMesh): string[] {
   const names = new Set<string>();

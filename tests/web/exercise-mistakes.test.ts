@@ -253,7 +253,28 @@ describe('A typical mistake', () => {
       'vertex-vertices',
       around('vertexVertices', 'ring.push(String(mesh.toVertex(h)))', CCW),
       'not-an-item',
-      /^The 1st in its list is the text “\d”, which is no vertex\. .*: it gave “\d”, “\d”, “\d”; expected v\d, v\d, v\d\. Items are numbers\./,
+      /^The 1st in its list is the text “\d”, which is no vertex\. .*: it gave “\d”, “\d”, “\d”; expected v\d, v\d, v\d\. Items are numbers, and this is a text\./,
+    ],
+    [
+      'going through a range by for … in',
+      'count-boundary-loops',
+      'function countBoundaryLoops(mesh) {\n  let count = 0;\n  for (const h in mesh.halfedges())\n    if (mesh.face(h) === NONE) count++;\n  return count;\n}',
+      'throws',
+      /^Line 3: for … in gives names, and not the items: write for … of\. /,
+    ],
+    [
+      'going through a Set by for … in',
+      'vertex-vertices',
+      `${around('ringOf', 'ring.push(h)', CCW)}\nfunction vertexVertices(mesh, v) {\n  const ring = [];\n  for (const h in 0, new Set(ringOf(mesh, v))) { ring.push(mesh.toVertex(h)); }\n  return ring;\n}`,
+      'throws',
+      /^Line 14: for … in gives names, and not the items: write for … of\. /,
+    ],
+    [
+      'going through a list by for … in',
+      'vertex-vertices',
+      `${around('ringOf', 'ring.push(h)', CCW)}\nfunction vertexVertices(mesh, v) {\n  const ring = [];\n  for (const h in ringOf(mesh, v)) ring.push(mesh.toVertex(h));\n  return ring;\n}`,
+      'asks-for-nothing',
+      /^Line 14: it asks for toVertex\(“0”\)\. .* Items are numbers, and this is a text\. Does it come from for … in\? That gives names, .* for … of gives the items\.$/,
     ],
     [
       'a generator that goes on and on',
@@ -681,4 +702,15 @@ describe('A typical mistake', () => {
     const code = 'function valence(mesh, v) { mesh.next = () => 0; return 3; }';
     expect(failureOf('valence', code).message).toMatch(/^Line 1: mesh\.next can't be set/);
   });
+});
+
+test.each([
+  ['a list', '[3, 1, 2]', '“0”, “1”, “2”'],
+  ['an object', '{ a: 3, b: 1 }', '“a”, “b”'],
+  ['a typed array', 'new Int32Array(2)', '“0”, “1”'],
+  ['a text', "'ab'", '“0”, “1”'],
+  ['nothing', 'null', 'nothing'],
+])('Programs may go through the names in %s', (_, source, names) => {
+  const code = `function vertexVertices() { const all = []; for (const name in ${source}) all.push(name); return all; }`;
+  expect(failureOf('vertex-vertices', code)?.got).toBe(names);
 });

@@ -215,8 +215,13 @@ describe('attributes of files', () => {
     const mesh = sample();
     const write = (options: unknown) => () => mesh.write('ply', options as never);
     expect(write({ attributes: 0 })).toThrow('options.attributes is 0; expected true or false.');
-    expect(write({ names: 'oak' })).toThrow('options.names is "oak"; expected an object');
+    expect(write({ names: 'oak' })).toThrow('options.names is "oak"; expected a plain object');
     expect(write({ names: { material: 'oak' } })).toThrow('options.names.material is "oak"');
+    for (const names of [new Map([['material', ['oak']]]), [['material', 'oak']]]) {
+      expect(write({ names })).toThrow(
+        /^options\.names is an? .*; expected a plain object of lists/,
+      );
+    }
     expect(write({ onNote: [] })).toThrow('options.onNote is an array of 0 elements; expected');
     mesh.dispose();
   });

@@ -228,15 +228,21 @@ test('init says what to do in a bundle for a server, whose addresses are those o
   );
 });
 
-test('init says what to do in a script that has no address', async () => {
+/** The package in a bundle that takes itself for the script at an address; without one, it has none. */
+async function bundled(address?: string): Promise<Halfedges> {
   const { outputFiles } = await bundle({
     entryPoints: [fileURLToPath(new URL('../../dist/index.js', import.meta.url))],
     bundle: true,
     format: 'esm',
     write: false,
+    ...(address ? { define: { 'import.meta.url': JSON.stringify(address) } } : {}),
   });
   const script = Buffer.from(outputFiles[0].contents).toString('base64');
-  const api = (await import(`data:text/javascript;base64,${script}`)) as Halfedges;
+  return import(`data:text/javascript;base64,${script}`);
+}
+
+test('init says what to do in a script that has no address', async () => {
+  const api = await bundled();
   const error = await rejection(api.init());
   expect(error.code).toBe('init-failed');
   expect(error.message).toContain(
@@ -254,6 +260,9 @@ test('init says what to do where programs may not compile WebAssembly', async ()
   const error = await rejection(api.init());
   spy.mockRestore();
   expect(error.code).toBe('init-failed');
+  expect(error.message).toMatch(
+    /^The WebAssembly module from halfedge\/inline can't be compiled: /,
+  );
   expect(error.message).toMatch(/disallowed by embedder.*'halfedge\/core\.wasm'.*init\({ wasm }\)/);
   await api.init({ wasm: await WebAssembly.compile(bytes) });
   expectWorking(api);
@@ -272,6 +281,12 @@ describe('init, from a server,', () => {
     '/page.wasm': [200, 'text/html', '<!DOCTYPE html><html>'],
     '/lying.wasm': [200, 'application/wasm', '<!DOCTYPE html><html>'],
     '/missing.wasm': [404, 'text/html', '<h1>Not found</h1>'],
+    '/forbidden/core.wasm': [403, 'text/html', '<h1>Forbidden</h1>'],
+    '/down/core.wasm': [503, 'text/html', '<h1>Try again</h1>'],
+    '/damaged/core.wasm': [200, 'application/wasm', bytes.subarray(0, 5000)],
+    '/missing/core.wasm': [404, 'text/html', '<h1>Not found</h1>'],
+    '/page/core.wasm': [200, 'text/html', '<!DOCTYPE html><html>'],
+    '/node_modules/halfedge/dist/core.wasm': [404, 'text/html', '<h1>Not found</h1>'],
   };
   beforeAll(async () => {
     server = createServer((request, response) => {
@@ -305,6 +320,35 @@ describe('init, from a server,', () => {
     expect(error.message).toContain(says);
     await api.init();
     expectWorking(api);
+  });
+
+  const leftBehind = 'Some bundlers (Angular, Bun, esbuild, Rollup) leave core.wasm behind';
+  test.each([
+    ['/missing/', leftBehind],
+    ['/page/', leftBehind],
+    ['/node_modules/.vite/deps/', "In Vite up to 7, set optimizeDeps: { exclude: ['halfedge'] }."],
+  ])('says in %s what a bundler may have done', async (folder, advice) => {
+    const api = await bundled(`${base}${folder}index.js`);
+    expect((await rejection(api.init())).message).toContain(` ${advice}`);
+  });
+
+  test.each(['/forbidden/', '/down/', '/damaged/', '/hangs-up/'])(
+    'says nothing of bundlers in %s, where none is at fault',
+    async (folder) => {
+      const api = await bundled(`${base}${folder}index.js`);
+      const { message } = await rejection(api.init());
+      expect(message).toContain(`${base}${folder}core.wasm`);
+      expect(message).not.toMatch(/bundler|Vite/);
+    },
+  );
+
+  test.each([
+    ['a folder that core.wasm is not in', 'file:///nowhere/index.js', true],
+    ['an address that no server has', 'extension://nowhere/index.js', true],
+    ['a port where nobody listens', 'http://127.0.0.1:9/index.js', false],
+  ])('speaks of bundlers only where one may be at fault: %s', async (_, script, isTold) => {
+    const { message } = await rejection((await bundled(script)).init());
+    expect(message.includes(leftBehind)).toBe(isTold);
   });
 });
 

@@ -33,6 +33,14 @@ describe('Labels that go aside', () => {
     expect(nearest(place as Place, [line, [at(50, -40), at(50, 40)]])).toBe(line);
   });
 
+  test('leave room for names that come later, where something else is free', () => {
+    const line = [at(0, 0), at(100, 0)];
+    const name = { x: 52, y: -20, width: NUMBER };
+    const place = new LabelPlaces([line], [name]).best(at(50, -22), NUMBER, line) as Place;
+    expect(Math.abs(place.x - name.x) >= NUMBER || Math.abs(place.y - name.y) >= 17).toBe(true);
+    expect(new LabelPlaces([line]).best(at(50, -22), NUMBER, line)).toEqual(at(50, -22));
+  });
+
   test('cover no other label', () => {
     const point = [at(0, 0)];
     const places = new LabelPlaces([point]);

@@ -181,6 +181,21 @@ describe('HalfedgesHelper', () => {
     expect(new HalfedgesHelper(mesh, { faces: new Set([1, 99]) }).segments).toBe(8);
   });
 
+  test.each([
+    ['color', (o: object) => new BoundaryLoopsHelper(HalfedgeMesh.cube(), o)],
+    ['boundaryColor', (o: object) => new HalfedgesHelper(HalfedgeMesh.cube(), o)],
+    ['currentColor', (o: object) => new CirculatorHelper(HalfedgeMesh.cube(), 'vertexFaces', 0, o)],
+  ])('refuses what is no colour as %s, of which three.js would make white', (name, make) => {
+    for (const color of [null, true, -1, Number.NaN, 0x1000000, { r: 1, g: 0, b: 0 }, [1, 0, 0]]) {
+      expect(() => make({ [name]: color })).toThrow(
+        /^options\.\w+ is .+; expected a colour: a Color, a string or an integer from 0x000000 to 0xffffff\.$/,
+      );
+    }
+    for (const color of [undefined, 0, 0xffffff, 'red', '#f00', new THREE.Color()]) {
+      expect(make({ [name]: color })).toHaveProperty(`${name}.isColor`, true);
+    }
+  });
+
   test('refuses at an update what was set wrongly, and goes on once it is right', () => {
     const mesh = HalfedgeMesh.grid(2, 2);
     const arrows = new HalfedgesHelper(mesh);
@@ -482,5 +497,8 @@ describe('IndexLabelsHelper', () => {
       `options.kinds[1] is "verts"; expected 'vertex', 'halfedge', 'edge' or 'face'.`,
     );
     expect(made({ most: -1 })).toThrow('options.most is -1; expected a number from 0.');
+    expect(made({ className: 5 })).toThrow('options.className is 5; expected a string.');
+    expect(made({ pixel: '1' })).toThrow('options.pixel is "1"; expected a positive number.');
+    expect(made({ most: 2.5 })().children).toHaveLength(2);
   });
 });

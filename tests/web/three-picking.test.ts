@@ -265,6 +265,10 @@ describe('MeshPicker', () => {
       [1, 2, above(0, 1), { boundary: 3 }],
       'options.boundary is 3; expected halfedges to iterate over.',
     ],
+    [
+      [1, 2, above(0, 1), { boundary: [0, 'h3'] }],
+      'options.boundary[1] is "h3"; expected an index, an integer from 0 to 4294967294.',
+    ],
   ])('refuses to pick at what is no place: %#', (list, message) => {
     const { picker } = scene();
     expect(() => (picker.pick as (...list: unknown[]) => unknown).apply(picker, list)).toThrow(

@@ -73,6 +73,6 @@ export type {
   TorusOptions,
   UvSphereOptions,
 } from './shapes.js';
-export type { Component, ValidationLevel } from './topology.js';
+export type { Component, Computed, LinkLevel, ValidationLevel } from './topology.js';
 export type { AppendMaps } from './transfer.js';
-export type { FileEncoding, WriteOptions } from './write.js';
+export type { FileEncoding, FileEncodings, WriteOptions } from './write.js';

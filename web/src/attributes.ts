@@ -110,7 +110,8 @@ export class Attributes {
   }
 
   /**
-   * Adds an attribute, with its default for each item. History forgets steps that could be redone.
+   * Adds an attribute, with its default for each item. History forgets steps that could be redone; undo doesn't
+   * remove the attribute again, and a group that throws leaves it.
    *
    * ```ts
    * for (const info of other.attributes.list()) mesh.attributes.add(info.kind, info.name, info);
@@ -178,7 +179,12 @@ export class Attributes {
     return this.#isPosition(kind, name) || this.#all()[kind].has(name);
   }
 
-  /** Removes an attribute; its views are then stale. Returns false if it doesn't exist. */
+  /**
+   * Removes an attribute; its views are then stale. Undo doesn't bring it back, nor does a group that throws.
+   *
+   * @returns whether it existed
+   * @throws RangeError for the positions, which every mesh has
+   */
   remove(kind: ItemKind, name: string): boolean {
     if (this.#isPosition(kind, name)) {
       refuse('name', name, 'an attribute that was added, as a mesh keeps its positions', 'string');

@@ -46,12 +46,12 @@ function isModule(source: unknown): source is WebAssembly.Module {
   return source instanceof WebAssembly.Module || tag === '[object WebAssembly.Module]';
 }
 
-/** Compiles what `init` was given. */
-export async function moduleFrom(source: Source): Promise<WebAssembly.Module> {
+/** Compiles what `init` was given. `name` is what bytes are called in messages. */
+export async function moduleFrom(source: Source, name = 'wasm'): Promise<WebAssembly.Module> {
   if (isModule(source)) return source;
-  if (typeof source === 'string') return fromAddress(resolve(source));
-  const bytes = bytesOf('wasm', source);
-  return bytes === undefined ? fromAddress(source as URL) : fromBytes(bytes, 'wasm');
+  if (typeof source === 'string') return moduleAt(resolve(source));
+  const bytes = bytesOf(name, source);
+  return bytes === undefined ? moduleAt(source as URL) : fromBytes(bytes, name);
 }
 
 /** Node's modules without a `node:` import, which a bundler would follow (webpack fails on it). */
@@ -84,10 +84,11 @@ function resolve(address: string): URL {
   }
 }
 
-async function fromAddress(url: URL): Promise<WebAssembly.Module> {
+/** Compiles what is at an address. `advice` follows where nothing is there, or something else. */
+export async function moduleAt(url: URL, advice = ''): Promise<WebAssembly.Module> {
   const files = url.protocol === 'file:' ? nodeModule('node:fs/promises') : undefined;
   if (files !== undefined) {
-    return fromBytes(await loaded(url, files.readFile(url)), url.href);
+    return fromBytes(await loaded(url, files.readFile(url), advice), url.href, advice);
   }
   // webpack and Turbopack make an address of this kind, which only a page can complete.
   if (url.protocol === '' && globalThis.location === undefined) {
@@ -97,12 +98,13 @@ async function fromAddress(url: URL): Promise<WebAssembly.Module> {
         "Import from 'halfedge/inline', or leave the package out of the server's bundle (in Next.js by serverExternalPackages).",
     );
   }
-  const response = await loaded(url, fetch(url));
+  const response = await loaded(url, fetch(url), advice);
   if (!response.ok) {
+    const isGone = response.status === 404 || response.status === 410;
     throw new HalfedgeError(
       'init-failed',
       `The WebAssembly module can't be loaded from ${shorten(url.href)}: the server answered ${response.status} ${response.statusText}`.trimEnd() +
-        '; expected core.wasm there.',
+        `; expected core.wasm there.${isGone ? advice : ''}`,
     );
   }
   // Compiling while loading needs this type. If it fails, the bytes tell why.
@@ -113,27 +115,38 @@ async function fromAddress(url: URL): Promise<WebAssembly.Module> {
       // As below: not WebAssembly, or a server that lies about its type.
     }
   }
-  return fromBytes(new Uint8Array(await loaded(url, response.arrayBuffer())), url.href);
+  return fromBytes(new Uint8Array(await loaded(url, response.arrayBuffer())), url.href, advice);
 }
 
-async function loaded<T>(url: URL, result: Promise<T>): Promise<T> {
+async function loaded<T>(url: URL, result: Promise<T>, advice = ''): Promise<T> {
   try {
     return await result;
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      `The WebAssembly module can't be loaded from ${shorten(url.href)}: ${messageOf(cause)}.`,
+      `The WebAssembly module can't be loaded from ${shorten(url.href)}: ${messageOf(cause)}.${mayBeMissing(url, cause) ? advice : ''}`,
       { cause },
     );
   }
 }
 
-async function fromBytes(bytes: Uint8Array, origin: string): Promise<WebAssembly.Module> {
+/** Whether that may be what failed. A server would have answered; an extension, say, doesn't tell. */
+function mayBeMissing({ protocol }: URL, cause: unknown): boolean {
+  const { code } = Object(cause) as { code?: unknown };
+  if (typeof code === 'string') return code === 'ENOENT' || code === 'ENOTDIR';
+  return !/^https?:$/.test(protocol);
+}
+
+async function fromBytes(
+  bytes: Uint8Array,
+  origin: string,
+  advice = '',
+): Promise<WebAssembly.Module> {
   if (bytes[0] !== 0 || bytes[1] !== 0x61 || bytes[2] !== 0x73 || bytes[3] !== 0x6d) {
     throw new HalfedgeError(
       'not-webassembly',
       `What was loaded from ${shorten(origin)} is not WebAssembly: ${opening(bytes)}; expected the bytes 00 61 73 6d. ` +
-        'Is core.wasm deployed there, or does the server answer with a page?',
+        `Is core.wasm deployed there, or does the server answer with a page?${advice}`,
     );
   }
   try {

@@ -39,7 +39,7 @@ import { HalfedgeMesh } from './mesh.js';
 import { linksOf } from './navigation.js';
 import { checkOptions } from './options.js';
 import { unwrap } from './reports.js';
-import { checkLevel, findings } from './topology.js';
+import { type Computed, checkLevel, findings, type LinkLevel } from './topology.js';
 import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './walks.js';
 
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
@@ -289,7 +289,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
    * Checks the invariants of `level` (0 to 4) and below, as {@link HalfedgeMesh.validate} does: an empty list
    * means valid. For `'geometry'`, ask the mesh that {@link toMesh} makes.
    */
-  validate(level = 4): Problem[] {
+  validate<Level extends number>(level: LinkLevel | Computed<Level> = 4): Problem[] {
     const { core, address } = directedLinksOf(this);
     return findings(core.validateDirectedEdges(address, checkLevel(level)));
   }

@@ -1,4 +1,4 @@
-import { type InitOptions, moduleFrom, wasmOption } from './compile.js';
+import { type InitOptions, moduleAt, moduleFrom, wasmOption } from './compile.js';
 import { HalfedgeError } from './errors.js';
 import { load } from './loader.js';
 import { originalOf } from './original.js';
@@ -22,20 +22,12 @@ export async function init(options: InitOptions = {}): Promise<void> {
 async function moduleBesideThisFile(): Promise<WebAssembly.Module> {
   const url = addressOfModule();
   const original = originalOf('core.wasm', url.href);
-  try {
-    return await moduleFrom(original ?? url);
-  } catch (error) {
-    // Where a bundler for servers is at fault, the error has said so; and what can't be compiled is there.
-    if (!(error instanceof HalfedgeError) || url.protocol === '') throw error;
-    const { code, message, cause } = error;
-    if (cause instanceof WebAssembly.CompileError) throw error;
-    throw new HalfedgeError(code, `${message} ${original ? EXCLUDE : LEFT_BEHIND}`, { cause });
-  }
+  return original === undefined ? moduleAt(url, LEFT_BEHIND) : moduleAt(original, EXCLUDE);
 }
 
 const LEFT_BEHIND =
-  "Some bundlers (Angular, Bun, esbuild, Rollup) leave core.wasm behind: copy it from halfedge/dist to the folder of the script, or import from 'halfedge/inline'.";
-const EXCLUDE = "In Vite up to 7, set optimizeDeps: { exclude: ['halfedge'] }.";
+  " Some bundlers (Angular, Bun, esbuild, Rollup) leave core.wasm behind: copy it from halfedge/dist to the folder of the script, or import from 'halfedge/inline'.";
+const EXCLUDE = " In Vite up to 7, set optimizeDeps: { exclude: ['halfedge'] }.";
 
 function addressOfModule(): URL {
   try {

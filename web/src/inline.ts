@@ -12,5 +12,9 @@ export type { InitOptions } from './compile.js';
  */
 export async function init(options: InitOptions = {}): Promise<void> {
   const wasm = wasmOption(options);
-  await load(() => moduleFrom(wasm ?? bytesIn(atob(coreBase64))));
+  await load(() =>
+    wasm === undefined
+      ? moduleFrom(bytesIn(atob(coreBase64)), 'halfedge/inline')
+      : moduleFrom(wasm),
+  );
 }

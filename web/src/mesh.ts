@@ -31,6 +31,7 @@ import { makeMeshesWith, Shapes } from './shapes.js';
 import {
   boundaryLoopsOf,
   type Component,
+  type Computed,
   componentsOf,
   polygonsOf,
   problemsOf,
@@ -223,18 +224,20 @@ export class HalfedgeMesh extends Shapes {
    * @throws HalfedgeError `unsupported-format` (an encoding that the format doesn't have),
    * `non-finite-position` (in STL), `corrupt-connectivity`, `out-of-memory`
    */
-  write(format: 'obj', options?: WriteOptions): string;
-  write(format: 'off', options?: WriteOptions & { encoding?: 'text' | undefined }): string;
-  write(
-    format: 'ply' | 'stl',
-    options?: WriteOptions & { encoding?: 'binary' | 'binary-big-endian' | undefined },
+  write(format: 'obj' | 'off', options?: WriteOptions<'obj'>): string;
+  write<Format extends 'ply' | 'stl'>(
+    format: Format,
+    options?: WriteOptions<Format> & { encoding?: 'binary' | 'binary-big-endian' | undefined },
   ): OwnBytes;
   write(format: FileFormat, options: WriteOptions & { encoding: 'text' }): string;
-  write(
-    format: FileFormat,
-    options: WriteOptions & { encoding: 'binary' | 'binary-big-endian' },
+  write<Format extends FileFormat>(
+    format: Format,
+    options: WriteOptions<Format> & { encoding: 'binary' | 'binary-big-endian' },
   ): OwnBytes;
-  write(format: FileFormat, options?: WriteOptions): string | OwnBytes;
+  write<Format extends FileFormat>(
+    format: Format,
+    options?: WriteOptions<Format>,
+  ): string | OwnBytes;
   write(format: FileFormat, options: WriteOptions = {}): string | OwnBytes {
     return writeFile(linksOf(this), format, options);
   }
@@ -355,7 +358,7 @@ export class HalfedgeMesh extends Shapes {
    * without area; {@link removeDegenerateFaces} removes these where it can), and `coincident-vertices` (in
    * the same place, without being joined by edges of zero length).
    */
-  validate(level: ValidationLevel = 4): Problem[] {
+  validate<Level extends number>(level: ValidationLevel | Computed<Level> = 4): Problem[] {
     return problemsOf(linksOf(this), level);
   }
 

@@ -24,7 +24,11 @@ export interface Component {
  * What `validate` checks: level 4 adds the rules of polygon meshes, and 'geometry' adds where the vertices
  * lie.
  */
-export type ValidationLevel = number | 'geometry';
+export type ValidationLevel = LinkLevel | 'geometry';
+/** The levels of `validate` at which positions don't matter. Any kind of mesh has them. */
+export type LinkLevel = 0 | 1 | 2 | 3 | 4;
+/** A number that only the program knows, such as one that is counted: no literal, which the compiler can check. */
+export type Computed<Level extends number> = number extends Level ? Level : never;
 /** The number that 'geometry' has in C++. */
 const GEOMETRY = 5;
 /** What corners of triangles are named by, in C++. */

@@ -3,7 +3,7 @@ import { checkCallback, checkFlag, indexOfChoice, refuse } from './checks.js';
 import type { Links } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
-import { checkOptions, type OptionNames } from './options.js';
+import { checkOptions, isPlain, type OptionNames } from './options.js';
 import { type AttributeNames, type FileFormat, formatIndex } from './parse.js';
 import { sentence, unwrap } from './reports.js';
 
@@ -19,13 +19,21 @@ export type FileEncoding = 'text' | 'binary' | 'binary-big-endian';
 /** In the order of the enum Encoding in C++. */
 const ENCODINGS: readonly FileEncoding[] = ['text', 'binary', 'binary-big-endian'];
 
-/** How to write a file. */
-export interface WriteOptions {
+/** The encodings that each format has. */
+export interface FileEncodings {
+  obj: 'text';
+  off: FileEncoding;
+  ply: FileEncoding;
+  stl: 'text' | 'binary';
+}
+
+/** How to write a file: of one format, or of any. */
+export interface WriteOptions<Format extends FileFormat = FileFormat> {
   /**
    * Default: text for OBJ and OFF, binary for PLY and STL. `'binary'` uses the byte order that defines the
    * format: little-endian for PLY and STL, big-endian for OFF. Only PLY has another.
    */
-  encoding?: FileEncoding | undefined;
+  encoding?: FileEncodings[Format] | undefined;
   /** Whether to write attributes, as far as the format has a place for them. Default: true. */
   attributes?: boolean | undefined;
   /**
@@ -90,9 +98,7 @@ function checkWriteOptions(options: unknown, format: FileFormat) {
 
 /** Tables as the core reads them: lines, the name of the attribute first, and NUL at the end of each. */
 function textOf(names: unknown): Uint8Array {
-  if (typeof names !== 'object' || names === null) {
-    refuse('options.names', names, 'an object of lists of names');
-  }
+  if (!isPlain(names)) refuse('options.names', names, 'a plain object of lists of names');
   let text = '';
   for (const [attribute, list] of Object.entries(names)) {
     if (!Array.isArray(list) || !list.every((name) => typeof name === 'string')) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/connectivity/arrow.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/version_stamp.h>
 
@@ -27,7 +28,7 @@ class LiveRange {
     using difference_type = std::ptrdiff_t;
     using iterator_concept = std::forward_iterator_tag;
     using iterator_category = std::input_iterator_tag;  // references are values
-    using pointer = void;
+    using pointer = Arrow<value_type>;
 
     Iterator() = default;
     Iterator(const Mesh& mesh, Index at)
@@ -39,6 +40,7 @@ class LiveRange {
       stamp_.check(mesh_->slots(Item{}));
       return Item(at_);
     }
+    [[nodiscard]] pointer operator->() const { return pointer(**this); }
     Iterator& operator++() {
       stamp_.check(mesh_->slots(Item{}));
       ++at_;

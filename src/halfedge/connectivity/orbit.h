@@ -1,5 +1,6 @@
 #pragma once
 
+#include <halfedge/connectivity/arrow.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/version_stamp.h>
 
@@ -93,7 +94,7 @@ class Circulator {
  public:
   using value_type = typename View::Item;
   using reference = value_type;
-  using pointer = void;
+  using pointer = Arrow<value_type>;
   using difference_type = std::ptrdiff_t;
   using iterator_concept = std::bidirectional_iterator_tag;
   // Although references are values: std::prev of an input iterator would go forward without end.
@@ -113,6 +114,7 @@ class Circulator {
     check();
     return View::of(*mesh_, at_);
   }
+  [[nodiscard]] pointer operator->() const { return pointer(**this); }
 
   Circulator& operator++() {
     check();
@@ -180,7 +182,7 @@ class Orbit {
     using difference_type = std::ptrdiff_t;
     using iterator_concept = std::forward_iterator_tag;
     using iterator_category = std::input_iterator_tag;  // references are values
-    using pointer = void;
+    using pointer = Arrow<value_type>;
 
     Iterator() = default;
     explicit Iterator(const Orbit& orbit)
@@ -201,6 +203,7 @@ class Orbit {
       stamp_.check(*mesh_);
       return View::of(*mesh_, at_);
     }
+    [[nodiscard]] pointer operator->() const { return pointer(**this); }
     Iterator& operator++() {
       stamp_.check(*mesh_);
       at_ = Walk::on(*mesh_, at_);

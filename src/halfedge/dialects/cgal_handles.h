@@ -1,8 +1,8 @@
 #pragma once
 
+#include <halfedge/connectivity/arrow.h>
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
-#include <halfedge/dialects/arrow.h>
 #include <halfedge/mesh.h>
 
 #include <cstddef>

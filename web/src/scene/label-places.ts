@@ -7,6 +7,9 @@ export interface Place {
 /** What a label names, as it is seen: a point, or a line from corner to corner. */
 export type Trace = readonly Place[];
 
+/** Where a label lies: its middle, and its width. */
+export type Box = Place & { readonly width: number };
+
 /** The height of a label with some air, and half of that without. */
 const ROW = 19;
 const HALF_HEIGHT = 9;
@@ -15,6 +18,8 @@ const HALF_HEIGHT = 9;
 const COVERS = 60;
 /** And to be nearer to that than to its own. */
 const NEARER = 25;
+/** And to lie where a name would, which is hidden then. */
+const HIDES = 60;
 /** And each pixel that it lies from where it would be without others. */
 const MOVED = 0.1;
 
@@ -26,12 +31,17 @@ const ASIDE: readonly (readonly [number, number])[] = [0, 1, -1, 2, -2].flatMap(
 
 /** The labels that have their places in a frame: finds places for others that can't be mistaken for theirs. */
 export class LabelPlaces {
-  readonly #taken: (Place & { readonly width: number })[] = [];
+  readonly #taken: Box[] = [];
   readonly #traces: readonly Trace[];
+  readonly #names: readonly Box[];
 
-  /** `traces`: what all labels name, each once, as far as it is a line or a point of its own. */
-  constructor(traces: readonly Trace[]) {
+  /**
+   * `traces`: what all labels name, each once, as far as it is a line or a point of its own. `names`: labels that
+   * will come later and don't go aside.
+   */
+  constructor(traces: readonly Trace[], names: readonly Box[] = []) {
     this.#traces = traces;
+    this.#names = names;
   }
 
   take(x: number, y: number, width: number): void {
@@ -40,9 +50,7 @@ export class LabelPlaces {
 
   /** Whether a label there would cover none. */
   isFree({ x, y }: Place, width: number): boolean {
-    return !this.#taken.some(
-      (other) => Math.abs(other.x - x) < (other.width + width) / 2 && Math.abs(other.y - y) < 17,
-    );
+    return !this.#taken.some((other) => overlap(other, { x, y, width }));
   }
 
   /**
@@ -76,6 +84,7 @@ export class LabelPlaces {
   #harm(place: Place, width: number, own: Trace): number {
     const away = distance(place, own);
     let harm = 0;
+    for (const name of this.#names) if (overlap(name, { ...place, width })) harm += HIDES;
     for (const trace of this.#traces) {
       if (trace === own) continue;
       if (covers(place, width, trace)) harm += COVERS;
@@ -84,6 +93,10 @@ export class LabelPlaces {
     }
     return harm;
   }
+}
+
+function overlap(a: Box, b: Box): boolean {
+  return Math.abs(a.x - b.x) < (a.width + b.width) / 2 && Math.abs(a.y - b.y) < 17;
 }
 
 /** The point of a trace at a share of its way. */

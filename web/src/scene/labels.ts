@@ -1,5 +1,5 @@
 import { Vector3 } from 'three';
-import { LabelPlaces, type Trace } from './label-places.js';
+import { type Box, LabelPlaces, type Trace } from './label-places.js';
 import type { Stage } from './stage.js';
 
 /** So many names of items at most are shown: more can't be read, and cost time in every frame. */
@@ -99,7 +99,10 @@ export class Labels {
   /** Before each frame: moves the labels with their points. `hides` tells what is out of sight. */
   update(hides: (point: Vector3) => boolean): void {
     const traces = this.#labels.map((label) => (label.yields ? this.#trace(label) : null));
-    const places = new LabelPlaces(traces.filter((trace) => trace !== null).slice(0, MOST_TRACES));
+    const places = new LabelPlaces(
+      traces.filter((trace) => trace !== null).slice(0, MOST_TRACES),
+      traces.some((trace) => trace !== null) ? this.#names() : [],
+    );
     const areTiny = this.#areTiny(traces);
     let names = 0;
     this.#labels.forEach((label, i) => {
@@ -126,6 +129,16 @@ export class Labels {
       }
       element.classList.toggle('behind', behind === true);
       element.style.transform = `translate(-50%, -50%) translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    });
+  }
+
+  /** Where the first names of items will lie that don't go aside. */
+  #names(): Box[] {
+    const names = this.#labels.filter(({ look, yields }) => look === 'index' && !yields);
+    return names.slice(0, MOST_TRACES).map((label) => {
+      const width = widthOf(label);
+      const { x, y } = this.#place(label, width);
+      return { x, y, width };
     });
   }
 

@@ -59,7 +59,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.mesh = checkMesh(mesh);
     const { linewidth = width, lines = webglLines, pixel = typicalEdge(mesh) / 56 } = options;
     this.pixel = checkLength('options.pixel', pixel);
-    this.color = new Color(options.color ?? color);
+    this.color = colorOf('options.color', options.color, color);
     this.#lines = checkLines(lines);
     const drawn = this.#lines.make(
       this.batch.geometry,
@@ -143,7 +143,22 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   }
 }
 
-function checkLength(argument: string, value: unknown): number {
+/** A colour of its own; that of the helper where none is given. Of words that are none, three.js warns. */
+export function colorOf(argument: string, given: unknown, others: ColorRepresentation): Color {
+  if (given === undefined) return new Color(others);
+  const isColor = typeof given === 'object' && given !== null && 'isColor' in given;
+  const isNumber = Number.isInteger(given) && (given as number) >= 0 && (given as number) < 2 ** 24;
+  if (isColor || isNumber || typeof given === 'string') return new Color(given as Color);
+  refuse(
+    argument,
+    given,
+    'a colour: a Color, a string or an integer from 0x000000 to 0xffffff',
+    'number',
+  );
+}
+
+/** Throws unless it is a length. */
+export function checkLength(argument: string, value: unknown): number {
   if (typeof value === 'number' && value > 0 && value < Number.POSITIVE_INFINITY) return value;
   throw new RangeError(`${argument} is ${describe(value)}; expected a positive number.`);
 }

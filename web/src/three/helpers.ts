@@ -1,4 +1,4 @@
-import { Color, type ColorRepresentation } from 'three';
+import type { Color, ColorRepresentation } from 'three';
 import { describe, isIndex, refuseIndex } from '../arguments.js';
 import { checkIterable, refuse } from '../checks.js';
 import type { CirculatorCentre, CirculatorKind } from '../circulation.js';
@@ -8,7 +8,7 @@ import { noOrbit } from '../measures.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { checkOptions, type OptionNames } from '../options.js';
 import { arrowSizes } from './arrows.js';
-import { HELPER_OPTIONS, type HelperOptions, MeshHelper } from './helper.js';
+import { colorOf, HELPER_OPTIONS, type HelperOptions, MeshHelper } from './helper.js';
 
 // The colours of the explorer in a light theme: told apart under every colour vision.
 const ARROW = 0x2485f7;
@@ -56,7 +56,7 @@ export class HalfedgesHelper extends MeshHelper {
 
   constructor(mesh: HalfedgeMesh, options: HalfedgesOptions = {}) {
     super(mesh, checkOptions(options, HALFEDGES_OPTIONS), ARROW);
-    this.boundaryColor = new Color(options.boundaryColor ?? BOUNDARY);
+    this.boundaryColor = colorOf('options.boundaryColor', options.boundaryColor, BOUNDARY);
     checkIterable('options.faces', options.faces, 'faces to iterate over');
     this.faces = options.faces && [...options.faces];
     for (const [i, f] of this.faces?.entries() ?? []) {
@@ -156,13 +156,13 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
     options: CirculatorOptions = {},
   ) {
     super(mesh, checkOptions(options, CIRCULATOR_OPTIONS), TRAIL, 2.5);
-    const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor = ARROW } = options;
+    const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor } = options;
     checkSteps('options.steps', steps);
     this.kind = kind;
     this.item = item;
     this.direction = direction;
     this.steps = steps;
-    this.currentColor = new Color(currentColor);
+    this.currentColor = colorOf('options.currentColor', currentColor, ARROW);
     this.update();
   }
 

@@ -1,4 +1,5 @@
 import { type Camera, type Matrix4, type Ray, Vector3 } from 'three';
+import { isIndex, refuseIndex } from '../arguments.js';
 import { checkIterable, indexOfChoice, refuse } from '../checks.js';
 import type { ItemKind } from '../items.js';
 import { checkObject, checkOptions, type OptionNames } from '../options.js';
@@ -206,7 +207,10 @@ export class ItemPicker {
     let found = -1;
     let least = TO_BOUNDARY * reach;
     let before = -1;
+    let i = 0;
     for (const h of boundary) {
+      if (!isIndex(h)) refuseIndex('options.boundary', i, h);
+      i += 1;
       if (!(next[h] >= 0 && face[h] < 0)) continue; // deleted or filled since it was named
       const from = 3 * toVertex[h ^ 1];
       const pixel = projection.pixelAt(points[from], points[from + 1], points[from + 2]);

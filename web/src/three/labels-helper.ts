@@ -7,6 +7,7 @@ import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
+import { checkLength } from './helper.js';
 import { quadVertices } from './triangulate.js';
 
 /** Options of {@link IndexLabelsHelper}. */
@@ -31,7 +32,7 @@ const LABELS_OPTIONS: OptionNames<LabelsOptions> = {
   pixel: true,
 };
 
-function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
+function checkLabels({ kinds, most = 0, className = '', pixel = 1 }: LabelsOptions): void {
   if (kinds !== undefined) {
     if (!Array.isArray(kinds)) refuse('options.kinds', kinds, 'an array of kinds of items');
     const known = Object.keys(LETTERS);
@@ -40,6 +41,8 @@ function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
   if (typeof most !== 'number' || !(most >= 0)) {
     refuse('options.most', most, 'a number from 0', 'number');
   }
+  if (typeof className !== 'string') refuse('options.className', className, 'a string');
+  checkLength('options.pixel', pixel);
 }
 
 /** Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
@@ -72,7 +75,7 @@ export class IndexLabelsHelper extends Group {
     let count = 0;
     for (const kind of kinds) {
       for (const index of this.mesh[PLURALS[kind]]()) {
-        if (count === most) break;
+        if (count + 1 > most) break;
         let label = labels[count];
         if (label === undefined) {
           label = new CSS2DObject(document.createElement('span'));

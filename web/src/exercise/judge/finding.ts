@@ -74,3 +74,7 @@ export function ordinal(place: number): string {
   const ending = (teen ? undefined : ['th', 'st', 'nd', 'rd'][place % 10]) ?? 'th';
   return `the ${place}${ending}`;
 }
+
+/** For a text in the place of an item. */
+export const TEXT_FOR_ITEM =
+  'Items are numbers, and this is a text. Does it come from for … in? That gives names, such as those of the places in a list; for … of gives the items.';

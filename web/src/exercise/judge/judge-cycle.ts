@@ -9,6 +9,7 @@ import {
   namesOf,
   ordinal,
   subjectOf,
+  TEXT_FOR_ITEM,
 } from './finding.js';
 import { otherLists, wrongWalk } from './judge-walk.js';
 import { wasGiven, zeroHint, zeroIsFalse } from './judge-zero.js';
@@ -85,7 +86,7 @@ function strangeMember({ of, got }: Lists): Part | null {
     title: `${capital(ordinal(place + 1))} in its list is ${described(value)}, which is no ${of}.`,
     hint:
       typeof value === 'string'
-        ? 'Items are numbers. What made a text of it? The keys of an object are texts, also in for … in.'
+        ? TEXT_FOR_ITEM
         : 'Items are whole numbers from 0 on. Was something pushed before it had a value?',
   };
 }

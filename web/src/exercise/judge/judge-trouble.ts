@@ -1,7 +1,7 @@
 // Programs that give nothing back: they stop with an error, go on for ever, or can't be started.
 
 import { itemName } from '../../teaching/items.js';
-import { type Asked, type Finding, finding, isIndex, subjectOf } from './finding.js';
+import { type Asked, type Finding, finding, isIndex, subjectOf, TEXT_FOR_ITEM } from './finding.js';
 import { type Fault, type Outcome, type Read, shown } from './outcome.js';
 import { stepsOf } from './trail.js';
 
@@ -58,7 +58,10 @@ export function judgeThrown(asked: Asked, { message, line, reads }: Threw): Find
       ...parts,
       code: 'asks-for-nothing',
       title: `${place(line)}: it asks for ${last.name}(${shown(last.of)}).`,
-      hint: `${message} Does the variable have a value there?`,
+      hint:
+        typeof last.of === 'string'
+          ? TEXT_FOR_ITEM
+          : `${message} Does the variable have a value there?`,
     });
   }
   return finding({ ...parts, code: 'throws', title: `${place(line)}: ${withStop(message)}` });

@@ -33,6 +33,13 @@ function turn(line: number): void {
   told(line);
 }
 
+/** Throws for what for … in goes through where that can't give what was meant: lists alone have places by name. */
+function named(source: unknown): unknown {
+  const isRange = typeof source === 'object' && source !== null && Symbol.iterator in source;
+  if (!isRange || Array.isArray(source) || ArrayBuffer.isView(source)) return source;
+  throw new TypeError('for … in gives names, and not the items: write for … of.');
+}
+
 /**
  * Compiles the code of a student and finds the function of that name in it. Each turn of each loop is
  * counted, so that one that doesn't end is ended, and its line known.
@@ -62,11 +69,16 @@ export function compile(code: string, call: string): Program | Fault {
     const hint = 'Nothing here has to be waited for: leave the word await out.';
     return { kind: 'syntax', message, line, column: column + 1, hint };
   }
-  let make: (none: number, turn: (line: number) => void) => unknown;
+  let make: (
+    none: number,
+    turn: (line: number) => void,
+    named: (it: unknown) => unknown,
+  ) => unknown;
   try {
     make = new Function(
       'NONE',
       '__turn',
+      '__named',
       // In a block of its own the code may name a constant of its own NONE.
       `'use strict'; { ${countTurns(code, tree)}
       ;return typeof ${call} === 'function' ? ${call} : undefined; }
@@ -78,7 +90,7 @@ export function compile(code: string, call: string): Program | Fault {
   }
   try {
     allowTurns();
-    const found = make(NONE, turn);
+    const found = make(NONE, turn, named);
     if (typeof found === 'function') return found as Program;
     return { kind: 'no-function', found: functionsOf(tree) };
   } catch (error) {
@@ -138,6 +150,7 @@ interface Statement extends Node {
 }
 interface Loop extends Statement {
   readonly body: Node;
+  readonly right?: Node;
 }
 
 function isNode(value: unknown): value is Node {
@@ -155,13 +168,16 @@ function isOutside({ type }: Node): boolean {
   return !/Function/.test(type);
 }
 
-/** The code with a count at the beginning of the body of each loop. No line is added. */
+/** The code with a count at the beginning of the body of each loop, and a look at what for … in takes. No line is added. */
 function countTurns(code: string, tree: Tree): string {
   const inserted: { at: number; text: string }[] = [];
   for (const node of nodesOf(tree)) {
     if (!/^(For(In|Of)?|While|DoWhile)Statement$/.test(node.type)) continue;
-    const { body, loc } = node as Loop;
+    const { body, loc, right } = node as Loop;
     const count = `__turn(${loc.start.line});`;
+    if (node.type === 'ForInStatement' && right) {
+      inserted.push({ at: right.start, text: '__named((' }, { at: right.end, text: '))' });
+    }
     if (body.type === 'BlockStatement') {
       inserted.push({ at: body.start + 1, text: count });
     } else {

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace halfedge::dialects {
+namespace halfedge {
 
 /// What `->` of an iterator gives that makes its handles when they are asked for: one that lives as
 /// long as the expression, also where the iterator doesn't, as in std::reverse_iterator.
@@ -14,4 +14,4 @@ class Arrow {
   Handle handle_;
 };
 
-}  // namespace halfedge::dialects
+}  // namespace halfedge
