@@ -188,10 +188,10 @@ describe('HalfedgesHelper', () => {
   ])('refuses what is no colour as %s, of which three.js would make white', (name, make) => {
     for (const color of [null, true, -1, Number.NaN, 0x1000000, { r: 1, g: 0, b: 0 }, [1, 0, 0]]) {
       expect(() => make({ [name]: color })).toThrow(
-        /^options\.\w+ is .+; expected a colour: a Color, a string or an integer from 0x000000 to 0xffffff\.$/,
+        /^options\.\w+ is .+; expected a colour: a Color, a string or a number from 0x000000 to 0xffffff\.$/,
       );
     }
-    for (const color of [undefined, 0, 0xffffff, 'red', '#f00', new THREE.Color()]) {
+    for (const color of [undefined, 0, 0xffffff, 0xffffff / 3, 'red', '#f00', new THREE.Color()]) {
       expect(make({ [name]: color })).toHaveProperty(`${name}.isColor`, true);
     }
   });

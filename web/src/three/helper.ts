@@ -147,12 +147,13 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 export function colorOf(argument: string, given: unknown, others: ColorRepresentation): Color {
   if (given === undefined) return new Color(others);
   const isColor = typeof given === 'object' && given !== null && 'isColor' in given;
-  const isNumber = Number.isInteger(given) && (given as number) >= 0 && (given as number) < 2 ** 24;
+  // three.js rounds numbers down, such as those of Math.random() * 0xffffff.
+  const isNumber = typeof given === 'number' && given >= 0 && given < 2 ** 24;
   if (isColor || isNumber || typeof given === 'string') return new Color(given as Color);
   refuse(
     argument,
     given,
-    'a colour: a Color, a string or an integer from 0x000000 to 0xffffff',
+    'a colour: a Color, a string or a number from 0x000000 to 0xffffff',
     'number',
   );
 }
