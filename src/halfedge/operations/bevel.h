@@ -48,7 +48,8 @@ template <EditableSurface Mesh>
 ///             face has those of a face at v; new edges have the defaults
 /// returns: the new face, of the degree that was the valence of v
 /// cost: O(valence), where prev isn't stored O(sum of the degrees)
-/// inverse: collapse of the sides of the new face; undo also of the positions and attributes
+/// inverse: collapse of all sides of the new face but one; at a pinched vertex, where a collapse
+///          would let the boundary meet itself, undo; undo also of the positions and attributes
 /// errors: those of check_bevel_vertex, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_vertex(Mesh& mesh, Vertex v, double amount) {

@@ -32,8 +32,8 @@ struct DualPlan {
 /// vertices nothing; a face of which all corners are on the boundary becomes an isolated vertex.
 ///
 /// The dual of the dual of a closed mesh has the connectivity of the mesh, with its vertices and
-/// faces in the same order. Attributes aren't carried over. After an error `out` is empty, or as
-/// it was if `mesh` itself is refused.
+/// faces in the same order, but a face may begin at another corner. Attributes aren't carried over.
+/// After an error `out` is empty, or as it was if `mesh` itself is refused.
 ///
 /// cost: O(slots), and building
 /// errors: where the dual is no polygon mesh: degree-below-three (an interior vertex of valence 1
