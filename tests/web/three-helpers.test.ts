@@ -90,6 +90,15 @@ describe('HalfedgesHelper', () => {
     expect(vertexShader.indexOf('clip.z +=')).toBeLessThan(vertexShader.indexOf('gl_Position ='));
   });
 
+  test('is drawn on an object that is mirrored, too, whose front sides three.js culls', () => {
+    for (const material of [
+      linesOf(new HalfedgesHelper(HalfedgeMesh.cube())).material,
+      ghostOf(lineMaterial(1, 0)),
+    ]) {
+      expect(material.side).toBe(THREE.DoubleSide);
+    }
+  });
+
   test('learns how large the picture is from WebGLRenderer, and tells WebGPURenderer what it needs', () => {
     const lines = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
     const render = (renderer: object) => lines.onBeforeRender(renderer as THREE.WebGLRenderer);
