@@ -434,7 +434,11 @@ describe('IndexLabelsHelper', () => {
     readonly parentNode = null;
     textContent = '';
     className = '';
+    isOnPage = true;
     setAttribute() {}
+    remove() {
+      this.isOnPage = false;
+    }
   }
 
   beforeAll(() => {
@@ -464,6 +468,17 @@ describe('IndexLabelsHelper', () => {
     ).toHaveLength(20);
     helper.dispose();
     expect(helper.children).toHaveLength(0);
+  });
+
+  test('takes its labels out of the page when it is removed, and keeps them for when it is added', () => {
+    using mesh = HalfedgeMesh.cube();
+    const helper = new IndexLabelsHelper(mesh);
+    const labels = helper.children as (THREE.Object3D & { element: Element })[];
+    const object = new THREE.Group().add(helper);
+    expect(labels.every(({ element }) => element.isOnPage)).toBe(true);
+    object.remove(helper);
+    expect(labels.some(({ element }) => element.isOnPage)).toBe(false);
+    expect(labels).toHaveLength(8);
   });
 
   test('can be cloned', () => {

@@ -42,7 +42,11 @@ function checkLabels({ kinds, most = 0 }: LabelsOptions): void {
   }
 }
 
-/** Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
+/**
+ * Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. When it is removed from
+ * its parent, they leave the page. Before you remove an object above that, call `dispose()`: three.js doesn't tell its
+ * labels. `update()` makes them anew.
+ */
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
   /** The mesh whose items are labelled. */
@@ -61,6 +65,10 @@ export class IndexLabelsHelper extends Group {
       pixel: 0.01,
       ...given,
     };
+    // three.js takes labels out of the page only if each is removed by itself.
+    this.addEventListener('removed', () => {
+      for (const { element } of this.children as CSS2DObject[]) element.remove();
+    });
     this.update();
   }
 
