@@ -481,6 +481,18 @@ describe('IndexLabelsHelper', () => {
     expect(labels).toHaveLength(8);
   });
 
+  test.each([0.01, 1, 1000])(
+    'labels halfedges on their arrows, on a mesh of the size %p',
+    (size) => {
+      using mesh = HalfedgeMesh.cube({ size });
+      const arrows = segmentsOf(new HalfedgesHelper(mesh));
+      for (const { position } of new IndexLabelsHelper(mesh, { kinds: ['halfedge'] }).children) {
+        const distances = arrows.map(([a, b]) => position.distanceTo(a.clone().lerp(b, 0.5)));
+        expect(Math.min(...distances)).toBeLessThan(1e-6 * size);
+      }
+    },
+  );
+
   test('can be cloned', () => {
     using mesh = HalfedgeMesh.cube();
     const helper = new IndexLabelsHelper(mesh, { kinds: ['face'], most: 4 });

@@ -7,6 +7,7 @@ import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
+import { typicalPixel } from './helper.js';
 import { quadVertices } from './triangulate.js';
 
 /** Options of {@link IndexLabelsHelper}. */
@@ -17,10 +18,7 @@ export interface LabelsOptions {
   most?: number | undefined;
   /** The CSS class of the labels, in addition to `halfedge-vertex` and so on. Default: 'halfedge-label'. */
   className?: string | undefined;
-  /**
-   * The size of a pixel in units of the mesh, as for arrows: labels of halfedges stand beside them. Default:
-   * 0.01.
-   */
+  /** The size of a pixel in units of the mesh, as for arrows, with the same default: labels of halfedges lie on them. */
   pixel?: number | undefined;
 }
 
@@ -62,7 +60,7 @@ export class IndexLabelsHelper extends Group {
       kinds: ['vertex'],
       most: 300,
       className: 'halfedge-label',
-      pixel: 0.01,
+      pixel: typicalPixel(mesh),
       ...given,
     };
     // three.js takes labels out of the page only if each is removed by itself.
