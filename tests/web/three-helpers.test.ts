@@ -505,6 +505,7 @@ describe('IndexLabelsHelper', () => {
     using mesh = HalfedgeMesh.grid(30);
     const labelled = (options: object) => new IndexLabelsHelper(mesh, options).children;
     expect(labelled(Object.create({ most: 20 }))).toHaveLength(20);
+    expect(labelled({ most: 20.5 })).toHaveLength(20);
     expect(labelled({ kinds: undefined, most: undefined })).toHaveLength(300);
   });
 

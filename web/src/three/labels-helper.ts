@@ -78,7 +78,7 @@ export class IndexLabelsHelper extends Group {
     let count = 0;
     for (const kind of kinds) {
       for (const index of this.mesh[PLURALS[kind]]()) {
-        if (count === most) break;
+        if (count + 1 > most) break;
         let label = labels[count];
         if (label === undefined) {
           label = new CSS2DObject(document.createElement('span'));
