@@ -38,6 +38,13 @@ describe('Operations, step by step', () => {
     expect(story.words).toBe('Before: flip e5.');
   });
 
+  test('tell of new numbers wherever one of several steps made them', () => {
+    const { story } = told('deleteFace f3, compact, flip e5');
+    expect(story.seek(2)?.renumbers).toBe(false);
+    expect(story.seek(0)?.renumbers).toBe(true);
+    expect(story.seek(3)?.renumbers).toBe(true);
+  });
+
   test('are taken back with what a program has done since', () => {
     const { mesh, story, states } = told('flip e5, split e9');
     mesh.poke(0);

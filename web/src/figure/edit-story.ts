@@ -63,10 +63,11 @@ export abstract class EditStory implements Story {
 
   seek(position: number): Edit | null {
     const target = Math.max(0, Math.min(this.count, Math.round(position)));
-    let edit: Edit | null = null;
-    while (this.position < target && !this.refusal) edit = this.#forward() ?? edit;
-    while (this.position > target) edit = this.#back() ?? edit;
-    return edit;
+    const edits: Edit[] = [];
+    const add = (edit: Edit | null) => void (edit && edits.push(edit));
+    while (this.position < target && !this.refusal) add(this.#forward());
+    while (this.position > target) add(this.#back());
+    return edits.some(({ renumbers }) => renumbers) ? renumbering : (edits.at(-1) ?? null);
   }
 
   #forward(): Edit | null {
