@@ -173,7 +173,10 @@ export class MeshGeometry extends BufferGeometry {
     return { faces: changed, bytes };
   }
 
-  /** The bounds of the live vertices: the buffers also hold others. */
+  /**
+   * The bounds of the live vertices: the buffers also hold others, which `Box3.setFromObject(object, true)` and the
+   * bounds of a SkinnedMesh take in.
+   */
   override computeBoundingBox(): void {
     this.boundingBox ??= new Box3();
     fitBox(this.mesh, this.boundingBox);
