@@ -90,6 +90,15 @@ describe('HalfedgesHelper', () => {
     expect(vertexShader.indexOf('clip.z +=')).toBeLessThan(vertexShader.indexOf('gl_Position ='));
   });
 
+  test('is drawn on an object that is mirrored, too, whose front sides three.js culls', () => {
+    for (const material of [
+      linesOf(new HalfedgesHelper(HalfedgeMesh.cube())).material,
+      ghostOf(lineMaterial(1, 0)),
+    ]) {
+      expect(material.side).toBe(THREE.DoubleSide);
+    }
+  });
+
   test('learns how large the picture is from WebGLRenderer, and tells WebGPURenderer what it needs', () => {
     const lines = linesOf(new HalfedgesHelper(HalfedgeMesh.cube()));
     const render = (renderer: object) => lines.onBeforeRender(renderer as THREE.WebGLRenderer);
@@ -440,7 +449,11 @@ describe('IndexLabelsHelper', () => {
     readonly parentNode = null;
     textContent = '';
     className = '';
+    isOnPage = true;
     setAttribute() {}
+    remove() {
+      this.isOnPage = false;
+    }
   }
 
   beforeAll(() => {
@@ -472,6 +485,29 @@ describe('IndexLabelsHelper', () => {
     expect(helper.children).toHaveLength(0);
   });
 
+  test('takes its labels out of the page when it is removed, and keeps them for when it is added', () => {
+    using mesh = HalfedgeMesh.cube();
+    const helper = new IndexLabelsHelper(mesh);
+    const labels = helper.children as (THREE.Object3D & { element: Element })[];
+    const object = new THREE.Group().add(helper);
+    expect(labels.every(({ element }) => element.isOnPage)).toBe(true);
+    object.remove(helper);
+    expect(labels.some(({ element }) => element.isOnPage)).toBe(false);
+    expect(labels).toHaveLength(8);
+  });
+
+  test.each([0.01, 1, 1000])(
+    'labels halfedges on their arrows, on a mesh of the size %p',
+    (size) => {
+      using mesh = HalfedgeMesh.cube({ size });
+      const arrows = segmentsOf(new HalfedgesHelper(mesh));
+      for (const { position } of new IndexLabelsHelper(mesh, { kinds: ['halfedge'] }).children) {
+        const distances = arrows.map(([a, b]) => position.distanceTo(a.clone().lerp(b, 0.5)));
+        expect(Math.min(...distances)).toBeLessThan(1e-6 * size);
+      }
+    },
+  );
+
   test('can be cloned', () => {
     using mesh = HalfedgeMesh.cube();
     const helper = new IndexLabelsHelper(mesh, { kinds: ['face'], most: 4 });
@@ -484,6 +520,7 @@ describe('IndexLabelsHelper', () => {
     using mesh = HalfedgeMesh.grid(30);
     const labelled = (options: object) => new IndexLabelsHelper(mesh, options).children;
     expect(labelled(Object.create({ most: 20 }))).toHaveLength(20);
+    expect(labelled({ most: 20.5 })).toHaveLength(20);
     expect(labelled({ kinds: undefined, most: undefined })).toHaveLength(300);
   });
 

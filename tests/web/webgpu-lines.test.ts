@@ -48,7 +48,12 @@ describe.each(HELPERS)('%s with lines for WebGPURenderer', (_, width, make) => {
     for (const key of ['renderOrder', 'frustumCulled'] as const) {
       expect(drawn[key]).toBe(expected[key]);
     }
-    for (const key of ['polygonOffset', 'polygonOffsetFactor', 'polygonOffsetUnits'] as const) {
+    for (const key of [
+      'polygonOffset',
+      'polygonOffsetFactor',
+      'polygonOffsetUnits',
+      'side',
+    ] as const) {
       expect(drawn.material[key]).toBe(expected.material[key]);
     }
     expect([drawn.material.linewidth, expected.material.linewidth]).toEqual([width, width]);

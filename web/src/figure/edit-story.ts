@@ -1,6 +1,6 @@
 import type { HalfedgeMesh } from '../api.js';
 import { type Item, isLive } from '../teaching/items.js';
-import { type Edit, reversed } from '../teaching/motion.js';
+import { type Edit, renumbering, reversed } from '../teaching/motion.js';
 import { type Refusal, refusalOf, witnessItems } from '../teaching/operation.js';
 import type { Story } from './story.js';
 
@@ -11,13 +11,20 @@ export interface Done {
   readonly words: string;
 }
 
+/** A step that was made, and how many steps the history of the mesh had before and after it. */
+interface Kept {
+  readonly done: Done;
+  before: number;
+  after: number;
+}
+
 /** Changes of the mesh, one after the other; ends with the first that is refused. */
 export abstract class EditStory implements Story {
   readonly visits = [];
   abstract readonly count: number;
   refusal: Refusal | null = null;
   readonly #mesh: HalfedgeMesh;
-  readonly #done: Done[] = [];
+  readonly #done: Kept[] = [];
 
   /** Takes the history of the mesh into use. */
   constructor(mesh: HalfedgeMesh) {
@@ -38,7 +45,7 @@ export abstract class EditStory implements Story {
 
   get current(): Item | null {
     const last = this.#done.at(-1);
-    const item = last && !this.refusal ? last.after : this.item(this.#done.length);
+    const item = last && !this.refusal ? last.done.after : this.item(this.#done.length);
     // A step may name what was never there, or what an earlier one has deleted.
     return item && isLive(this.#mesh, item) ? item : null;
   }
@@ -46,7 +53,7 @@ export abstract class EditStory implements Story {
   get words(): string {
     const next = this.#done.length;
     if (this.refusal) return `Refused: ${this.title(next)}. ${this.refusal.message}`;
-    return this.#done.at(-1)?.words ?? `Before: ${this.title(next)}.`;
+    return this.#done.at(-1)?.done.words ?? `Before: ${this.title(next)}.`;
   }
 
   get witness(): readonly Item[] | null {
@@ -56,17 +63,22 @@ export abstract class EditStory implements Story {
 
   seek(position: number): Edit | null {
     const target = Math.max(0, Math.min(this.count, Math.round(position)));
-    let edit: Edit | null = null;
-    while (this.position < target && !this.refusal) edit = this.#forward() ?? edit;
-    while (this.position > target) edit = this.#back() ?? edit;
-    return edit;
+    const edits: Edit[] = [];
+    const add = (edit: Edit | null) => void (edit && edits.push(edit));
+    while (this.position < target && !this.refusal) add(this.#forward());
+    while (this.position > target) add(this.#back());
+    return edits.some(({ renumbers }) => renumbers) ? renumbering : (edits.at(-1) ?? null);
   }
 
   #forward(): Edit | null {
+    const { history, version } = this.#mesh;
+    const before = history.undoCount;
     try {
       const outcome = this.attempt(this.#done.length);
       if ('edit' in outcome) {
-        this.#done.push(outcome);
+        const after = history.undoCount;
+        this.#done.push({ done: outcome, before, after });
+        if (this.#mesh.version !== version && after <= before) this.#forget(before + 1 - after);
         return outcome.edit;
       }
       this.refusal = outcome;
@@ -82,6 +94,20 @@ export abstract class EditStory implements Story {
       return null;
     }
     const step = this.#done.pop();
-    return step && this.#mesh.history.undo() ? reversed(step.edit) : null;
+    if (step === undefined) return null;
+    const { history } = this.#mesh;
+    const { undoCount } = history;
+    // None where there was nothing to do, or a program has taken it back; more where one has edited the mesh since.
+    while (history.undoCount > step.before && history.undo());
+    if (history.undoCount === undoCount) return null;
+    return undoCount === step.after ? reversed(step.done.edit) : renumbering;
+  }
+
+  /** The history has forgotten so many of its oldest steps. */
+  #forget(steps: number): void {
+    for (const [i, step] of this.#done.entries()) {
+      step.before -= steps;
+      if (i < this.#done.length - 1) step.after -= steps;
+    }
   }
 }

@@ -64,7 +64,10 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.addEventListener('keydown', keepUsedKey);
   }
 
-  /** The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. */
+  /**
+   * The mesh on show; null before it is loaded. Edit it through `operation`, or call `refresh()` after. It is disposed
+   * of when the figure shows another one, and when the figure leaves its place in the page.
+   */
   get mesh(): HalfedgeMesh | null {
     return this.#model.mesh;
   }

@@ -57,7 +57,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     super();
     checkObject(options);
     this.mesh = checkMesh(mesh);
-    const { linewidth = width, lines = webglLines, pixel = typicalEdge(mesh) / 56 } = options;
+    const { linewidth = width, lines = webglLines, pixel = typicalPixel(mesh) } = options;
     this.pixel = checkLength('options.pixel', pixel);
     this.color = colorOf('options.color', options.color, color);
     this.#lines = checkLines(lines);
@@ -172,6 +172,11 @@ function checkLines(lines: unknown): LineKind {
     lines,
     'webgpuLines of halfedge/three/webgpu, or nothing for WebGLRenderer',
   );
+}
+
+/** The size of a CSS pixel where a typical edge is 56 of them long. */
+export function typicalPixel(mesh: HalfedgeMesh): number {
+  return typicalEdge(mesh) / 56;
 }
 
 /** The median length of some of the edges; 1 if there are none that have a length. */

@@ -144,7 +144,10 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   readonly kind: Kind;
   /** Which way it goes. */
   readonly direction: Direction;
-  /** The item that it goes around. Call `update()` after setting it. */
+  /**
+   * The item that it goes around. Call `update()` after setting it. Where there is no such item any more, as after an
+   * undo, `update()` throws: hide the helper then, or give it another item.
+   */
   item: CirculatorCentre<Kind>;
   /** How far it goes. Call `update()` after setting it. */
   steps: number;

@@ -7,7 +7,7 @@ import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
-import { checkLength } from './helper.js';
+import { checkLength, typicalPixel } from './helper.js';
 import { quadVertices } from './triangulate.js';
 
 /** Options of {@link IndexLabelsHelper}. */
@@ -18,10 +18,7 @@ export interface LabelsOptions {
   most?: number | undefined;
   /** The CSS class of the labels, in addition to `halfedge-vertex` and so on. Default: 'halfedge-label'. */
   className?: string | undefined;
-  /**
-   * The size of a pixel in units of the mesh, as for arrows: labels of halfedges stand beside them. Default:
-   * 0.01.
-   */
+  /** The size of a pixel in units of the mesh, as for arrows, with the same default: labels of halfedges lie on them. */
   pixel?: number | undefined;
 }
 
@@ -45,7 +42,11 @@ function checkLabels({ kinds, most = 0, className = '', pixel = 1 }: LabelsOptio
   checkLength('options.pixel', pixel);
 }
 
-/** Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. */
+/**
+ * Shows the indices of items as text, drawn by three.js's CSS2DRenderer: `v0`, `h12`, `e6`, `f3`. When it is removed from
+ * its parent, they leave the page. Before you remove an object above that, call `dispose()`: three.js doesn't tell its
+ * labels. `update()` makes them anew.
+ */
 export class IndexLabelsHelper extends Group {
   override readonly type = 'IndexLabelsHelper' as 'Group';
   /** The mesh whose items are labelled. */
@@ -61,9 +62,13 @@ export class IndexLabelsHelper extends Group {
       kinds: ['vertex'],
       most: 300,
       className: 'halfedge-label',
-      pixel: 0.01,
+      pixel: typicalPixel(mesh),
       ...given,
     };
+    // three.js takes labels out of the page only if each is removed by itself.
+    this.addEventListener('removed', () => {
+      for (const { element } of this.children as CSS2DObject[]) element.remove();
+    });
     this.update();
   }
 

@@ -1,4 +1,4 @@
-import { type Color, GreaterDepth, type Material, type Mesh, Vector4 } from 'three';
+import { type Color, DoubleSide, GreaterDepth, type Material, type Mesh, Vector4 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -93,6 +93,9 @@ const pieces = new Float64Array(MOST_DASHES * SEGMENT_FLOATS);
 const segment = new Float32Array(SEGMENT_FLOATS);
 const tint = new Float32Array(3);
 
+/** The quad of a line faces the camera, also in an object that is mirrored, whose front sides three.js takes for backs. */
+export const LINE_SIDE = DoubleSide;
+
 /** By how many CSS pixels a line comes nearer to the camera for each unit of its bias. */
 export const LIFT_PX = 1.5;
 
@@ -120,6 +123,7 @@ export function lineMaterial(linewidth: number, bias: number): LineMaterial {
   material.uniforms.lineLift = { value: LIFT_PX * bias };
   const { vertexShader } = material;
   material.vertexShader = `uniform float lineLift;\n${vertexShader.replace('gl_Position = clip;', LIFT)}`;
+  material.side = LINE_SIDE;
   offsetBy(material, bias);
   return material;
 }

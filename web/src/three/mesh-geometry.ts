@@ -57,7 +57,8 @@ export let trianglesOf: (geometry: MeshGeometry) => TriangleIndex;
  * that they can grow; the draw range tells how far they are used. Unused triangles have no area. Exporters
  * would write them too, so pass them the result of `toBufferGeometry` instead. Nothing else may reorder the
  * triangles, as a MeshBVH that isn't `indirect` does. Groups and morph targets are not shown: see
- * `toBufferGeometry`. The attributes shown are those that the mesh had when the geometry was made.
+ * `toBufferGeometry`. The attributes shown are those that the mesh had when the geometry was made. Each renderer needs a
+ * geometry of its own, as it does of helpers: what is to be uploaded is noted for one.
  *
  * To find what has changed, `update` makes a digest of the links, positions and attributes shown. For a
  * million triangles, that takes some 5 ms, or 1 ms if the links are unchanged. Beyond that, the cost depends
@@ -138,7 +139,8 @@ export class MeshGeometry extends BufferGeometry {
   }
 
   /**
-   * Applies what has changed in the mesh since the last update.
+   * Applies what has changed in the mesh since the last update. Bounds that are there become as wide as the mesh,
+   * but not narrower: for that, call `computeBoundingBox()` or `computeBoundingSphere()`.
    *
    * @throws HalfedgeError `disposed`, `out-of-memory`, `unsupported-attribute` (an attribute that it shows
    * was removed or replaced)
@@ -171,7 +173,10 @@ export class MeshGeometry extends BufferGeometry {
     return { faces: changed, bytes };
   }
 
-  /** The bounds of the live vertices: the buffers also hold others. */
+  /**
+   * The bounds of the live vertices: the buffers also hold others, which `Box3.setFromObject(object, true)` and the
+   * bounds of a SkinnedMesh take in.
+   */
   override computeBoundingBox(): void {
     this.boundingBox ??= new Box3();
     fitBox(this.mesh, this.boundingBox);

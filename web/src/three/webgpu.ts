@@ -21,7 +21,7 @@ import {
   viewport,
 } from 'three/tsl';
 import { Mesh, type Node, NodeMaterial } from 'three/webgpu';
-import { LIFT_PX, type LineKind, offsetBy } from './lines.js';
+import { LIFT_PX, LINE_SIDE, type LineKind, offsetBy } from './lines.js';
 
 /**
  * The lines of helpers for WebGPURenderer, with WebGPU and with its WebGL 2: as wide, and as near, as those for
@@ -51,6 +51,7 @@ class LineNodeMaterial extends NodeMaterial {
     this.lift = LIFT_PX * bias;
     this.colorNode = color;
     this.fog = false;
+    this.side = LINE_SIDE;
     offsetBy(this, bias);
   }
 
