@@ -104,49 +104,55 @@ class BasicMesh : public BasicConnectivity<kStored> {
 
   /// As the connectivity's, with positions.
   bool undo() {
-    return Base::undo([this](Journal::Write& write) { exchange(write); });
+    return Base::undo([this](const Journal::Note& note) { exchange(note); });
   }
   bool redo() {
-    return Base::redo([this](Journal::Write& write) { exchange(write); });
+    return Base::redo([this](const Journal::Note& note) { exchange(note); });
   }
 
  private:
   friend class Compaction;
 
   void note_position(Vertex v) {
-    const float* stored = &positions_[3 * std::size_t{v.index()}];
-    this->note(Field::kPositionX, v.index(), __builtin_bit_cast(Index, stored[0]));
-    this->note(Field::kPositionY, v.index(), __builtin_bit_cast(Index, stored[1]));
-    this->note(Field::kPositionZ, v.index(), __builtin_bit_cast(Index, stored[2]));
+    if (this->history() == nullptr) return;
+    Index words[3];
+    std::memcpy(words, &positions_[3 * std::size_t{v.index()}], sizeof words);
+    this->journal().record_position(v.index(), words);
   }
 
-  void exchange(Journal::Write& write) {
-    if (write.field >= Field::kPositionX && write.field <= Field::kPositionZ) {
-      const auto axis = Index(write.field) - Index(Field::kPositionX);
-      float& stored = positions_[3 * std::size_t{write.index} + axis];
-      const float noted = __builtin_bit_cast(float, write.word);
-      write.word = __builtin_bit_cast(Index, stored);
-      stored = noted;
-      return;
+  void exchange(const Journal::Note& note) {
+    switch (note.field) {
+      case Field::kPosition: {
+        float* const stored = &positions_[3 * std::size_t{note.index}];
+        Index words[3];
+        std::memcpy(words, stored, sizeof words);
+        std::memcpy(stored, note.words, sizeof words);
+        std::memcpy(note.words, words, sizeof words);
+        return;
+      }
+      case Field::kVertexSlots:
+        // In room that was there before.
+        (void)positions_.resize(3 * std::size_t{note.words[0]}, 0.0F);
+        break;
+      case Field::kNewVertices:
+        return exchange_new_vertices(note);
+      default:
+        break;
     }
-    if (write.field == Field::kVertexSlots) {
-      (void)positions_.resize(3 * std::size_t{write.word}, 0.0F);  // in room that was there before
-    }
-    if (write.field == Field::kNewVertices) return exchange_new_vertices(write);
-    Base::exchange(write);
+    Base::exchange(note);
   }
 
   // The positions are the first to be dropped, and the last to be there again.
-  void exchange_new_vertices(Journal::Write& write) {
+  void exchange_new_vertices(const Journal::Note& note) {
     Journal& journal = this->journal();
-    const std::size_t kept = 3 * std::size_t{std::min(write.word, vertex_slots())};
-    const std::size_t changed = 3 * std::size_t{std::max(write.word, vertex_slots())} - kept;
-    if (write.word < vertex_slots()) {
+    const std::size_t kept = 3 * std::size_t{std::min(note.words[0], vertex_slots())};
+    const std::size_t changed = 3 * std::size_t{std::max(note.words[0], vertex_slots())} - kept;
+    if (note.words[0] < vertex_slots()) {
       journal.keep_dropped(positions_.begin() + kept, changed);
       positions_.grow_to(kept);
-      Base::exchange(write);
+      Base::exchange(note);
     } else {
-      Base::exchange(write);
+      Base::exchange(note);
       positions_.grow_to(kept + changed);
       std::memcpy(positions_.begin() + kept, journal.take_dropped(changed),
                   changed * sizeof(float));

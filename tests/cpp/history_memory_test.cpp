@@ -49,7 +49,7 @@ void move_all(Mesh& mesh, float by) {
   mesh.end_step();
   expect(mesh.history()->undo_count() == 1, 3);
   use_up_memory();
-  move_all(mesh, 1);  // 5 MB of notes
+  move_all(mesh, 1);  // 2.6 MB of notes
   expect(mesh.position(Vertex(7)) == Point{2, 1, 1}, 4);
   expect(mesh.history()->undo_count() == 0, 9);  // at once, which makes room
   // What is written once the notes are lost is noted again, and must not pass for a whole step.
@@ -71,7 +71,7 @@ TEST(HistoryMemoryDeathTest, AStepThatCannotBeNotedIsForgottenWithThoseBefore) {
   EXPECT_EXIT(lose_a_step(), testing::ExitedWithCode(0), "");
 }
 
-// The same while an edge is deleted, which is noted in four at once.
+// The same while edges are deleted, which take nine words at once.
 [[noreturn]] void lose_a_step_of_deletions() {
   Mesh mesh = with_history(quad_grid(300, 300));
   use_up_memory();
@@ -93,7 +93,8 @@ TEST(HistoryMemoryDeathTest, DeletionsThatCannotBeNotedAreDoneAllTheSame) {
 // A deleted edge that is the last note of its step, for which there is no room behind the others.
 [[noreturn]] void delete_an_edge_without_memory() {
   Mesh mesh = with_history(tetrahedron());
-  for (int i = 0; i < 341; ++i) mesh.set_position(Vertex(0), {float(i), 0, 0});  // 1023 notes
+  // 4092 words, of 4096 that are in one place.
+  for (int i = 0; i < 1023; ++i) mesh.set_position(Vertex(0), {float(i), 0, 0});
   mesh.end_step();
   use_up_all_memory();
   mesh.release(Edge(0));

@@ -200,7 +200,7 @@ describe('A mesh too large for memory', () => {
 
   test('for the history of a group that throws keeps its changes, and forgets all steps', () => {
     const before = bytesInUse();
-    using mesh = HalfedgeMesh.grid(30);
+    using mesh = HalfedgeMesh.grid(40);
     mesh.history.enabled = true;
     mesh.setPosition(0, [7, 7, 7]);
     const move = () =>

@@ -9,7 +9,7 @@ import { checkOptions, type Given, type OptionNames } from './options.js';
 export interface HistoryLimits {
   /** The largest number of steps. Default: Infinity. */
   steps?: number | undefined;
-  /** The largest number of bytes; 12 for each word that an edit replaced. Default: Infinity. */
+  /** The largest number of bytes: 4 to 12 for each word that an edit replaced, mostly 8. Default: Infinity. */
   bytes?: number | undefined;
 }
 

@@ -104,10 +104,7 @@ void Attribute::put(Index item, Index component, double value) {
 
 bool Attribute::reserve(std::size_t slots) {
   const std::size_t bytes = stride_ * slots;
-  if (bytes <= bytes_.capacity()) return true;
-  // What a note can't name isn't there. A column is never so long on 32-bit machines.
-  if (bytes / (is_of_words() ? sizeof(Index) : 1) > kNone) return false;
-  return bytes_.reserve_amply(bytes);
+  return bytes <= bytes_.capacity() || bytes_.reserve_amply(bytes);
 }
 
 void Attribute::resize(Index slots) {
@@ -131,32 +128,14 @@ bool Attribute::assign(const Attribute& other) {
 }
 
 void Attribute::note(Index item, Journal* journal) const {
-  if (journal == nullptr) return;
-  const std::size_t begin = stride_ * item;
-  if (is_of_words()) {
-    for (std::size_t at = begin; at < begin + stride_; at += sizeof(Index)) {
-      Index word = 0;
-      std::memcpy(&word, &bytes_[at], sizeof word);
-      journal->record(field(), Index(at / sizeof word), word);
-    }
-  } else {
-    for (std::size_t at = begin; at < begin + stride_; ++at) {
-      journal->record(field(), Index(at), Index(bytes_[at]));
-    }
+  if (journal != nullptr) {
+    journal->record_attribute(serial_, item, &bytes_[stride_ * item], stride_);
   }
 }
 
-void Attribute::exchange(Journal::Write& write) {
-  if (is_of_words()) {
-    std::byte* const at = &bytes_[sizeof(Index) * std::size_t{write.index}];
-    Index word = 0;
-    std::memcpy(&word, at, sizeof word);
-    std::memcpy(at, &write.word, sizeof word);
-    write.word = word;
-  } else {
-    const std::byte old = std::exchange(bytes_[write.index], std::byte(write.word));
-    write.word = Index(old);
-  }
+void Attribute::exchange(const Journal::Note& note) {
+  std::byte* const stored = &bytes_[stride_ * note.index];
+  std::swap_ranges(stored, stored + stride_, reinterpret_cast<std::byte*>(note.words));
 }
 
 void Attribute::set_default(Index item, Journal* journal) {

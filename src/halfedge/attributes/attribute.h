@@ -164,14 +164,11 @@ class Attribute {
   void note_all(Journal& journal) const;
   /// Moves values down to where `map` says, kNone for none; `width` slots for an entry of it.
   void compact(const Array<Index>& map, std::size_t width);
-  /// Exchanges a word or a byte of this column with the one noted.
-  void exchange(Journal::Write& write);
+  /// Exchanges what an item has with what is noted.
+  void exchange(const Journal::Note& note);
 
  private:
   [[nodiscard]] bool is_float() const { return type_ <= Scalar::kFloat64; }
-  [[nodiscard]] Field field() const { return Field(Index(Field::kFirstAttribute) + serial_); }
-  /// Notes are taken by the word where an item consists of words, else by the byte.
-  [[nodiscard]] bool is_of_words() const { return stride_ % sizeof(Index) == 0; }
   void note(Index item, Journal* journal) const;
   void put(Index item, Index component, double value);
   [[nodiscard]] double number_at(const std::byte* item, Index component) const;

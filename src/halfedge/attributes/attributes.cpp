@@ -41,7 +41,8 @@ Result<Attribute*> Attributes::add(ItemKind kind, std::string_view name,
   }
   std::unique_ptr<Attribute> column(new (std::nothrow)
                                         Attribute(std::string(name), kind, options, serials_++));
-  if (column == nullptr || !column->has_default() || !column->reserve(slots)) {
+  if (column == nullptr || column->serial() >= Journal::kMostColumns || !column->has_default() ||
+      !column->reserve(slots)) {
     return Error{"out-of-memory",
                  sentence::of("There is not enough memory for the {}.", quoted(kind, name))};
   }
@@ -167,11 +168,10 @@ void Attributes::compact(ItemKind kind, const Array<Index>& map) {
   for (Column& column : of(kind)) column->compact(map, width);
 }
 
-void Attributes::exchange(Journal::Write& write) {
-  const Index serial = Index(write.field) - Index(Field::kFirstAttribute);
+void Attributes::exchange(const Journal::Note& note) {
   for (std::vector<Column>& columns : columns_) {
     for (Column& column : columns) {
-      if (column->serial() == serial) return column->exchange(write);
+      if (column->serial() == note.column) return column->exchange(note);
     }
   }
 }

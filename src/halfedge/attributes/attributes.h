@@ -93,7 +93,7 @@ class Attributes {
   void note_all(Journal& journal) const;
   void compact(ItemKind kind, const Array<Index>& map);
   /// Exchanges what was noted, if its column still exists.
-  void exchange(Journal::Write& write);
+  void exchange(const Journal::Note& note);
 
   // ---- what operations do -------------------------------------------------------------------
 

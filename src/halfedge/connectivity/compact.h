@@ -125,7 +125,7 @@ class Compaction {
   static void note_all(BasicConnectivity<kStored>& mesh) {
     mesh.journal_->end_new();
     const auto note_words = [&](Field field, const Array<Index>& array) {
-      for (Index i = 0; i < array.size(); ++i) mesh.note(field, i, array[i]);
+      mesh.journal_->record_words(field, 0, array.data(), array.size());
     };
     const Links& links = mesh.links_;
     note_words(Field::kNext, links.next);

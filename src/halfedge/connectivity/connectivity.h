@@ -293,11 +293,11 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   /// Notes one of them.
   void note_next(Halfedge h) {
     if (needs_note(h)) [[unlikely]]
-      journal_->record_in_old_slot(Field::kNext, h.index(), links_.next[h.index()]);
+      journal_->record_in_old_slots(Field::kNext, h.index(), {links_.next[h.index()]});
   }
   void note_prev(Halfedge h) {
     if (stores_prev() && needs_note(h)) [[unlikely]]
-      journal_->record_in_old_slot(Field::kPrev, h.index(), links_.prev[h.index()]);
+      journal_->record_in_old_slots(Field::kPrev, h.index(), {links_.prev[h.index()]});
   }
 
   /// next(h) = n and prev(n) = h.
@@ -491,10 +491,10 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   }
   /// Takes back the last step, or does again the one taken back last. False if there is none.
   bool undo() {
-    return undo([this](Journal::Write& write) { exchange(write); });
+    return undo([this](const Journal::Note& note) { exchange(note); });
   }
   bool redo() {
-    return redo([this](Journal::Write& write) { exchange(write); });
+    return redo([this](const Journal::Note& note) { exchange(note); });
   }
 
  protected:
@@ -505,8 +505,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
     if (journal_ != nullptr) [[unlikely]]
       journal_->record(field, index, word);
   }
-  /// Exchanges a word of the mesh with the one noted. Classes built on this one add their fields.
-  void exchange(Journal::Write& write);
+  /// Exchanges what the mesh holds with what is noted. Classes built on this one add their fields.
+  void exchange(const Journal::Note& note);
   /// undo and redo, with the `exchange` of a class built on this one.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
@@ -540,8 +540,7 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
       journal_->record_new(field, slots);
   }
   void note(Field field, const FreeList& list) {
-    note(field, 0, list.head);
-    note(field, 1, list.count);
+    if (journal_ != nullptr) journal_->record_in_old_slots(field, 0, {list.head, list.count});
   }
 
   template <class Item>
@@ -551,17 +550,17 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   [[nodiscard]] Halfedge add_edge_slot();
   void release_slot(Field field, Array<Index>& links, FreeList& list, Index slot);
   void note_loop_links_at(Index h);
-  void exchange_loop_links(Journal::Write& first);
+  void exchange_loop_links(const Journal::Note& note);
   template <class Visit>
   void for_edge_links(const Visit& visit);
   void note_recycled(Edge e, bool is_taken);
-  void exchange_recycled_edge(Journal::Write& first);
+  void exchange_recycled_edge(const Journal::Note& note);
   void exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
-                      Journal::Write& write);
-  void exchange_halfedge_slots(Journal::Write& write);
-  void exchange_new_halfedges(Journal::Write& write);
+                      const Journal::Note& note);
+  void exchange_halfedge_slots(const Journal::Note& note);
+  void exchange_new_halfedges(const Journal::Note& note);
   void exchange_new(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
-                    Journal::Write& write);
+                    const Journal::Note& note);
   [[nodiscard]] Index take_free(Field field, Array<Index>& links, FreeList& list, Index link);
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.

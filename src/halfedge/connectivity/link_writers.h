@@ -45,7 +45,7 @@ class BasicConnectivity<kStored>::Writer {
   void write(Field field, Array<Index>& array, Index h, Index word) const {
     if (mesh_.journal_ != nullptr && array[h] != word && !mesh_.journal_->is_new_halfedge(h))
         [[unlikely]]
-      mesh_.journal_->record_in_old_slot(field, h, array[h]);
+      mesh_.journal_->record_in_old_slots(field, h, {array[h]});
     array[h] = word;
   }
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdlib>
+#include <utility>
 
 namespace halfedge {
 
@@ -44,11 +45,26 @@ class ChunkedArray {
     return true;
   }
 
-  /// pre: room_in_chunk() > 0
-  void push_back_in_chunk(const T& value) { *next_++ = value; }
+  /// Adds so many elements, which are yet to be written.
+  /// pre: room_in_chunk() >= count
+  [[nodiscard]] T* grow_in_chunk(std::size_t count) { return std::exchange(next_, next_ + count); }
 
   /// How many elements more fit into the last chunk.
   [[nodiscard]] std::size_t room_in_chunk() const { return std::size_t(chunk_end_ - next_); }
+
+  /// Makes room for elements in a new chunk. False when memory is exhausted. Not inline, so that to
+  /// add an element is short.
+  /// pre: room_in_chunk() == 0
+  [[nodiscard, gnu::noinline]] bool add_chunk() {
+    auto* chunk = static_cast<T*>(std::malloc(kChunk * sizeof(T)));
+    if (chunk == nullptr || !chunks_.push_back({chunk})) {
+      std::free(chunk);
+      return false;
+    }
+    next_ = chunk;
+    chunk_end_ = chunk + kChunk;
+    return true;
+  }
 
   /// Drops the elements from `end` on.
   void drop_from(std::size_t end) {
@@ -86,18 +102,6 @@ class ChunkedArray {
 
   [[nodiscard]] T* chunk_of(std::size_t i) const {
     return chunks_[i / kChunk - first_chunk_].elements;
-  }
-
-  // Not inline, so that to add an element is short.
-  [[nodiscard, gnu::noinline]] bool add_chunk() {
-    auto* chunk = static_cast<T*>(std::malloc(kChunk * sizeof(T)));
-    if (chunk == nullptr || !chunks_.push_back({chunk})) {
-      std::free(chunk);
-      return false;
-    }
-    next_ = chunk;
-    chunk_end_ = chunk + kChunk;
-    return true;
   }
 
   // Where the last chunk ends that `end` needs.

@@ -13,27 +13,74 @@ constexpr std::size_t kVertices = 0;
 constexpr std::size_t kHalfedges = 1;
 constexpr std::size_t kFaces = 2;
 
-// Whose slots the arrays from kNext to kPositionZ have.
-constexpr std::uint8_t kSlotsOf[] = {kHalfedges, kHalfedges, kHalfedges, kHalfedges, kVertices,
-                                     kFaces,     kVertices,  kVertices,  kVertices};
-static_assert(std::size(kSlotsOf) == std::size_t(Field::kVertexSlots));
+// Whose slots the arrays from kNext to kFaceHalfedge have.
+constexpr std::uint8_t kSlotsOf[] = {kHalfedges, kHalfedges, kHalfedges,
+                                     kHalfedges, kVertices,  kFaces};
+static_assert(std::size(kSlotsOf) == std::size_t(Field::kFaceHalfedge) + 1);
+
+// How many words a note has, where its header doesn't tell.
+Index words_of(Field field) {
+  switch (field) {
+    case Field::kFiller:
+      return 0;
+    case Field::kFreeListOfVertices:
+    case Field::kFreeListOfEdges:
+    case Field::kFreeListOfFaces:
+      return 2;
+    case Field::kPosition:
+    case Field::kLoopLinks:
+      return 3;
+    case Field::kRecycledEdge:
+      return 8;
+    default:
+      return 1;
+  }
+}
 
 }  // namespace
 
 std::size_t Journal::bytes() const {
-  return sizeof(Write) * (writes_.end_index() - begin_of(first_)) + sizeof(Index) * dropped_.size();
+  return sizeof(Index) * (tape_.end_index() - begin_of(first_) + dropped_.size());
 }
 
 // Not inline: it is called wherever something is written, and mostly there is no journal at all.
 // All that is rare is elsewhere, so that this needs no register to be saved.
 void Journal::record(Field field, Index index, Index word) {
-  if (field < Field::kVertexSlots && index >= new_from_[kSlotsOf[std::size_t(field)]]) return;
-  record_in_old_slot(field, index, word);
+  if (field <= Field::kFaceHalfedge && index >= new_from_[kSlotsOf[std::size_t(field)]]) return;
+  record_in_old_slots(field, index, {word});
 }
 
-void Journal::record_in_new_place(Field field, Index index, Index word) {
-  forget_redo();
-  if (!writes_.push_back({field, index, word})) lose();
+void Journal::record_position(Index vertex, const Index (&words)[3]) {
+  if (vertex < new_from_[kVertices]) record_in_old_slots(Field::kPosition, vertex, words);
+}
+
+void Journal::record_words(Field field, Index index, const Index* words, std::size_t count) {
+  for (std::size_t begin = 0; begin < count; begin += kMostWords) {
+    const std::size_t run = std::min(count - begin, kMostWords);
+    record_counted(Field::kWords, index + Index(begin), Index(field), words + begin,
+                   run * sizeof(Index));
+  }
+}
+
+void Journal::record_attribute(Index column, Index item, const std::byte* bytes, std::size_t size) {
+  record_counted(Field::kAttribute, item, column, bytes, size);
+}
+
+void Journal::record_counted(Field field, Index index, Index column, const void* bytes,
+                             std::size_t size) {
+  const std::size_t count = (size + sizeof(Index) - 1) / sizeof(Index);
+  if (!has_room(count + kMostOfHeader)) return;
+  Index* const words = tape_.grow_in_chunk(count + 1);
+  words[count - 1] = 0;  // of which there may be bytes behind the last
+  std::memcpy(words, bytes, size);
+  words[count] = column << kCountBits | Index(count);
+  end_note(field, index);
+}
+
+void Journal::end_far_note(Field field, Index index) {
+  Index* const header = tape_.grow_in_chunk(2);
+  header[0] = index;
+  header[1] = header_of(Field::kFar, Index(field));
 }
 
 void Journal::record_new(Field field, Index slots) {
@@ -43,14 +90,41 @@ void Journal::record_new(Field field, Index slots) {
   new_from = slots;
 }
 
-bool Journal::find_room_in_row(std::size_t writes) {
+bool Journal::make_room(std::size_t words) {
   forget_redo();
-  while (writes_.room_in_chunk() < writes) {
-    if (writes_.push_back({Field::kFiller, 0, 0})) continue;
-    lose();
-    return false;
+  if (tape_.room_in_chunk() >= words) return true;
+  const std::size_t left = tape_.room_in_chunk();
+  std::fill_n(tape_.grow_in_chunk(left), left, header_of(Field::kFiller, kLastNear));
+  if (tape_.add_chunk()) return true;
+  lose();
+  return false;
+}
+
+Journal::Note Journal::read(Index* header, std::ptrdiff_t inwards) {
+  Note note{};
+  const auto next_word = [&] { return header[inwards * std::ptrdiff_t(note.length++)]; };
+  const Index first = next_word();
+  note.field = Field(first & ((1U << kFieldBits) - 1));
+  note.index = first >> kFieldBits;
+  if (note.field == Field::kFar) {
+    note.field = Field(note.index);
+    note.index = next_word();
   }
-  return true;
+  note.count = words_of(note.field);
+  if (note.field == Field::kAttribute || note.field == Field::kWords) {
+    const Index column = next_word();
+    note.column = column >> kCountBits;
+    note.count = column & ((1U << kCountBits) - 1);
+  }
+  note.length += note.count;
+  note.words = inwards < 0 ? header + 1 - note.length : header;
+  return note;
+}
+
+void Journal::turn(const Note& note) { std::reverse(note.words, note.words + note.length); }
+
+void Journal::exchange_words(const Note& note, Index* stored) {
+  std::swap_ranges(note.words, note.words + note.count, stored);
 }
 
 void Journal::keep_dropped(const void* words, std::size_t count) {
@@ -79,7 +153,7 @@ bool Journal::close_step() {
     return false;
   }
   if (!has_open_step()) return false;
-  if (!ends_.push_back(writes_.end_index())) {
+  if (!ends_.push_back(tape_.end_index())) {
     forget();
     return false;
   }
@@ -110,12 +184,12 @@ void Journal::forget_steps() {
 }
 
 void Journal::drop_forgotten() {
-  writes_.drop_before(begin_of(first_));
+  tape_.drop_before(begin_of(first_));
   ends_.drop_before(first_);
 }
 
 void Journal::forget() {
-  writes_.clear();
+  tape_.clear();
   ends_.clear();
   dropped_.clear();
   first_ = done_ = 0;
@@ -126,7 +200,7 @@ void Journal::forget() {
 void Journal::forget_undone() {
   dropped_.clear();
   lost_dropped_ = false;
-  writes_.drop_from(begin_of(done_));
+  tape_.drop_from(begin_of(done_));
   ends_.drop_from(done_);
   has_undone_ = false;
 }

@@ -11,7 +11,7 @@
 
 namespace halfedge {
 
-/// What a write changes: an array of 32-bit words, or one of the numbers that go with the arrays.
+/// What a note is of: words of an array, or numbers that go with the arrays.
 enum class Field : std::uint32_t {
   kNext,
   kPrev,
@@ -19,24 +19,24 @@ enum class Field : std::uint32_t {
   kFace,
   kVertexHalfedge,
   kFaceHalfedge,
-  kPositionX,  // by vertex
-  kPositionY,
-  kPositionZ,
+  kPosition,     // of a vertex
   kVertexSlots,  // sizes of the arrays, which compact changes; no index
   kHalfedgeSlots,
   kFaceSlots,
   kNewVertices,  // the same where slots were added at the end
   kNewHalfedges,
   kNewFaces,
-  kFreeListOfVertices,  // free lists; index 0: the head, 1: the count
+  kFreeListOfVertices,  // the head and the count of a free list; no index
   kFreeListOfEdges,
   kFreeListOfFaces,
   kRecycledVertex,  // the link of a slot that went to its free list, or was taken from it; the list
   kRecycledFace,
   kRecycledEdge,  // the same of an edge, with the eight links of its sides
   kLoopLinks,     // next, prev and face of a halfedge
-  kFiller,  // says nothing: it fills a chunk up, so that writes that belong together are in one
-  kFirstAttribute  // attributes have numbers from here on
+  kWords,         // a run of words of one of the arrays before kPosition
+  kAttribute,     // what an item has in a column
+  kFar,           // not a field: the index of the note lies in a word of its own
+  kFiller = 31    // says nothing: it fills a chunk up, all bits set, so that each note lies in one
 };
 
 /// How far back history reaches. The oldest steps are forgotten first; the last one is kept in any
@@ -50,72 +50,56 @@ struct HistoryLimits {
   }
 };
 
-/// A record of writes, by which a mesh goes back and forth exactly. Each write is noted with the
-/// word that it replaced; to undo a step is to exchange its words with those of the arrays, last
-/// one first, and to redo it, first one first. So the cost is that of what was touched, 12 bytes a
-/// word; 24 for all links of a halfedge in its loop; 12 for a vertex or face that is deleted, 48
-/// for an edge. What is written to slots that are new in a step needs no note: to undo it is to
-/// drop them. What they held is kept then, for redo.
+/// A record of writes, by which a mesh goes back and forth exactly. A note holds the words that a
+/// write replaced; to undo a step is to exchange those of its notes with those of the arrays, last
+/// one first, and to redo it, first one first. So the cost is that of what was touched: 4 bytes a
+/// word, and 4 for what a note is of. Some hold several words: the links of a halfedge in its loop
+/// take 16 bytes, a position as well, an edge that is deleted 36. What is written to slots that are
+/// new in a step needs no note: to undo it is to drop them. What they held is kept then, for redo.
 ///
 /// A step is all that was written since the end of the step before.
 class Journal {
  public:
-  struct Write {
+  /// Of one write, or of several that belong together, as it lies in the journal.
+  struct Note {
     Field field;
     Index index;
-    Index word;  // of the other state
+    Index column;        // of an attribute: its serial number; of a run of words: their field
+    Index count;         // of the words
+    Index* words;        // of the other state, on the tape
+    std::size_t length;  // of the note on the tape, with its header
   };
-
-  /// An edge that was deleted, or whose slot was taken again, is noted by four in a row, the first
-  /// and the last with its field and index: in their other members are its words.
-  static constexpr std::size_t kWritesOfRecycledEdge = 4;
-  /// Calls `each` with each of those eight words.
-  template <class Each>
-  static void for_edge_words(Write* first, const Each& each) {
-    each(first[0].word);
-    for (Write* inner : {first + 1, first + 2}) {
-      auto word = Index(inner->field);
-      each(word);
-      inner->field = Field(word);
-      each(inner->index);
-      each(inner->word);
-    }
-    each(first[3].word);
-  }
-
-  /// The links of a halfedge in its loop are noted by two in a row: with its index and `next`, and
-  /// with `prev` and `face`.
-  static constexpr std::size_t kWritesOfLoopLinks = 2;
 
   explicit Journal(HistoryLimits limits) : limits_(limits) {}
 
   /// Notes that `word`, at `index` of `field`, is about to be replaced. If there is no memory for
   /// it, all steps are forgotten: history then begins anew with the next step.
   void record(Field field, Index index, Index word);
-  /// The same for a slot that isn't new in this step.
-  void record_in_old_slot(Field field, Index index, Index word) {
-    if (has_undone_ || writes_.room_in_chunk() == 0) [[unlikely]]
-      return record_in_new_place(field, index, word);
-    writes_.push_back_in_chunk({field, index, word});
-  }
-  /// The same for the links of `h` in its loop. pre: `h` isn't new in this step
-  void record_loop_links(Index h, Index next, Index prev, Index face) {
-    if (!has_room_in_row(kWritesOfLoopLinks)) return;
-    writes_.push_back_in_chunk({Field::kLoopLinks, h, next});
-    writes_.push_back_in_chunk({Field::kLoopLinks, prev, face});
+  /// The same for the words of a position.
+  void record_position(Index vertex, const Index (&words)[3]);
+  /// The same for words from `index` of `field` on, whether their slots are new or not: one of the
+  /// arrays before kPosition. It takes 4 bytes a word, and 8 for 63 of them.
+  void record_words(Field field, Index index, const Index* words, std::size_t count);
+  /// The same for the bytes of an item in a column, of at most kMostWords words.
+  void record_attribute(Index column, Index item, const std::byte* bytes, std::size_t size);
+  static constexpr std::size_t kMostWords = 63;
+  /// Columns have serial numbers below this one: there can be no more in the life of a mesh.
+  static constexpr Index kMostColumns = Index{1} << 26U;
+
+  /// The same for words of slots that aren't new in this step.
+  template <std::size_t kWords>
+  void record_in_old_slots(Field field, Index index, const Index (&words)[kWords]) {
+    if (!has_room(kWords + kMostOfHeader)) return;
+    std::copy_n(words, kWords, tape_.grow_in_chunk(kWords));
+    end_note(field, index);
   }
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
   void record_recycled_edge(Index edge, const Index (&words)[8], bool is_taken) {
-    if (!has_room_in_row(kWritesOfRecycledEdge)) return;
-    writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[0]});
-    writes_.push_back_in_chunk({Field(words[1]), words[2], words[3]});
-    writes_.push_back_in_chunk({Field(words[4]), words[5], words[6]});
-    writes_.push_back_in_chunk({Field::kRecycledEdge, edge, words[7]});
-    if (is_taken) {
-      std::copy_backward(taken_, taken_ + 3, taken_ + 4);
-      taken_[0] = edge;
-    }
+    record_in_old_slots(Field::kRecycledEdge, edge, words);
+    if (!is_taken) return;
+    std::copy_backward(taken_, taken_ + 3, taken_ + 4);
+    taken_[0] = edge;
   }
 
   /// Notes that slots are about to be added behind the present ones. `field` is kNewVertices,
@@ -148,7 +132,7 @@ class Journal {
 
   /// Whether something was written since the end of the last step.
   [[nodiscard]] bool has_open_step() const {
-    return !has_undone_ && writes_.end_index() != begin_of(ends_.end_index());
+    return !has_undone_ && tape_.end_index() != begin_of(ends_.end_index());
   }
 
   /// Steps that can be undone and redone.
@@ -158,17 +142,18 @@ class Journal {
   [[nodiscard]] std::size_t bytes() const;
 
   /// Takes back the last step, or repeats the one taken back last: calls `exchange` with each of
-  /// its writes (of several in a row with the first), whose words it exchanges with those of the
-  /// mesh. False if there is none. A step underway that is taken back costs no other steps,
-  /// whatever the limits are.
+  /// its notes, whose words it exchanges with those of the mesh. False if there is none. A step
+  /// underway that is taken back costs no other steps, whatever the limits are.
   template <class Exchange>
   bool undo(const Exchange& exchange) {
     close_step();
     if (undo_count() == 0) return false;
     --done_;
-    for (std::size_t i = ends_[done_]; i > begin_of(done_);) {
-      i -= length_of(writes_[i - 1]);
-      exchange(writes_[i]);
+    for (std::size_t end = ends_[done_]; end > begin_of(done_);) {
+      const Note note = read(&tape_[end - 1], -1);
+      exchange(note);
+      turn(note);
+      end -= note.length;
     }
     has_undone_ = true;
     if (lost_dropped_) forget_redo();
@@ -177,12 +162,18 @@ class Journal {
   template <class Exchange>
   bool redo(const Exchange& exchange) {
     if (redo_count() == 0) return false;
-    for (std::size_t i = begin_of(done_); i < ends_[done_]; i += length_of(writes_[i])) {
-      exchange(writes_[i]);
+    for (std::size_t begin = begin_of(done_); begin < ends_[done_];) {
+      const Note note = read(&tape_[begin], 1);
+      turn(note);
+      exchange(note);
+      begin += note.length;
     }
     has_undone_ = ++done_ < ends_.end_index();
     return true;
   }
+
+  /// What `exchange` does with a note whose words were one after the other at `stored`.
+  static void exchange_words(const Note& note, Index* stored);
 
   /// Forgets all steps, as when the whole mesh is replaced.
   void forget();
@@ -194,21 +185,46 @@ class Journal {
   }
 
  private:
-  [[nodiscard]] static std::size_t length_of(const Write& write) {
-    if (write.field == Field::kLoopLinks) return kWritesOfLoopLinks;
-    return write.field == Field::kRecycledEdge ? kWritesOfRecycledEdge : 1;
+  // Notes lie on a tape of words: those of a note, and its header behind them, so that undo can
+  // read it from the end. A note that was undone lies the other way round, for redo.
+  //
+  // The words of a header, from its outer end:
+  //   field and index    of an index above kLastNear: kFar and the field
+  //   index              only then
+  //   column and count   only of an attribute or a run of words: how many there are
+  static constexpr Index kFieldBits = 5;
+  static constexpr Index kCountBits = 6;
+  static constexpr Index kLastNear = kNone >> kFieldBits;
+  static_assert(Index(Field::kFiller) == (1U << kFieldBits) - 1);
+  static_assert(kMostWords < 1U << kCountBits);
+  static_assert(kMostColumns - 1 <= kNone >> kCountBits);
+
+  static constexpr std::size_t kMostOfHeader = 3;
+
+  [[nodiscard]] static Index header_of(Field field, Index index) {
+    return index << kFieldBits | Index(field);
   }
+  void end_note(Field field, Index index) {
+    if (index > kLastNear) [[unlikely]]
+      return end_far_note(field, index);
+    *tape_.grow_in_chunk(1) = header_of(field, index);
+  }
+  [[gnu::noinline]] void end_far_note(Field field, Index index);
+
+  // The note whose header begins at `header` and goes on in steps of `inwards`.
+  [[nodiscard]] static Note read(Index* header, std::ptrdiff_t inwards);
+  static void turn(const Note& note);
   [[nodiscard]] std::size_t begin_of(std::size_t step) const {
-    return step == ends_.begin_index() ? writes_.begin_index() : ends_[step - 1];
+    return step == ends_.begin_index() ? tape_.begin_index() : ends_[step - 1];
   }
-  [[gnu::noinline]] void record_in_new_place(Field field, Index index, Index word);
-  // So that as many are in one chunk. False when memory is exhausted.
-  [[nodiscard]] bool has_room_in_row(std::size_t writes) {
-    if (!has_undone_ && writes_.room_in_chunk() >= writes) [[likely]]
+  void record_counted(Field field, Index index, Index column, const void* bytes, std::size_t size);
+  // For a note of so many words, in one chunk. False when memory is exhausted.
+  [[nodiscard]] bool has_room(std::size_t words) {
+    if (!has_undone_ && tape_.room_in_chunk() >= words) [[likely]]
       return true;
-    return find_room_in_row(writes);
+    return make_room(words);
   }
-  [[nodiscard, gnu::noinline]] bool find_room_in_row(std::size_t writes);
+  [[nodiscard, gnu::noinline]] bool make_room(std::size_t words);
   bool close_step();
   void forget_undone();
   void forget_beyond_limits();
@@ -216,8 +232,8 @@ class Journal {
   void lose();
 
   HistoryLimits limits_;
-  ChunkedArray<Write, 1024> writes_;
-  ChunkedArray<std::size_t, 1024> ends_;  // of the steps, in writes_
+  ChunkedArray<Index, 4096> tape_;
+  ChunkedArray<std::size_t, 1024> ends_;  // of the steps, on the tape
   Array<Index> dropped_;                  // what the slots held that were new in undone steps
   std::size_t first_ = 0;                 // steps before this one are forgotten
   std::size_t done_ = 0;                  // steps from here on are undone
