@@ -69,18 +69,17 @@ void Journal::record_attribute(Index column, Index item, const std::byte* bytes,
 void Journal::record_counted(Field field, Index index, Index column, const void* bytes,
                              std::size_t size) {
   const std::size_t count = (size + sizeof(Index) - 1) / sizeof(Index);
-  if (!has_room(count + kMostOfHeader)) return;
-  Index* const words = tape_.grow_in_chunk(count + 1);
+  if (!make_room(count + kMostOfHeader)) return;
+  Index* const words = tape_.grow_in_chunk(count + 2);
   words[count - 1] = 0;  // of which there may be bytes behind the last
   std::memcpy(words, bytes, size);
   words[count] = column << kCountBits | Index(count);
-  end_note(field, index);
+  end_note(words + count + 1, field, index);
 }
 
-void Journal::end_far_note(Field field, Index index) {
-  Index* const header = tape_.grow_in_chunk(2);
+void Journal::end_far_note(Index* header, Field field, Index index) {
   header[0] = index;
-  header[1] = header_of(Field::kFar, Index(field));
+  *tape_.grow_in_chunk(1) = header_of(Field::kFar, Index(field));
 }
 
 void Journal::record_new(Field field, Index slots) {

@@ -5,6 +5,7 @@
 #include <halfedge/history/chunked_array.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -89,9 +90,11 @@ class Journal {
   /// The same for words of slots that aren't new in this step.
   template <std::size_t kWords>
   void record_in_old_slots(Field field, Index index, const Index (&words)[kWords]) {
-    if (!has_room(kWords + kMostOfHeader)) return;
-    std::copy_n(words, kWords, tape_.grow_in_chunk(kWords));
-    end_note(field, index);
+    if (has_undone_ || tape_.room_in_chunk() < kWords + kMostOfHeader) [[unlikely]]
+      return record_in_new_chunk(field, index, std::to_array(words));
+    Index* const note = tape_.grow_in_chunk(kWords + 1);
+    std::copy_n(words, kWords, note);
+    end_note(note + kWords, field, index);
   }
   /// The same for the words of an edge that is about to be deleted, or to take the slot of a
   /// deleted one: then what is written to it in this step needs no note.
@@ -204,12 +207,13 @@ class Journal {
   [[nodiscard]] static Index header_of(Field field, Index index) {
     return index << kFieldBits | Index(field);
   }
-  void end_note(Field field, Index index) {
+  // Writes the header of the last note, for which there is a word, and room for another one.
+  void end_note(Index* header, Field field, Index index) {
+    *header = header_of(field, index);
     if (index > kLastNear) [[unlikely]]
-      return end_far_note(field, index);
-    *tape_.grow_in_chunk(1) = header_of(field, index);
+      end_far_note(header, field, index);
   }
-  [[gnu::noinline]] void end_far_note(Field field, Index index);
+  [[gnu::noinline]] void end_far_note(Index* header, Field field, Index index);
 
   // The note whose header begins at `header` and goes on in steps of `inwards`.
   [[nodiscard]] static Note read(Index* header, std::ptrdiff_t inwards);
@@ -219,12 +223,14 @@ class Journal {
   }
   void record_counted(Field field, Index index, Index column, const void* bytes, std::size_t size);
   // For a note of so many words, in one chunk. False when memory is exhausted.
-  [[nodiscard]] bool has_room(std::size_t words) {
-    if (!has_undone_ && tape_.room_in_chunk() >= words) [[likely]]
-      return true;
-    return make_room(words);
+  [[nodiscard]] bool make_room(std::size_t words);
+  // By value, so that what calls it needs no register or memory for the words.
+  template <std::size_t kWords>
+  [[gnu::noinline]] void record_in_new_chunk(Field field, Index index,
+                                             std::array<Index, kWords> words) {
+    if (!make_room(kWords + kMostOfHeader)) return;
+    end_note(std::copy_n(words.begin(), kWords, tape_.grow_in_chunk(kWords + 1)), field, index);
   }
-  [[nodiscard, gnu::noinline]] bool make_room(std::size_t words);
   bool close_step();
   void forget_undone();
   void forget_beyond_limits();
