@@ -352,6 +352,17 @@ describe('init, from a server,', () => {
   });
 });
 
+test('init says why there is no answer, which fetch of Node tells in the cause', async () => {
+  const server = createServer();
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  await new Promise((resolve) => server.close(resolve));
+  const wasm = `http://127.0.0.1:${port}/core.wasm`;
+  expect((await rejection((await fresh()).init({ wasm }))).message).toBe(
+    `The WebAssembly module can't be loaded from ${wasm}: fetch failed: connect ECONNREFUSED 127.0.0.1:${port}.`,
+  );
+});
+
 test('All this leaves the first module of this file alone', async () => {
   await init();
   expectWorking({ HalfedgeMesh, HalfedgeError, init } as Halfedges);

@@ -124,10 +124,16 @@ async function loaded<T>(url: URL, result: Promise<T>, advice = ''): Promise<T> 
   } catch (cause) {
     throw new HalfedgeError(
       'init-failed',
-      `The WebAssembly module can't be loaded from ${shorten(url.href)}: ${messageOf(cause)}.${mayBeMissing(url, cause) ? advice : ''}`,
+      `The WebAssembly module can't be loaded from ${shorten(url.href)}: ${reasonOf(cause)}.${mayBeMissing(url, cause) ? advice : ''}`,
       { cause },
     );
   }
+}
+
+/** What an error says, and its cause: `fetch` of Node says no more than that it failed. */
+function reasonOf(error: unknown): string {
+  const { cause } = Object(error) as { cause?: { message?: unknown } };
+  return [error, ...(cause?.message ? [cause] : [])].map(messageOf).join(': ');
 }
 
 /** Whether that may be what failed. A server would have answered; an extension, say, doesn't tell. */
