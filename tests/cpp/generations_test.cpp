@@ -39,6 +39,27 @@ TEST(Generations, TellTheItemsOfOneSlotApart) {
   EXPECT_NE(mesh.generation(v), second) << "another vertex than that which was undone";
 }
 
+TEST(Generations, SwitchedOnForgetAllStepsButTheOneUnderway) {
+  Mesh mesh = reference_build(tetrahedron());
+  ASSERT_TRUE(mesh.enable_history());
+  for (const float x : {1.0F, 2.0F, 3.0F}) {
+    mesh.set_position(Vertex(0), {x, 0, 0});
+    mesh.end_step();
+  }
+  ASSERT_TRUE(mesh.undo());
+  ASSERT_TRUE(mesh.undo());
+  mesh.set_position(Vertex(0), {4, 0, 0});
+  ASSERT_TRUE(mesh.enable_generations());
+  EXPECT_EQ(mesh.history()->undo_count(), 0U);
+  EXPECT_EQ(mesh.history()->redo_count(), 0U);
+  EXPECT_TRUE(mesh.history()->has_open_step());
+  EXPECT_EQ(mesh.history()->bytes(), 16U) << "one position";
+  ASSERT_TRUE(mesh.undo());
+  EXPECT_EQ(mesh.position(Vertex(0)).x, 1);
+  EXPECT_FALSE(mesh.undo());
+  EXPECT_EQ(mesh.position(Vertex(0)).x, 1);
+}
+
 TEST(Generations, OfItemsThatAreMadeAgainAreTheirOwn) {
   Mesh mesh = reference_build(tetrahedron());
   ASSERT_TRUE(mesh.enable_history());

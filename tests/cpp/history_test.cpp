@@ -321,6 +321,17 @@ TEST(History, BeginsAnewOnceItIsForgotten) {
   EXPECT_FALSE(mesh.undo());
 }
 
+TEST(History, KeepsNothingOfWhatCanNoLongerBeRedone) {
+  Mesh mesh = with_history(triangle());
+  ASSERT_TRUE(mesh.add_vertex({1, 2, 3}).valid());
+  mesh.end_step();
+  ASSERT_TRUE(mesh.undo());  // keeps what the vertex was
+  mesh.set_position(Vertex(0), {2, 2, 2});
+  mesh.end_step();
+  EXPECT_FALSE(mesh.redo());
+  EXPECT_EQ(mesh.history()->bytes(), 16U) << "one position";
+}
+
 // ---- what it leaves alone -------------------------------------------------------------------
 
 TEST(History, IsOffByDefault) {
