@@ -179,6 +179,41 @@ TEST(Attributes, MoveWithTheirItemsWhenTheMeshIsCompacted) {
   EXPECT_EQ(Snapshot(mesh), after);
 }
 
+TEST(Attributes, OfAnyWidthAreNotedInRunsWhenTheMeshIsCompacted) {
+  const auto compacted = [](Mesh& mesh) {
+    EXPECT_TRUE(decorator::erase_center_vertex(mesh, Halfedge(4)));
+    EXPECT_TRUE(mesh.enable_history());
+    const Snapshot before(mesh);
+    EXPECT_TRUE(compact(mesh));
+    const Snapshot after(mesh);
+    mesh.end_step();
+    const std::size_t bytes = mesh.history()->bytes();
+    EXPECT_TRUE(mesh.undo());
+    EXPECT_EQ(Snapshot(mesh), before);
+    EXPECT_TRUE(mesh.redo());
+    EXPECT_EQ(Snapshot(mesh), after);
+    return bytes;
+  };
+  Mesh bare = reference_build(torus(31, 17));
+  const std::size_t bytes_without = compacted(bare);
+  for (const Scalar type : {Scalar::kInt8, Scalar::kUint16, Scalar::kFloat32, Scalar::kFloat64}) {
+    for (Index components = 1; components <= Attribute::kMaxComponents; ++components) {
+      SCOPED_TRACE(testing::Message() << components << " of " << name_of(type));
+      Mesh mesh = reference_build(torus(31, 17));
+      Attribute& values =
+          add(mesh, ItemKind::kFace, "values", {.type = type, .components = components});
+      for (const Face f : mesh.faces()) {
+        for (Index i = 0; i < components; ++i) {
+          mesh.set_attribute(values, f, i, (7 * f.index() + 11 * i) % 127);
+        }
+      }
+      const std::size_t bytes = values.bytes().size();
+      // Beside the values, what is between runs, and at the end of a chunk.
+      EXPECT_LE(compacted(mesh), bytes_without + bytes + bytes / 8 + 320);
+    }
+  }
+}
+
 TEST(Attributes, AreCopiedMovedAndConvertedWithTheMesh) {
   Mesh mesh = reference_build(torus(4, 3));
   add_attributes_of_all_kinds(mesh);

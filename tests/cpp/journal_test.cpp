@@ -49,6 +49,10 @@ class Arrays {
         journal_.record_attribute(column, index, reinterpret_cast<const std::byte*>(old),
                                   bytes_of(column));
         break;
+      case Field::kAttributeRun:
+        journal_.record_attribute_run(column, index, reinterpret_cast<const std::byte*>(old),
+                                      bytes_of(column));
+        break;
       default:
         journal_.record(field, index, old[0]);
     }
@@ -88,20 +92,22 @@ class RandomWrites {
     constexpr std::array kFields{
         Field::kNext,         Field::kPosition,        Field::kFace,
         Field::kLoopLinks,    Field::kFreeListOfEdges, Field::kRecycledEdge,
-        Field::kRecycledFace, Field::kWords,           Field::kAttribute};
+        Field::kRecycledFace, Field::kWords,           Field::kAttribute,
+        Field::kAttributeRun};
     // Of three places each: near, the last near ones and the first far ones, and the last of all.
     constexpr std::array<Index, 5> kIndices{0, 70'000, kLastNear, kLastNear + 1, kNone - 1};
     const Field field = kFields[below(kFields.size())];
     const bool is_list = field == Field::kFreeListOfEdges;
     const Index index = is_list ? 0 : kIndices[below(kIndices.size())];
     constexpr std::array<Index, 4> kColumns{0, 3, 127, Journal::kMostColumns - 2};
-    const Index column = field == Field::kAttribute ? kColumns[below(kColumns.size())]
-                         : field == Field::kWords   ? Index(Field::kFace)
-                                                    : 0;
+    const bool is_of_column = field == Field::kAttribute || field == Field::kAttributeRun;
+    const Index column = is_of_column             ? kColumns[below(kColumns.size())]
+                         : field == Field::kWords ? Index(Field::kFace)
+                                                  : 0;
     Words words(count_of(field, column, index));
     for (Index& word : words) word = Index(random_());
     // Of the last word of an attribute only the bytes that there are.
-    if (field == Field::kAttribute) {
+    if (is_of_column) {
       const std::size_t bytes = Arrays::bytes_of(column);
       std::memset(reinterpret_cast<std::byte*>(words.data()) + bytes, 0,
                   words.size() * sizeof(Index) - bytes);
@@ -123,6 +129,7 @@ class RandomWrites {
       case Field::kWords:
         return 1 + index % Journal::kMostWords;
       case Field::kAttribute:
+      case Field::kAttributeRun:
         return (Arrays::bytes_of(column) + 3) / 4;
       default:
         return 1;

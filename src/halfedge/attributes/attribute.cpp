@@ -134,8 +134,12 @@ void Attribute::note(Index item, Journal* journal) const {
 }
 
 void Attribute::exchange(const Journal::Note& note) {
+  std::size_t size = stride_;
+  if (note.field == Field::kAttributeRun) {
+    size = std::min(note.count * sizeof(Index), stride_ * (slots_ - note.index));
+  }
   std::byte* const stored = &bytes_[stride_ * note.index];
-  std::swap_ranges(stored, stored + stride_, reinterpret_cast<std::byte*>(note.words));
+  std::swap_ranges(stored, stored + size, reinterpret_cast<std::byte*>(note.words));
 }
 
 void Attribute::set_default(Index item, Journal* journal) {
@@ -194,7 +198,13 @@ void Attribute::store(const Sum& sum, Index to, Journal* journal) {
 }
 
 void Attribute::note_all(Journal& journal) const {
-  for (Index item = 0; item < slots_; ++item) note(item, &journal);
+  // Notes but for the last end with a word, so that none holds bytes of an item beyond it.
+  auto run = Index(Journal::kMostWords * sizeof(Index) / stride_);
+  if (stride_ % sizeof(Index) != 0) run -= Index(run % sizeof(Index));
+  for (Index item = 0; item < slots_; item += run) {
+    const Index count = std::min(run, slots_ - item);
+    journal.record_attribute_run(serial_, item, &bytes_[stride_ * item], stride_ * count);
+  }
 }
 
 void Attribute::compact(const Array<Index>& map, std::size_t width) {

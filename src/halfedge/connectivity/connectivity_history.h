@@ -189,7 +189,8 @@ void BasicConnectivity<kStored>::exchange(const Journal::Note& note) {
     case Field::kFiller:
       return;
     default:
-      assert(note.field == Field::kAttribute && "a field of a class built on this one");
+      assert((note.field == Field::kAttribute || note.field == Field::kAttributeRun) &&
+             "a field of a class built on this one");
       attributes_.exchange(note);
   }
 }

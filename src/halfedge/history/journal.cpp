@@ -37,6 +37,10 @@ Index words_of(Field field) {
   }
 }
 
+bool is_counted(Field field) {
+  return field == Field::kWords || field == Field::kAttribute || field == Field::kAttributeRun;
+}
+
 }  // namespace
 
 std::size_t Journal::bytes() const {
@@ -60,10 +64,6 @@ void Journal::record_words(Field field, Index index, const Index* words, std::si
     record_counted(Field::kWords, index + Index(begin), Index(field), words + begin,
                    run * sizeof(Index));
   }
-}
-
-void Journal::record_attribute(Index column, Index item, const std::byte* bytes, std::size_t size) {
-  record_counted(Field::kAttribute, item, column, bytes, size);
 }
 
 void Journal::record_counted(Field field, Index index, Index column, const void* bytes,
@@ -110,7 +110,7 @@ Journal::Note Journal::read(Index* header, std::ptrdiff_t inwards) {
     note.index = next_word();
   }
   note.count = words_of(note.field);
-  if (note.field == Field::kAttribute || note.field == Field::kWords) {
+  if (is_counted(note.field)) {
     const Index column = next_word();
     note.column = column >> kCountBits;
     note.count = column & ((1U << kCountBits) - 1);

@@ -36,6 +36,7 @@ enum class Field : std::uint32_t {
   kLoopLinks,     // next, prev and face of a halfedge
   kWords,         // a run of words of one of the arrays before kPosition
   kAttribute,     // what an item has in a column
+  kAttributeRun,  // the same of several items, from one on
   kFar,           // not a field: the index of the note lies in a word of its own
   kFiller = 31    // says nothing: it fills a chunk up, all bits set, so that each note lies in one
 };
@@ -65,7 +66,7 @@ class Journal {
   struct Note {
     Field field;
     Index index;
-    Index column;        // of an attribute: its serial number; of a run of words: their field
+    Index column;        // of attributes: its serial number; of a run of words: their field
     Index count;         // of the words
     Index* words;        // of the other state, on the tape
     std::size_t length;  // of the note on the tape, with its header
@@ -82,7 +83,14 @@ class Journal {
   /// arrays before kPosition. It takes 4 bytes a word, and 8 for 63 of them.
   void record_words(Field field, Index index, const Index* words, std::size_t count);
   /// The same for the bytes of an item in a column, of at most kMostWords words.
-  void record_attribute(Index column, Index item, const std::byte* bytes, std::size_t size);
+  void record_attribute(Index column, Index item, const std::byte* bytes, std::size_t size) {
+    record_counted(Field::kAttribute, item, column, bytes, size);
+  }
+  /// The same for the bytes of several items, from `item` on. A note doesn't tell how many bytes of
+  /// its last word are theirs.
+  void record_attribute_run(Index column, Index item, const std::byte* bytes, std::size_t size) {
+    record_counted(Field::kAttributeRun, item, column, bytes, size);
+  }
   static constexpr std::size_t kMostWords = 63;
   /// Columns have serial numbers below this one: there can be no more in the life of a mesh.
   static constexpr Index kMostColumns = Index{1} << 26U;
@@ -194,7 +202,7 @@ class Journal {
   // The words of a header, from its outer end:
   //   field and index    of an index above kLastNear: kFar and the field
   //   index              only then
-  //   column and count   only of an attribute or a run of words: how many there are
+  //   column and count   only of attributes and runs of words: how many there are
   static constexpr Index kFieldBits = 5;
   static constexpr Index kCountBits = 6;
   static constexpr Index kLastNear = kNone >> kFieldBits;
