@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/build.h>
+#include <halfedge/directed_edges/build.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -186,6 +187,40 @@ TEST(BuildGroups, RefuseJustWhatIsNoManifold) {
   add_faces(add_faces, 0);
   EXPECT_GT(built, 500);
   EXPECT_GT(refused, 5000);
+}
+
+/// Up to three triangles over four vertices, whose corners may be the same. A side from a vertex to
+/// itself finds its place among the others, and must not be taken for one of them.
+TEST(BuildGroups, RefuseEveryTriangleThatHasAVertexTwice) {
+  std::vector<std::vector<Index>> triangles;
+  for (Index corners = 0; corners < 64; ++corners) {
+    triangles.push_back({corners / 16, corners / 4 % 4, corners % 4});
+  }
+  const auto has_a_vertex_twice = [](const std::vector<Index>& face) {
+    return face[0] == face[1] || face[1] == face[2] || face[2] == face[0];
+  };
+  Mesh mesh;
+  DirectedEdgesMesh directed;
+  BuildReport report;
+  int refused = 0;
+  std::vector<std::vector<Index>> faces;
+  const auto add_faces = [&](const auto& self, std::size_t first) -> void {
+    if (std::ranges::any_of(faces, has_a_vertex_twice)) {
+      const Shape shape{"", 4, faces};
+      EXPECT_FALSE(build_from_polygons(mesh, shape.polygons(), report) ||
+                   build_from_triangles(directed, shape.polygons(), report))
+          << testing::PrintToString(faces);
+      ++refused;
+    }
+    if (faces.size() == 3) return;
+    for (std::size_t i = first; i < triangles.size(); ++i) {
+      faces.push_back(triangles[i]);
+      self(self, i);
+      faces.pop_back();
+    }
+  };
+  add_faces(add_faces, 0);
+  EXPECT_GT(refused, 40'000);
 }
 
 }  // namespace

@@ -50,9 +50,9 @@ inline constexpr std::size_t kTooManyForCache = 100'000;
 /// vertices of any valence take as long.
 class Groups {
  public:
-  /// Sets up the groups of all sides. `repeated` tells whether a face has a vertex twice;
-  /// `last_face` is scratch, and has one entry for each vertex after that. False when memory is
-  /// exhausted.
+  /// Sets up the groups of all sides. `repeated` tells whether a polygon has a vertex twice;
+  /// match() finds triangles that do. `last_face` is scratch, and has one entry for each vertex
+  /// after that. False when memory is exhausted.
   template <bool kTriangles>
   [[nodiscard]] bool count(const Polygons& polygons, Array<Index>& last_face, bool& repeated);
 
@@ -83,7 +83,8 @@ class Groups {
   }
 
   /// Matches the sides of each group, once all have got their places. `edge_to` is scratch, and has
-  /// one entry for each vertex. False if two sides run the same way along an edge.
+  /// one entry for each vertex. False if two sides run the same way along an edge, or one leads
+  /// from a vertex to itself.
   ///
   /// `places` knows what lies there:
   ///   fetch(place, edge_to)      this place, and the next, will be needed soon: called where there
@@ -138,22 +139,18 @@ bool Groups::count(const Polygons& polygons, Array<Index>& last_face, bool& repe
   if (!next_.resize(2 * vertices, 0) || !last_face.recreate(vertices)) return false;
   if (!kTriangles) std::fill(last_face.begin(), last_face.end(), kNone);
   [[maybe_unused]] Index* const last = last_face.data();
-  Index repeats = 0;
-  for_each_face<kTriangles>(
-      polygons, [&]([[maybe_unused]] Index f, const Index* corners, auto size) {
-        if constexpr (kTriangles) {
-          repeats |= Index{corners[0] == corners[1]} | Index{corners[1] == corners[2]} |
-                     Index{corners[2] == corners[0]};
-        }
-        for (Index i = 0; i < size; ++i) {
-          const Index from = corners[i];
-          if constexpr (!kTriangles) {
-            repeats |= Index{last[from] == f};
-            last[from] = f;
-          }
-          next_place({from, corners[i + 1 == size ? 0 : i + 1]}) += 2;
-        }
-      });
+  [[maybe_unused]] Index repeats = 0;
+  const auto count_sides = [&]([[maybe_unused]] Index f, const Index* corners, auto size) {
+    for (Index i = 0; i < size; ++i) {
+      const Index from = corners[i];
+      if constexpr (!kTriangles) {
+        repeats |= Index{last[from] == f};
+        last[from] = f;
+      }
+      next_place({from, corners[i + 1 == size ? 0 : i + 1]}) += 2;
+    }
+  };
+  for_each_face<kTriangles>(polygons, count_sides);
   repeated = repeats != 0;
 
   for (std::size_t i = 0; i < next_.size(); i += 2) {
@@ -202,6 +199,7 @@ Index Groups::match_group(const Group& group, Index* edge_to, const Places& plac
     }
     edge_to[places.high_up(up)] = up;
   }
+  if (group.has(edge_to[group.low])) return 1;  // a side from a vertex to itself
   Index free = group.up_end;
   Index added = 0;
   for (Index down = group.begin + 1; down != group.down_end + 1; down += 2) {
