@@ -225,6 +225,19 @@ describe('HalfedgesHelper', () => {
     expect(() => trace.update()).toThrow('steps is NaN; expected a number from 0.');
   });
 
+  test('draws nothing of an item that is gone, until it has another one', () => {
+    const mesh = HalfedgeMesh.grid(2, 2);
+    const trace = new CirculatorHelper(mesh, 'faceVertices', 1);
+    const drawn = () => linesOf(trace).geometry.instanceCount;
+    expect(drawn()).toBe(trace.segments);
+    mesh.deleteFace(1);
+    expect(() => trace.update()).toThrow('f is face 1, which was deleted; expected a live one.');
+    expect(drawn()).toBe(0);
+    trace.item = 2 as typeof trace.item;
+    trace.update();
+    expect(drawn()).toBeGreaterThan(0);
+  });
+
   test.each([
     ['webgpu', '"webgpu"'],
     [null, 'null'],

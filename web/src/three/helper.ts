@@ -85,13 +85,19 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     return this.batch.count;
   }
 
-  /** Draws the mesh as it is now. */
+  /** Draws the mesh as it is now. Nothing is drawn where it throws because an item is gone. */
   update(): void {
     checkMesh(this.mesh);
     checkLength('pixel', this.pixel);
     this.batch.clear();
-    this.draw();
-    this.batch.upload();
+    try {
+      this.draw();
+    } catch (error) {
+      this.batch.clear();
+      throw error;
+    } finally {
+      this.batch.upload();
+    }
   }
 
   /** Frees its memory on the graphics card. */
