@@ -40,7 +40,8 @@ function unsound(result: HalfedgeMesh, mesh: HalfedgeMesh): Finding | null {
   if (errors.length === 0) return null;
   const [{ code, message, kind, index }] = errors;
   const changed = changedLinks(mesh, result);
-  const more = errors.length > 1 ? ` ${errors.length - 1} more do not fit.` : '';
+  const others = errors.length - 1;
+  const more = others > 0 ? ` ${others} more ${others === 1 ? 'does' : 'do'} not fit.` : '';
   const marks: Item[] = errors
     .filter((error) => error.kind !== 'mesh' && error.index >= 0)
     .slice(0, 6)
@@ -49,7 +50,7 @@ function unsound(result: HalfedgeMesh, mesh: HalfedgeMesh): Finding | null {
     code: changed.length === 0 ? 'nothing-changed' : code,
     title: message,
     hint: `${HINTS[code] ?? 'Go through the links of the items one by one: what does each lead to, and does that lead back?'}${more}`,
-    got: changed.slice(0, MOST_LINKS).join(', '),
+    got: listOf(changed),
     marks: kind === 'mesh' || index < 0 ? [] : marks,
   });
 }
@@ -66,6 +67,12 @@ const HINTS: Readonly<Record<string, string>> = {
     'vertexHalfedge has to leave its vertex: the one that left it before may not do so any more.',
   'interior-anchor': 'At the boundary vertexHalfedge has to be a halfedge without a face.',
 };
+
+/** A long list is cut. */
+function listOf(changed: readonly string[]): string {
+  const first = changed.slice(0, MOST_LINKS).join(', ');
+  return changed.length > MOST_LINKS ? `${first}, … (${changed.length} links)` : first;
+}
 
 /** What the program has changed: `next[3]: 5 → 7`. */
 function changedLinks(before: HalfedgeMesh, after: HalfedgeMesh): string[] {
@@ -87,6 +94,14 @@ function otherSurface(
   const wrong = got.filter((corners) => !expected.includes(corners));
   const wanted = expected.filter((corners) => !got.includes(corners));
   if (wrong.length === 0 && wanted.length === 0) return null;
+  if (changedLinks(mesh, result).length === 0) {
+    return finding({
+      code: 'nothing-changed',
+      title: 'No link has changed.',
+      hint: 'Write to the elements of the arrays, such as next[h] = …: what is written to copies of them, or to variables, counts for nothing.',
+      expected: facesOf(wanted),
+    });
+  }
   const untouched = got.every((corners) => before.includes(corners));
   return finding({
     code: untouched ? 'nothing-changed' : 'other-surface',

@@ -64,7 +64,14 @@ export function judgeThrown(asked: Asked, { message, line, reads }: Threw): Find
           : `${message} Does the variable have a value there?`,
     });
   }
-  return finding({ ...parts, code: 'throws', title: `${place(line)}: ${withStop(message)}` });
+  // The other tasks have a mesh with accessors, and some programs go on as if this one had, too.
+  const calls = asked.task.gets === 'links' && message.includes('is not a function');
+  return finding({
+    ...parts,
+    code: 'throws',
+    title: `${place(line)}: ${withStop(message)}`,
+    ...(calls && { hint: 'There are arrays only, no functions: next[h], not next(h).' }),
+  });
 }
 
 function emptyLink(asked: Asked, reads: readonly Read[], last: Read, line: number | null): Finding {
