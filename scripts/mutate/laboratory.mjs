@@ -35,6 +35,11 @@ function isAbout(folders, name, text) {
 /** The header in `folder` that a test file is named after, if there is one: reorder_test.cpp. */
 const sourceOf = (folder, name) =>
   join(tree, 'src/halfedge', folder, name.replace('_test.cpp', '.h'));
+/** The sources beside the headers in `support` that a test includes, where there are any. */
+const supportOf = (text) =>
+  [...text.matchAll(/"(support\/\w+)\.h"/g)]
+    .map(([, header]) => `${tests}/${header}.cpp`)
+    .filter((path) => existsSync(join(tree, path)));
 /** They take long, and are about something else. */
 const leftOut = /_(?:scale|data)_test\.cpp$/;
 
@@ -95,7 +100,11 @@ export class Laboratory {
       if (!name.endsWith('_test.cpp') || leftOut.test(name)) continue;
       const text = readFileSync(join(tree, tests, name), 'utf8');
       if (!isAbout(folders, name, text)) continue;
-      const paths = [`${tests}/${name}`, ...(text.includes('"random/') ? shared : [])];
+      const paths = [
+        `${tests}/${name}`,
+        ...(text.includes('"random/') ? shared : []),
+        ...supportOf(text),
+      ];
       const sources = paths.map((path) => ({ path }));
       this.#programs.set(basename(name, '_test.cpp'), { sources, noticed: 0 });
     }
