@@ -1,6 +1,7 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { expectRefused, stateOf } from './support/editing.js';
 import { quadGrid, tetrahedron, torus } from './support/meshes.js';
+import { random } from './support/random.js';
 
 beforeAll(() => init());
 
@@ -149,6 +150,25 @@ describe('History', () => {
     ]) {
       expect(use).toThrow('disposed');
     }
+  });
+
+  test('writes nothing to the room behind the last items, however much there is', () => {
+    using mesh = HalfedgeMesh.grid(10, 10);
+    mesh.reserve(10_000, 60_000, 20_000);
+    mesh.history.enabled = true;
+    for (const e of [3, 50, 80]) mesh.splitEdge(e);
+    let written = 0;
+    const { fill } = Int32Array.prototype;
+    const counted = import.meta.jest
+      .spyOn(Int32Array.prototype, 'fill')
+      .mockImplementation(function (this: Int32Array, value, start = 0, end = this.length) {
+        written += end - start;
+        return fill.call(this, value, start, end);
+      });
+    while (mesh.history.undo());
+    counted.mockRestore();
+    expect(written).toBe(3 * (1 + 4 * 2)); // a vertex and the four links of two halfedges each
+    expect(mesh.isLiveVertex(mesh.vertexSlots)).toBe(false);
   });
 });
 
@@ -319,6 +339,47 @@ describe('A group', () => {
       expect(() => mesh.next(halfedgeSlots)).toThrow(RangeError);
       expect(() => mesh.vertexHalfedge(vertexSlots)).toThrow(RangeError);
       expect(() => mesh.degree(faceSlots)).toThrow(RangeError);
+    },
+  );
+
+  test.each([1, 2, 3, 4, 5, 6])(
+    'leaves no ghosts after random edits and travels (seed %i)',
+    (seed) => {
+      const below = random(seed);
+      using mesh = HalfedgeMesh.icosahedron();
+      const { history } = mesh;
+      mesh.reserve(400, 2400, 800); // so that no array moves
+      history.enabled = true;
+      const any = <T>(items: readonly T[]) => items[Math.floor(below() * items.length)];
+      const edit = () => {
+        const faces = mesh.faces().toArray();
+        if (faces.length === 0 || mesh.faceSlots > 200) return void mesh.compact();
+        const kind = below();
+        if (kind < 0.6) mesh.poke(any(faces), 0.1);
+        else if (kind < 0.9) mesh.deleteFace(any(faces));
+        else mesh.compact();
+      };
+      const several = () => {
+        for (let i = 0; i < 12; i++) edit();
+      };
+      const failing = () => {
+        several();
+        throw new Error('no');
+      };
+      for (let i = 0; i < 150; i++) {
+        const kind = below();
+        if (kind < 0.3) edit();
+        else if (kind < 0.4) history.group(several);
+        else if (kind < 0.5) expect(() => history.group(failing)).toThrow('no');
+        else if (kind < 0.8) history.undo();
+        else history.redo();
+        let ghosts = 0;
+        for (let v = mesh.vertexSlots; v < 400; v++) if (mesh.isLiveVertex(v)) ghosts += 1;
+        for (let h = mesh.halfedgeSlots; h < 2400; h++) if (mesh.isLiveHalfedge(h)) ghosts += 1;
+        for (let f = mesh.faceSlots; f < 800; f++) if (mesh.isLiveFace(f)) ghosts += 1;
+        expect(ghosts).toBe(0);
+      }
+      expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
     },
   );
 

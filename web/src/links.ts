@@ -153,11 +153,8 @@ export class Links implements Viewer {
     this.storesPrev = words[15] !== 0;
     this.#takeCounts(words);
     this.renewViews();
-    for (const links of [this.next, this.prev, this.toVertex, this.face]) {
-      links.fill(BEYOND, this.halfedgeSlots);
-    }
-    this.vertexHalfedge.fill(BEYOND, this.vertexSlots);
-    this.faceHalfedge.fill(BEYOND, this.faceSlots);
+    const { vertices, halfedges, faces } = this.#rooms;
+    this.#emptyBeyond(vertices, halfedges, faces);
   }
 
   renewViews(): void {
@@ -193,12 +190,7 @@ export class Links implements Viewer {
     const { vertexSlots, halfedgeSlots, faceSlots } = this;
     this.#takeCounts(words);
     if (this.detached) this.refresh(); // arrays that have grown where they were
-    if (this.vertexSlots < vertexSlots) this.vertexHalfedge.fill(BEYOND, this.vertexSlots);
-    if (this.faceSlots < faceSlots) this.faceHalfedge.fill(BEYOND, this.faceSlots);
-    if (this.halfedgeSlots >= halfedgeSlots) return;
-    for (const links of [this.next, this.prev, this.toVertex, this.face]) {
-      links.fill(BEYOND, this.halfedgeSlots);
-    }
+    this.#emptyBeyond(vertexSlots, halfedgeSlots, faceSlots);
   }
 
   /** Begins a group of edits that are one step of history, or one within it. */
@@ -227,13 +219,17 @@ export class Links implements Viewer {
   updateAfterTravel(): void {
     this.update();
     const [vertices, halfedges, faces] = this.#passed;
-    if (vertices > this.vertexSlots) {
-      this.vertexHalfedge.fill(BEYOND, this.vertexSlots, vertices);
-    }
-    if (faces > this.faceSlots) this.faceHalfedge.fill(BEYOND, this.faceSlots, faces);
-    if (halfedges <= this.halfedgeSlots) return;
+    this.#emptyBeyond(vertices, halfedges, faces);
+  }
+
+  /** Empties what lies beyond the slots that there are, up to so many: not all the room, which may be large. */
+  #emptyBeyond(vertices: number, halfedges: number, faces: number): void {
+    const { vertexSlots, halfedgeSlots, faceSlots } = this;
+    if (vertices > vertexSlots) this.vertexHalfedge.fill(BEYOND, vertexSlots, vertices);
+    if (faces > faceSlots) this.faceHalfedge.fill(BEYOND, faceSlots, faces);
+    if (halfedges <= halfedgeSlots) return;
     for (const links of [this.next, this.prev, this.toVertex, this.face]) {
-      links.fill(BEYOND, this.halfedgeSlots, halfedges);
+      links.fill(BEYOND, halfedgeSlots, halfedges);
     }
   }
 
