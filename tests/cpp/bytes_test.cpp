@@ -46,6 +46,7 @@ void add_attributes(Mesh& mesh, std::mt19937& random) {
   };
   add(ItemKind::kVertex, "normal", {.components = 3, .on_split = OnSplit::kNormalize});
   add(ItemKind::kHalfedge, "uv", {.type = Scalar::kFloat64, .components = 2});
+  add(ItemKind::kHalfedge, "label", {.type = Scalar::kUint8, .on_split = OnSplit::kCopyCorner});
   add(ItemKind::kEdge, "crease", {.type = Scalar::kInt16, .on_split = OnSplit::kCopy});
   add(ItemKind::kFace, "Größe ✓", {.type = Scalar::kUint8, .components = 4});
   add(ItemKind::kFace, "generation", {.type = Scalar::kUint32, .on_split = OnSplit::kDefault});

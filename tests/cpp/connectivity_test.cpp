@@ -352,6 +352,44 @@ TEST(Connectivity, KnowsLiveHandlesFromOthers) {
   EXPECT_FALSE(mesh.is_live(Face(6)));
 }
 
+#if !defined(NDEBUG)
+TEST(ConnectivityDeathTest, AssertsThatHandlesHaveASlot) {
+  const Mesh mesh = triangle_by_hand();
+  const char* sentence = "Assertion|assertion";
+  for (const Index i : {Index{6}, kNone}) {
+    EXPECT_DEATH((void)mesh.to_vertex(Halfedge(i)), sentence);
+    EXPECT_DEATH((void)mesh.face(Halfedge(i)), sentence);
+    EXPECT_DEATH((void)mesh.next(Halfedge(i)), sentence);
+    EXPECT_DEATH((void)mesh.prev(Halfedge(i)), sentence);
+    EXPECT_DEATH((void)mesh.vertex_halfedge(Vertex(i)), sentence);
+    EXPECT_DEATH((void)mesh.position(Vertex(i)), sentence);
+    EXPECT_DEATH((void)mesh.face_halfedge(Face(i)), sentence);
+  }
+}
+
+// Links of deleted items lead out of all arrays, so that none can be followed.
+TEST(ConnectivityDeathTest, AssertsWhereALinkOfADeletedItemIsFollowed) {
+  Mesh mesh = triangle_by_hand();
+  const Vertex v = mesh.add_vertex({});
+  mesh.release(v);
+  mesh.release(Face(0));
+  mesh.release(Edge(0));
+  const char* sentence = "Assertion|assertion";
+  for (const Halfedge h : {Halfedge(0), Halfedge(1)}) {
+    EXPECT_FALSE(mesh.is_live(h));
+    EXPECT_DEATH((void)mesh.vertex_halfedge(mesh.to_vertex(h)), sentence);
+    EXPECT_DEATH((void)mesh.face_halfedge(mesh.face(h)), sentence);
+    EXPECT_DEATH((void)mesh.next(mesh.next(h)), sentence);
+    EXPECT_DEATH((void)mesh.prev(mesh.prev(h)), sentence);
+    EXPECT_FALSE(mesh.is_boundary(h));
+  }
+  EXPECT_FALSE(mesh.is_live(v));
+  EXPECT_DEATH((void)mesh.valence(v), sentence);
+  EXPECT_FALSE(mesh.is_live(Face(0)));
+  EXPECT_DEATH((void)mesh.degree(Face(0)), sentence);
+}
+#endif
+
 TEST(DeletedLinks, KeepTheSignBitForEverySlot) {
   for (const Index next_free : {0U, 1U, kMaxSlots - 1}) {
     const Index link = kDeleted - 1 - next_free;

@@ -42,8 +42,9 @@ namespace halfedge {
 ///   6. Every halfedge that leaves v is reached from anchor(v) by rotating.
 ///   7. No live item refers to a deleted one.
 ///
-/// Navigation is O(1) and unchecked in release builds: passing a deleted or foreign handle is a
-/// caller's bug, caught by `assert` in debug builds.
+/// Navigation is O(1) and unchecked in release builds: passing an empty, deleted or foreign handle
+/// is a caller's bug. In debug builds `assert` catches one that is in no slot at once, and that of
+/// a deleted item where a link that it gives is followed: such links lead out of all arrays.
 ///
 /// The class in the order in which to read it: what is stored and how much of it, navigation and
 /// queries, memory, low-level changes; then what goes along with each change and can be left aside

@@ -29,8 +29,8 @@
 ///   "posi"  float32, three for each vertex
 ///   "attr"  for each attribute: uint32[5] kind of item (vertex, halfedge, edge, face), type
 ///           (float32, float64, int8, uint8, int16, uint16, int32, uint32), components, on-split
-///           (interpolate, normalize, copy, default), length of the name; the name in UTF-8 up to
-///           the next multiple of 8; the default likewise; a value for each slot
+///           (interpolate, normalize, copy, default, copy-corner), length of the name; the name in
+///           UTF-8 up to the next multiple of 8; the default likewise; a value for each slot
 namespace halfedge {
 
 /// What to_bytes calls, whatever the mesh stores.
