@@ -85,13 +85,19 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     return this.batch.count;
   }
 
-  /** Draws the mesh as it is now. */
+  /** Draws the mesh as it is now. Where it throws, nothing is drawn until it is called again. */
   update(): void {
-    checkMesh(this.mesh);
-    checkLength('pixel', this.pixel);
     this.batch.clear();
-    this.draw();
-    this.batch.upload();
+    try {
+      checkMesh(this.mesh);
+      checkLength('pixel', this.pixel);
+      this.draw();
+    } catch (error) {
+      this.batch.clear(); // a part would look like all of it
+      throw error;
+    } finally {
+      this.batch.upload();
+    }
   }
 
   /** Frees its memory on the graphics card. */
