@@ -1,5 +1,5 @@
 import type { HalfedgeFigure } from 'halfedge/figure';
-import { closeFigures, disconnect, figures, ONE_RING } from './support/figures.js';
+import { closeFigures, disconnect, type FigurePage, figures, ONE_RING } from './support/figures.js';
 
 afterEach(closeFigures);
 afterAll(disconnect);
@@ -347,6 +347,46 @@ OFF
     expect(await deleted(3)).toEqual({ select: null, step: 4, tags: ['4', '3', '2', '1'] });
     expect(page.complaints).toEqual([]);
     expect(await page.events('halfedge-error')).toEqual([]);
+  });
+
+  test.each<[how: string, act: (page: FigurePage) => Promise<unknown>]>([
+    ['refreshed', (page) => page.figure((figure) => figure.refresh())],
+    ['to be seen whole', (page) => page.figure((figure) => figure.fit())],
+    ['told to step', (page) => page.figure((figure) => figure.stepForward())],
+    ['told to play', (page) => page.figure((figure) => figure.play())],
+    [
+      'told to select',
+      (page) => page.figure((figure) => void Object.assign(figure, { select: 'v2' })),
+    ],
+    [
+      'walked by a key',
+      async ({ page }) => {
+        await page.focus('halfedge-figure canvas');
+        await page.keyboard.press('n');
+      },
+    ],
+    ['clicked', ({ page }) => page.click('halfedge-figure canvas')],
+  ])('tells that its mesh was disposed of when it is %s, and shows another', async (_how, act) => {
+    const page = await figures(ONE_RING);
+    await page.ready();
+    await page.settled();
+    await page.figure((figure) => figure.mesh?.dispose());
+    await act(page);
+    await page.figure(async (figure) => void (await figure.updateComplete));
+    const told =
+      'A program has disposed of the mesh, which belongs to the figure: set src or bytes to show another one.';
+    expect(await page.page.textContent('halfedge-figure [part=error]')).toBe(told);
+    const errors = await page.events('halfedge-error');
+    expect(errors.map(({ message }) => message)).toEqual([told]);
+    const shown = await page.figure(async (figure) => {
+      const lost = figure.state;
+      const refused = await figure.ready().catch((error: Error) => error.message);
+      figure.src = 'shape:cube';
+      const mesh = await figure.ready();
+      return [lost, refused, figure.state, mesh.vertexCount];
+    });
+    expect(shown).toEqual(['failed', told, 'ready', 8]);
+    expect(page.complaints).toEqual([]);
   });
 
   test('plays on while a program moves vertices', async () => {

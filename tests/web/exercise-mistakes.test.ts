@@ -553,12 +553,13 @@ describe('A typical mistake', () => {
       'flip-edge',
       taskNamed('flip-edge').starter,
       'nothing-changed',
-      /^No link has changed\. On the cone, flipEdge\(links, e1\): expected \(v.+ Write to the elements/,
+      /^All links are what they were before\. On the cone, flipEdge\(links, e1\): expected \(v.*links\.next\[h\] = …/,
     ],
     [
-      'changing nothing but the anchor of a face',
+      'flipping twice',
       'flip-edge',
-      'function flipEdge({ next, face, faceHalfedge }, e) { const f = face[2 * e]; faceHalfedge[f] = next[faceHalfedge[f]]; }',
+      `${taskNamed('flip-edge').solution.replace('flipEdge', 'flip')}
+      function flipEdge(links, e) { flip(links, e); flip(links, e); }`,
       'nothing-changed',
       /^The links are sound, but the faces are what they were before\./,
     ],
@@ -577,11 +578,42 @@ describe('A typical mistake', () => {
       /is not a function\. On the \w+, valence\(mesh, v\d+\)\.$/,
     ],
     [
-      'more links than are listed, and one besides that does not fit',
+      'taking an edge for a halfedge',
       'flip-edge',
-      taskNamed('flip-edge').solution.replace('toVertex[h] = d', 'toVertex[h] = undefined'),
-      'to-from-mismatch',
-      /prev\[2\]: 5 → 0, … \(17 links\)\..* 1 more does not fit\.$/,
+      taskNamed('flip-edge').solution.replace('h = 2 * e', 'h = e'),
+      'next-prev-mismatch',
+      /toVertex of h0, h1 has to stay: the halfedges of e1 are h2 and h3, which is 2 \* e and 2 \* e \+ 1\. 1 more does not fit\.$/,
+    ],
+    [
+      'forgetting the faces',
+      'flip-edge',
+      taskNamed('flip-edge').solution.replace('face[x] = face[y] = face[z] = f;', ''),
+      'face-mismatch',
+      // Not all that it has changed is listed, and that is said.
+      /it gave (\w+\[\d+\]: \d+ → \d+, ){8}… \(15\)\. .*was face set for those that changed sides\? 3 more do not fit\.$/,
+    ],
+    [
+      'following links that were changed',
+      'flip-edge',
+      `function flipEdge({ next }, e) {
+        let h = 2 * e;
+        next[h] = h;
+        while (next[h] !== h + 1) h = next[h];
+      }`,
+      'endless',
+      /^The loop in line 4 does not end\..* What changes from turn to turn\? A walk along links that were changed/,
+    ],
+    [
+      'asking a while whether it is back before it has left',
+      'face-vertices',
+      `function faceVertices(mesh, f) {
+        const list = [];
+        const first = mesh.faceHalfedge(f);
+        for (let h = first; h !== first; h = mesh.next(h)) list.push(mesh.toVertex(h));
+        return list;
+      }`,
+      'empty',
+      /expected v2, v1, v0\. A walk of do … while takes its first vertex .* Or was 0 taken for none\? faceHalfedge gave h0\. h0 is one like any other/,
     ],
     [
       'forgetting prev',

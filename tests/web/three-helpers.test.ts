@@ -27,6 +27,9 @@ function segmentsOf(helper: MeshHelper): THREE.Vector3[][] {
   );
 }
 
+/** How many segments three.js draws. */
+const drawnBy = (helper: MeshHelper) => linesOf(helper).geometry.instanceCount;
+
 const colorsOf = (helper: MeshHelper) => {
   const { instanceColorStart: colors } = linesOf(helper).geometry.attributes;
   return Array.from({ length: helper.segments }, (_, i) =>
@@ -170,6 +173,7 @@ describe('HalfedgesHelper', () => {
     helper.dispose();
     mesh.dispose();
     expect(() => helper.update()).toThrow(/disposed/);
+    expect(drawnBy(helper)).toBe(0);
   });
 
   test('refuses wrong options with a sentence', () => {
@@ -208,11 +212,10 @@ describe('HalfedgesHelper', () => {
   test('refuses at an update what was set wrongly, and goes on once it is right', () => {
     const mesh = HalfedgeMesh.grid(2, 2);
     const arrows = new HalfedgesHelper(mesh);
-    const { segments } = arrows;
     for (const pixel of [Number.NaN, -1, 0, Number.POSITIVE_INFINITY, '1' as never]) {
       arrows.pixel = pixel;
       expect(() => arrows.update()).toThrow(/^pixel is .+; expected a positive number\.$/);
-      expect(arrows.segments).toBe(segments);
+      expect(drawnBy(arrows)).toBe(0);
     }
     arrows.pixel = 0.01;
     arrows.faces = 3 as never;
@@ -223,19 +226,6 @@ describe('HalfedgesHelper', () => {
     const trace = new CirculatorHelper(mesh, 'vertexFaces', 4);
     trace.steps = Number.NaN;
     expect(() => trace.update()).toThrow('steps is NaN; expected a number from 0.');
-  });
-
-  test('draws nothing of an item that is gone, until it has another one', () => {
-    const mesh = HalfedgeMesh.grid(2, 2);
-    const trace = new CirculatorHelper(mesh, 'faceVertices', 1);
-    const drawn = () => linesOf(trace).geometry.instanceCount;
-    expect(drawn()).toBe(trace.segments);
-    mesh.deleteFace(1);
-    expect(() => trace.update()).toThrow('f is face 1, which was deleted; expected a live one.');
-    expect(drawn()).toBe(0);
-    trace.item = 2 as typeof trace.item;
-    trace.update();
-    expect(drawn()).toBeGreaterThan(0);
   });
 
   test.each([
@@ -285,6 +275,19 @@ test('CirculatorHelper shows the halfedges of a lap, or of some steps, the last 
   helper.item = 5;
   helper.steps = Number.POSITIVE_INFINITY;
   expect(helper.trace()).toEqual(mesh.vertexOutgoingHalfedges(5, 'cw').toArray());
+});
+
+test('CirculatorHelper draws nothing where its item is gone, until it has another one', () => {
+  const mesh = HalfedgeMesh.icosahedron();
+  const helper = new CirculatorHelper(mesh, 'vertexVertices', 4);
+  expect(drawnBy(helper)).toBe(10);
+  mesh.deleteVertex(4);
+  expect(() => helper.update()).toThrow('vertex 4, which was deleted');
+  expect([helper.segments, drawnBy(helper)]).toEqual([0, 0]);
+  helper.item = 5;
+  helper.update();
+  expect(drawnBy(helper)).toBe(helper.segments);
+  expect(helper.segments).toBeGreaterThan(0);
 });
 
 test('ProblemsHelper draws what a refusal or the validation is about', () => {

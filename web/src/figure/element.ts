@@ -26,6 +26,9 @@ import { FigureView } from './view.js';
 /** How far outside of the window a figure begins to load. */
 const NEAR = '300px';
 
+const LOST =
+  'A program has disposed of the mesh, which belongs to the figure: set src or bytes to show another one.';
+
 /**
  * An interactive picture of a mesh:
  *
@@ -39,6 +42,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   readonly #model = new FigureModel({
     moved: (edit) => this.#moved(edit),
     played: () => this.requestUpdate(),
+    isLost: () => this.#isLost(),
   });
   #view: FigureView | null = null;
   /** The last walk, whose controls stay where something is picked that it does not go around. */
@@ -142,13 +146,13 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   /** Shows the whole mesh. */
   fit(): void {
-    this.#picture.fit();
+    if (!this.#isLost()) this.#picture.fit();
   }
 
   /** Draws the mesh as it is now, after edits by a program; what is gone is not selected any more. */
   refresh(): void {
     const { mesh, selected, story } = this.#model;
-    if (!mesh) return;
+    if (!mesh || this.#isLost()) return;
     const isGone = selected !== null && !isLive(mesh, selected);
     if (isGone && sameItem(parseItemName(this.select ?? ''), selected)) this.select = null;
     this.#model.refresh(this.settings);
@@ -180,7 +184,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     if (changed.has('speed')) this.#model.player.speed = this.pace;
     const another = changed.has('src') || changed.has('build') || changed.has('bytes');
     if (another && this.state !== 'waiting') void this.#load();
-    if (this.state !== 'ready') return;
+    if (this.state !== 'ready' || this.#isLost()) return;
     const anew = this.#follow(changed.has('camera') || changed.has('up'));
     // A step that the player has made itself is no reason to rest.
     const { story } = this.#model;
@@ -360,6 +364,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.dispatchEvent(new Event('halfedge-settled'));
   }
 
+  /** Whether a program has disposed of the mesh, of which nothing can be asked then; that is told. */
+  #isLost(): boolean {
+    if (!this.#model.mesh?.disposed) return false;
+    this.#close();
+    this.#fail(new Error(LOST), 'failed');
+    return true;
+  }
+
   #close(): void {
     this.#abort.abort();
     this.#view?.dispose();
@@ -391,6 +403,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   #hover(item: Item | null): void {
+    if (this.#isLost()) return;
     if (item?.kind === this.#model.hovered?.kind && item?.index === this.#model.hovered?.index)
       return;
     this.#model.hovered = item;
@@ -398,6 +411,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   #choose(item: Item | null): void {
+    if (this.#isLost()) return;
     const select = item ? itemName(item) : null;
     if (!this.#model.choose(item, { ...this.settings, select })) return;
     this.select = select;
@@ -408,6 +422,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   #pressed(event: KeyboardEvent): void {
+    if (this.#isLost()) return;
     const picture = this.#picture;
     const known = actOnKey(event, {
       toggle: () => this.toggle(),

@@ -31,6 +31,8 @@ export interface ModelListener {
   moved(edit: Edit | null): void;
   /** It began to play by itself, or stopped. */
   played(): void;
+  /** Whether the mesh was disposed of; nothing is shown any more then. */
+  isLost(): boolean;
 }
 
 /** The state of a figure, and what can be done to it. Knows nothing of the DOM. */
@@ -55,6 +57,7 @@ export class FigureModel {
         listener.moved(edit);
       },
       played: () => listener.played(),
+      isLost: () => listener.isLost(),
     });
   }
 

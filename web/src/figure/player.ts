@@ -7,6 +7,8 @@ export interface PlayerListener {
   moved(edit: Edit | null): void;
   /** It began to play, or stopped. */
   played(): void;
+  /** Whether there is nothing left to go through: it has no story then. */
+  isLost(): boolean;
 }
 
 /** Takes a story on by itself, step by step. */
@@ -39,7 +41,7 @@ export class Player {
   /** Plays on; from the beginning, where the end is reached, or what is refused. */
   play(): void {
     const story = this.#story;
-    if (!story || !isPlayable(story) || this.#playing) return;
+    if (!story || !isPlayable(story) || this.#playing || this.#listener.isLost()) return;
     if (story.refusal || story.position >= story.count) this.#go(0);
     this.#playing = true;
     this.#listener.played();
@@ -66,7 +68,7 @@ export class Player {
 
   #go(position: number): void {
     const story = this.#story;
-    if (!story) return;
+    if (!story || this.#listener.isLost()) return;
     const before = story.position;
     const edit = story.seek(position);
     if (story.position !== before || edit) this.#listener.moved(edit);
@@ -76,6 +78,7 @@ export class Player {
     const story = this.#story;
     if (!story) return;
     this.#go(story.position + 1);
+    if (this.#story === null) return;
     if (story.refusal || story.position >= story.count) this.pause();
     else this.#timer = setTimeout(() => this.#tick(), 1000 / this.speed);
   }

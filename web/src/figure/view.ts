@@ -156,7 +156,8 @@ export class FigureView {
   /** Tells what the pointer is over, and what is picked: an item, or null for nothing. */
   listen(hovers: (item: Item | null) => void, picks: (item: Item | null) => void): void {
     const listener = {
-      itemAt: (x: number, y: number, reach: number) => this.#picture.pick(x, y, 'auto', reach),
+      itemAt: (x: number, y: number, reach: number) =>
+        this.#state().mesh?.disposed ? null : this.#picture.pick(x, y, 'auto', reach),
       hovers,
       picks,
       doubleClicked: () => this.focus(this.#state().selected),

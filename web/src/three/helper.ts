@@ -85,15 +85,15 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     return this.batch.count;
   }
 
-  /** Draws the mesh as it is now. Nothing is drawn where it throws because an item is gone. */
+  /** Draws the mesh as it is now. Where it throws, nothing is drawn until it is called again. */
   update(): void {
-    checkMesh(this.mesh);
-    checkLength('pixel', this.pixel);
     this.batch.clear();
     try {
+      checkMesh(this.mesh);
+      checkLength('pixel', this.pixel);
       this.draw();
     } catch (error) {
-      this.batch.clear();
+      this.batch.clear(); // a part would look like all of it
       throw error;
     } finally {
       this.batch.upload();

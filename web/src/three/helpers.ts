@@ -146,7 +146,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   readonly direction: Direction;
   /**
    * The item that it goes around. Call `update()` after setting it. Where there is no such item any more, as after an
-   * undo, `update()` throws, and nothing is drawn until the helper has another item.
+   * undo, `update()` throws, and draws nothing until it has another item.
    */
   item: CirculatorCentre<Kind>;
   /** How far it goes. Call `update()` after setting it. */

@@ -129,9 +129,13 @@ function nothingOrSomething({ asked, of, expected, got, reads }: Lists): Part | 
     return {
       code: 'empty',
       title: 'Its list is empty.',
-      hint:
-        zeroHint(reads) ??
+      // The same questions come from both mistakes.
+      hint: [
         `A walk of do … while takes its first ${of} before it looks whether it is done; while looks first, and is back before it has left.`,
+        zeroHint(reads, 'Or was 0 taken for none?'),
+      ]
+        .filter(Boolean)
+        .join(' '),
     };
   }
   if (expected.length > 0) return null;

@@ -2,8 +2,8 @@
 
 import type { HalfedgeMesh } from '../../api.js';
 import { typedArrayName } from '../../arguments.js';
-import type { Item } from '../../teaching/items.js';
-import { type Asked, type Finding, finding, namesOf } from './finding.js';
+import { type Item, itemName } from '../../teaching/items.js';
+import { type Asked, type Finding, finding, namesOf, subjectOf } from './finding.js';
 import type { LinkArrays } from './outcome.js';
 
 /** Checks the arrays that a program has left behind, against what the reference makes of the mesh. */
@@ -20,7 +20,7 @@ export function judgeLinks(asked: Asked, got: Partial<LinkArrays>): Finding | nu
       }
       own.set(links);
     }
-    return unsound(result, mesh) ?? otherSurface(result, right, mesh);
+    return unsound(asked, result, right) ?? otherSurface(result, right, mesh);
   } finally {
     right.dispose();
     result.dispose();
@@ -35,13 +35,14 @@ function replaced(name: string): Finding {
   });
 }
 
-function unsound(result: HalfedgeMesh, mesh: HalfedgeMesh): Finding | null {
+function unsound(asked: Asked, result: HalfedgeMesh, right: HalfedgeMesh): Finding | null {
+  const { mesh } = asked;
   const errors = result.validate(3).filter(({ severity }) => severity === 'error');
   if (errors.length === 0) return null;
   const [{ code, message, kind, index }] = errors;
   const changed = changedLinks(mesh, result);
-  const others = errors.length - 1;
-  const more = others > 0 ? ` ${others} more ${others === 1 ? 'does' : 'do'} not fit.` : '';
+  const left = errors.length - 1;
+  const more = left > 0 ? ` ${left} more ${left > 1 ? 'do' : 'does'} not fit.` : '';
   const marks: Item[] = errors
     .filter((error) => error.kind !== 'mesh' && error.index >= 0)
     .slice(0, 6)
@@ -49,8 +50,8 @@ function unsound(result: HalfedgeMesh, mesh: HalfedgeMesh): Finding | null {
   return finding({
     code: changed.length === 0 ? 'nothing-changed' : code,
     title: message,
-    hint: `${HINTS[code] ?? 'Go through the links of the items one by one: what does each lead to, and does that lead back?'}${more}`,
-    got: listOf(changed),
+    hint: `${elsewhere(asked, result, right) ?? HINTS[code] ?? 'Go through the links of the items one by one: what does each lead to, and does that lead back?'}${more}`,
+    got: someOf(changed),
     marks: kind === 'mesh' || index < 0 ? [] : marks,
   });
 }
@@ -68,10 +69,21 @@ const HINTS: Readonly<Record<string, string>> = {
   'interior-anchor': 'At the boundary vertexHalfedge has to be a halfedge without a face.',
 };
 
-/** A long list is cut. */
-function listOf(changed: readonly string[]): string {
+/** Cut, and counted, where there are many. */
+function someOf(changed: readonly string[]): string {
   const first = changed.slice(0, MOST_LINKS).join(', ');
-  return changed.length > MOST_LINKS ? `${first}, … (${changed.length} links)` : first;
+  return changed.length > MOST_LINKS ? `${first}, … (${changed.length})` : first;
+}
+
+/** What to say where the program turns other halfedges than those of the edge that it was given. */
+function elsewhere(asked: Asked, result: HalfedgeMesh, right: HalfedgeMesh): string | null {
+  const subject = subjectOf(asked);
+  if (subject?.kind !== 'edge') return null;
+  const [old, now, wanted] = [asked.mesh, result, right].map((mesh) => mesh.connectivity.toVertex);
+  const wrong = [...old.keys()].filter((h) => wanted[h] === old[h] && now[h] !== old[h]);
+  if (wrong.length === 0) return null;
+  const h = 2 * subject.index;
+  return `toVertex of ${namesOf('halfedge', wrong)} has to stay: the halfedges of ${itemName(subject)} are h${h} and h${h + 1}, which is 2 * e and 2 * e + 1.`;
 }
 
 /** What the program has changed: `next[3]: 5 → 7`. */
@@ -97,8 +109,8 @@ function otherSurface(
   if (changedLinks(mesh, result).length === 0) {
     return finding({
       code: 'nothing-changed',
-      title: 'No link has changed.',
-      hint: 'Write to the elements of the arrays, such as next[h] = …: what is written to copies of them, or to variables, counts for nothing.',
+      title: 'All links are what they were before.',
+      hint: 'Write to the elements of the arrays: links.next[h] = … What is done to copies of them, or given back, changes nothing.',
       expected: facesOf(wanted),
     });
   }

@@ -124,11 +124,15 @@ export function judgeEndless(asked: Asked, { line, recursive, turns, reads }: En
   return finding({
     code: 'endless',
     title: `The loop in line ${line} does not end.`,
-    hint: roundabout(walked, first),
+    // Nobody notes what is read of arrays.
+    hint: asked.task.gets === 'links' ? THROUGH_ARRAYS : roundabout(walked, first),
     line,
     steps: stops,
   });
 }
+
+const THROUGH_ARRAYS =
+  'What changes from turn to turn? A walk along links that were changed may go elsewhere than before, and never come back.';
 
 /** The halfedges between which a walk goes to and fro, as a sentence. */
 function roundabout(walked: readonly number[], first: number): string {

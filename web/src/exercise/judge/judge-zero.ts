@@ -22,12 +22,16 @@ export function wasGiven(kind: Item['kind'], index: number, reads: readonly Read
   return reads.some(({ name, gave }) => KINDS[name] === kind && gave === index);
 }
 
-/** What to say where a program stops at an item with the index 0: that was the last that it was given. */
-export function zeroHint(reads: readonly Read[]): string | null {
+/**
+ * What to say where a program stops at an item with the index 0: that was the last that it was given. `doubt` is asked
+ * before.
+ */
+export function zeroHint(reads: readonly Read[], doubt = ''): string | null {
   const last = reads.at(-1);
   const kind = last?.gave === 0 ? KINDS[last.name] : undefined;
   if (!last || !kind) return null;
-  return `${last.name} gave ${namesOf(kind, [0])}. ${zeroIsFalse(namesOf(kind, [0]))}`;
+  const name = namesOf(kind, [0]);
+  return `${doubt} ${last.name} gave ${name}. ${zeroIsFalse(name)}`.trim();
 }
 
 /** `f0` is an item. */
