@@ -410,6 +410,17 @@ test('A ray that hits the surface does not hit the helpers upon it', () => {
   for (const hit of hits) expect(hit.object).toBe(object);
 });
 
+test('Helpers are seen by the cameras that their layers say, and so are their clones', () => {
+  const mesh = HalfedgeMesh.cube();
+  for (const helper of [new HalfedgesHelper(mesh), new CirculatorHelper(mesh, 'vertexFaces', 0)]) {
+    helper.layers.set(2);
+    for (const each of [helper, helper.clone()]) {
+      expect(each.children.length).toBeGreaterThan(0);
+      for (const { layers } of each.children) expect(layers.mask).toBe(4);
+    }
+  }
+});
+
 describe('An object with helpers upon it', () => {
   const options = { color: 0x123456, linewidth: 7, pixel: 0.02 };
   const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [
@@ -523,6 +534,13 @@ describe('IndexLabelsHelper', () => {
       }
     },
   );
+
+  test('is seen by the cameras that its layers say', () => {
+    using mesh = HalfedgeMesh.cube();
+    const helper = new IndexLabelsHelper(mesh);
+    helper.layers.set(2);
+    expect(helper.children.map(({ layers }) => layers.mask)).toEqual(new Array(8).fill(4));
+  });
 
   test('can be cloned', () => {
     using mesh = HalfedgeMesh.cube();

@@ -38,7 +38,7 @@ export const HELPER_OPTIONS: OptionNames<HelperOptions> = {
 /**
  * Something drawn over a mesh, in its coordinates: add it to the object that shows the mesh. Lines keep their
  * width, in CSS pixels, at any distance. Call `update()` after edits. Rays pass through it, so a `Raycaster`
- * hits the object.
+ * hits the object. Its `layers` are those of its lines.
  */
 export abstract class MeshHelper extends Group implements DrawnMesh {
   /** What is drawn. */
@@ -67,6 +67,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
       2,
     );
     this.#material = drawn.material;
+    drawn.layers = this.layers; // three.js hands none down to children
     this.add(Object.assign(drawn, { frustumCulled: false, renderOrder: 3, raycast() {} }));
   }
 

@@ -84,6 +84,7 @@ export class IndexLabelsHelper extends Group {
         let label = labels[count];
         if (label === undefined) {
           label = new CSS2DObject(document.createElement('span'));
+          label.layers = this.layers; // three.js hands none down to children
           this.add(label);
         }
         label.element.className = `${className} halfedge-${kind}`;
