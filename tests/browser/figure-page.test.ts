@@ -291,6 +291,39 @@ describe('A figure in its page', () => {
     expect(answers).toEqual(Array(2).fill('The figure is not in a page.'));
   });
 
+  test('draws with the pixels of the screen that the window comes to, and back', async () => {
+    const page = await figures(
+      '<halfedge-figure src="shape:cube" style="display: block; width: 400px"></halfedge-figure>',
+    );
+    await page.ready();
+    const session = await page.page.context().newCDPSession(page.page);
+    /** How many pixels the picture has to a CSS pixel then. */
+    const drawn = async (deviceScaleFactor: number) => {
+      const window = { width: 900, height: 700, mobile: false, deviceScaleFactor };
+      await session.send('Emulation.setDeviceMetricsOverride', window);
+      // Chromium tells nobody of a screen that is emulated, until it has another reason to look at media queries.
+      for (const colorScheme of ['dark', 'light'] as const) {
+        await page.page.emulateMedia({ colorScheme });
+      }
+      await page.settled();
+      return page.figure(({ shadowRoot }) => {
+        const canvas = shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+        return canvas.width / canvas.clientWidth;
+      });
+    };
+    for (const [factor, ratio] of [
+      [2, 2],
+      [1.5, 1.5],
+      [3, 2],
+      [1, 1],
+    ]) {
+      expect(await drawn(factor)).toBeCloseTo(ratio);
+    }
+    expect((await page.colours())[0]).toBeGreaterThan(3); // it isn't blank
+    await session.detach();
+    expect(page.complaints).toEqual([]);
+  });
+
   test('follows the theme of the system, or its own', async () => {
     const body = '<halfedge-figure src="shape:cube"></halfedge-figure>';
     const page = await figures(body, { dark: true });

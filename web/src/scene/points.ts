@@ -8,6 +8,7 @@ import {
   type Scene,
   ShaderMaterial,
 } from 'three';
+import { pixelRatio } from './screen.js';
 
 const vertexShader = /* glsl */ `
   attribute vec3 tint;
@@ -64,7 +65,7 @@ export class Discs {
           uniforms: {
             rim: { value: [1, 1, 1] },
             opacity: { value: opacity },
-            pixelRatio: { value: Math.min(2, window.devicePixelRatio) },
+            pixelRatio: { value: pixelRatio() },
           },
         }),
     );
@@ -112,8 +113,7 @@ export class Discs {
       if (this.#isStale) attribute.needsUpdate = true;
     }
     this.#isStale = false;
-    const pixelRatio = Math.min(2, window.devicePixelRatio);
-    for (const { uniforms } of this.#materials) uniforms.pixelRatio.value = pixelRatio;
+    for (const { uniforms } of this.#materials) uniforms.pixelRatio.value = pixelRatio();
   }
 
   #grow(capacity: number): void {

@@ -1,5 +1,10 @@
 import { type Camera, type Scene, WebGLRenderer } from 'three';
 
+/** How many pixels of a canvas there are to a CSS pixel: more than two cost time, and nobody sees them. */
+export function pixelRatio(): number {
+  return Math.min(2, window.devicePixelRatio);
+}
+
 /** What a stage draws on: a canvas, and something that renders scenes to it. */
 export interface Screen {
   readonly canvas: HTMLCanvasElement;

@@ -15,7 +15,7 @@ import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { PickView } from '../three/projection.js';
 import { Flight, type Pose } from './flight.js';
 import { prefersReducedMotion } from './reduced-motion.js';
-import type { Screen } from './screen.js';
+import { pixelRatio, type Screen } from './screen.js';
 import { UP, type UpAxis, uprightOf } from './up.js';
 
 /** Space that panels cover, in CSS pixels: the picture is centred in what is left. */
@@ -99,6 +99,23 @@ export class Stage {
     );
     this.#observer.observe(canvas);
     this.#fit();
+    this.#followRatio();
+  }
+
+  /** Goes along when the window comes to a screen of finer pixels, or is zoomed: in CSS pixels, nothing is resized. */
+  #followRatio(): void {
+    const { devicePixelRatio } = window;
+    const follow = () => {
+      // Paper has finer pixels, too, and shows what was drawn for the window.
+      if (window.devicePixelRatio !== devicePixelRatio) {
+        this.#setPointRatio(pixelRatio());
+        this.#resize();
+      }
+      this.#followRatio();
+    };
+    globalThis
+      .matchMedia?.(`(resolution: ${devicePixelRatio}dppx)`)
+      .addEventListener('change', follow, { once: true, signal: this.#ended.signal });
   }
 
   /** What turns the camera by hand; another object once another axis points up. */
@@ -479,7 +496,7 @@ export class Stage {
     const { clientWidth, clientHeight } = this.#screen.canvas;
     const width = Math.max(1, clientWidth);
     const height = Math.max(1, clientHeight);
-    this.#screen.resize(width, height, Math.min(2, window.devicePixelRatio));
+    this.#screen.resize(width, height, pixelRatio());
     const isResized = width !== this.size.x || height !== this.size.y;
     this.size.set(width, height);
     this.camera.aspect = width / height;
