@@ -290,6 +290,17 @@ test('CirculatorHelper draws nothing where its item is gone, until it has anothe
   expect(helper.segments).toBeGreaterThan(0);
 });
 
+test('A helper draws nothing where an update ends half way, rather than a part', () => {
+  const helper = new HalfedgesHelper(HalfedgeMesh.cube());
+  const faces = function* () {
+    yield 0;
+    throw new Error('of the user');
+  };
+  helper.faces = faces() as unknown as number[];
+  expect(() => helper.update()).toThrow('of the user');
+  expect([helper.segments, drawnBy(helper)]).toEqual([0, 0]);
+});
+
 test('ProblemsHelper draws what a refusal or the validation is about', () => {
   const mesh = HalfedgeMesh.grid(2, 2);
   expect(new ProblemsHelper(mesh).segments).toBe(0);
