@@ -53,6 +53,18 @@ async function numbers(): Promise<string[]> {
 }
 
 describe('An operation', () => {
+  test('takes the digest away until the mesh is measured again', async () => {
+    const mesh = await sphere();
+    await explorer.goTo('e7');
+    const digest = await explorer.page.evaluate(() => {
+      document.querySelector<HTMLElement>('[data-operation=flipEdge]')?.click();
+      return document.querySelector<HTMLElement>('main.stage')?.dataset.digest;
+    });
+    expect(digest).toBeUndefined();
+    mesh.flipEdge(7);
+    await shows(mesh);
+  });
+
   test.each([
     ['its button', () => click('flipEdge')],
     ['its key', () => explorer.press('Shift+F')],

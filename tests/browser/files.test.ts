@@ -1,6 +1,6 @@
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { dragonOff } from '../fixtures/dragon.js';
 import { disconnect, ExplorerPage } from './support/explorer.js';
 
@@ -144,6 +144,65 @@ describe('A file', () => {
     expect(await explorer.validity()).toBe(
       'Valid: all invariants hold; no faces, 2 isolated vertices.',
     );
+  });
+});
+
+describe('A folder', () => {
+  let folder: string;
+  beforeEach(() => {
+    folder = mkdtempSync(join(tmpdir(), 'halfedge-folder-'));
+  });
+  afterEach(() => rmSync(folder, { recursive: true }));
+
+  /** As from the desktop: a page can't make a transfer that carries a folder. */
+  const drop = async (...files: string[]) => {
+    const session = await explorer.page.context().newCDPSession(explorer.page);
+    const data = { items: [], files, dragOperationsMask: 1 };
+    for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+      await session.send('Input.dispatchDragEvent', { type, x: 300, y: 300, data });
+    }
+    await session.detach();
+  };
+
+  test('that is dropped opens the first mesh in it, with the files that it needs', async () => {
+    mkdirSync(join(folder, 'buffers'));
+    writeFileSync(join(folder, 'a picture.png'), 'no mesh');
+    const positions = Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0);
+    writeFileSync(join(folder, 'buffers/corners.bin'), Buffer.from(positions.buffer));
+    const gltf = {
+      asset: { version: '2.0' },
+      buffers: [{ byteLength: 36, uri: 'buffers/corners.bin' }],
+      bufferViews: [{ buffer: 0, byteLength: 36 }],
+      accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+      nodes: [{ mesh: 0 }],
+      scenes: [{ nodes: [0] }],
+    };
+    writeFileSync(join(folder, 'triangle.gltf'), JSON.stringify(gltf));
+    await drop(folder);
+    await explorer.ready('triangle.gltf');
+    expect(await explorer.page.textContent('.counts')).toContain('Vertices3Edges3Faces1');
+  });
+
+  test('opens the first of its meshes by name, one of its own before those of its folders', async () => {
+    mkdirSync(join(folder, 'a'));
+    writeFileSync(join(folder, 'a/deep.off'), TETRAHEDRON);
+    for (let i = 0; i < 120; i++) writeFileSync(join(folder, `notes ${i}.txt`), 'no mesh');
+    writeFileSync(join(folder, 'z.off'), TETRAHEDRON);
+    writeFileSync(join(folder, 'y.off'), TETRAHEDRON);
+    await drop(folder);
+    await explorer.ready('y.off');
+  });
+
+  test('without a mesh is refused in a sentence that says what was looked for', async () => {
+    writeFileSync(join(folder, 'notes.txt'), 'no mesh');
+    await drop(folder);
+    await notice();
+    expect(await message()).toBe('There is no OBJ, OFF, PLY, STL, GLB or glTF file in it.');
+    expect(await explorer.page.textContent('[role=alert]')).toContain(
+      `“${basename(folder)}” was not opened`,
+    );
+    expect(await explorer.state('mesh')).toBe('Icosahedron');
   });
 });
 

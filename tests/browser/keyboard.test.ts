@@ -128,3 +128,27 @@ test('A key that is held edits once and plays once; steps, walks and undo go on'
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test('The field for an item hands the keys back: after Enter they walk, and Escape leaves the selection alone', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v0', mesh: 'Cube' });
+  const { page } = explorer;
+  const field = () => page.inputValue('.goto input');
+  await explorer.press('g', 'h', '0', 'Enter', 'n', 'n');
+  expect(await field()).toBe('');
+  expect(await explorer.state('selected')).not.toBe('h0');
+  await explorer.press('n', 'n');
+  expect(await explorer.state('selected')).toBe('h0');
+  // Tab goes on where the field is.
+  await explorer.press('g', 'f', '2', 'Enter', 'Tab');
+  expect(await page.evaluate(() => document.activeElement?.closest('.inspector') !== null)).toBe(
+    true,
+  );
+  await explorer.press('g', 'v', 'Escape');
+  expect(await field()).toBe('');
+  expect(await explorer.state('selected')).toBe('f2');
+  // What is refused stays there, to be changed.
+  await explorer.press('g', 'f', '9', 'Enter', 'Backspace', '3', 'Enter', 'h');
+  expect(await explorer.state('selected')).toMatch(/^h/);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});

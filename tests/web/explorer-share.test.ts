@@ -40,6 +40,17 @@ describe('a link', () => {
     expect(new URLSearchParams(link).get('camera')).toBe(text);
   });
 
+  test('whose camera is too far away for any picture is refused, and the camera stays', async () => {
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    const explorer = new Explorer();
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const link = share.linkOf(explorer, sight).replace('camera=1,', 'camera=1e300,');
+    await expect(share.follow(link, explorer, sight)).rejects.toThrow(
+      'The camera in it is “1e300,2,3,0,0,0”; expected six numbers.',
+    );
+    expect(sight.at).toEqual([1, 2, 3, 0, 0, 0]);
+  });
+
   test('has the names of the groups of its mesh, and no others', async () => {
     const explorer = new Explorer();
     const names = { group: ['left, wheel', 'a+b & c=d', 'Räder'], material: [] };

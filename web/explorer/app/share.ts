@@ -310,7 +310,8 @@ function upOf(text: string): UpAxis {
 
 function viewpointOf(text: string): Viewpoint {
   const numbers = text.split(',').map(Number);
-  if (numbers.length !== 6 || !numbers.every(Number.isFinite)) {
+  // Of what the graphics card has no number for, a picture would never come to rest.
+  if (numbers.length !== 6 || !numbers.every((x) => Number.isFinite(Math.fround(x)))) {
     throw new Error(`The camera in it is “${text}”; expected six numbers.`);
   }
   return numbers;

@@ -133,6 +133,12 @@ function goTo(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLEle
     autocomplete: 'off',
     spellcheck: 'false',
     enterkeyhint: 'go',
+    onkeydown: (event) => {
+      if ((event as KeyboardEvent).key !== 'Escape') return;
+      event.stopPropagation(); // the selection stays
+      input.value = '';
+      input.blur();
+    },
   });
   // What was refused doesn't stay beside an item that was chosen in another way.
   explorer.selected.subscribe(() => {
@@ -152,6 +158,7 @@ function goTo(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLEle
         explorer.select(item);
         if (explorer.remark.value !== '') return;
         input.value = '';
+        input.blur(); // the next keys walk from there; Tab goes on behind the field
         bringIntoSight(item);
       },
     },

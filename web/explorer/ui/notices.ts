@@ -1,8 +1,9 @@
-import { EXTENSIONS } from '../app/documents.js';
+import { EXTENSIONS, failureOf } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import type { Signal } from '../app/signal.js';
 import { appearance } from './appear.js';
 import { h, icon } from './dom.js';
+import { dropped } from './dropped-files.js';
 
 /** The sentence about a file that could not be opened. */
 export function failureNotice(explorer: Explorer): HTMLElement {
@@ -97,13 +98,11 @@ export function namesHint(lacksRoom: Signal<boolean>): HTMLElement {
   return hint;
 }
 
-/** Takes files that are dropped anywhere on the page, and shows that it would. */
+const KINDS = 'OBJ, OFF, PLY, STL, GLB or glTF';
+
+/** Takes files and folders that are dropped anywhere on the page, and shows that it would. */
 export function dropTarget(explorer: Explorer): HTMLElement {
-  const target = h(
-    'div',
-    { class: 'drop-target', hidden: true },
-    'Drop an OBJ, OFF, PLY, STL, GLB or glTF file',
-  );
+  const target = h('div', { class: 'drop-target', hidden: true }, `Drop an ${KINDS} file`);
   let depth = 0;
   const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   window.addEventListener('dragenter', (event) => {
@@ -124,7 +123,7 @@ export function dropTarget(explorer: Explorer): HTMLElement {
     event.preventDefault();
     depth = 0;
     target.hidden = true;
-    openFiles(explorer, event.dataTransfer?.files);
+    if (event.dataTransfer) void openDropped(explorer, event.dataTransfer);
   });
   return target;
 }
@@ -132,10 +131,26 @@ export function dropTarget(explorer: Explorer): HTMLElement {
 /** Opens the mesh among files; the others may belong to it. */
 export function openFiles(explorer: Explorer, files: FileList | null | undefined): void {
   const all = [...(files ?? [])];
-  const isMesh = ({ name }: File) =>
-    EXTENSIONS.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
   const file = all.find(isMesh) ?? all[0];
   if (file) void explorer.open(file, all);
+}
+
+/** Opens what was dropped: of folders, the first mesh in them. */
+async function openDropped(explorer: Explorer, transfer: DataTransfer): Promise<void> {
+  const { folder, files } = dropped(transfer);
+  if (folder === null) return openFiles(explorer, transfer.files);
+  try {
+    const all = await files;
+    const file = all.find(isMesh);
+    if (file) void explorer.open(file, all);
+    else throw new Error(`There is no ${KINDS} file in it.`);
+  } catch (error) {
+    explorer.failure.value = failureOf(error, { name: folder });
+  }
+}
+
+function isMesh({ name }: File): boolean {
+  return EXTENSIONS.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
 }
 
 /** Opens the mesh that is pasted, as a file or as text, anywhere but into a field. */

@@ -38,6 +38,8 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
     publish('witness', refused?.witness.map(itemName).join(' ') ?? null);
   });
   editor.pending.subscribe((pending) => publish('pending', pending?.operation.stem ?? null));
+  // What is known of the mesh before an edit stays in the panels until it is measured again.
+  editor.edit.subscribe(() => publish('digest', null));
   explorer.facts.subscribe((facts) => {
     const mesh = explorer.document.value?.mesh;
     publish('digest', facts && mesh ? digestOf(mesh) : null);
