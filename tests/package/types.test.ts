@@ -96,6 +96,15 @@ export function measure(mesh: HalfedgeMesh | DirectedEdgesMesh, v: Vertex, f: Fa
   return [mesh.vertexNormal(v), areas.fill(mesh.faceArea(f) + mesh.cotanWeight(0)), mesh.boundingBox()];
 }
 
+/** A program for whatever has the methods that it needs, and links that may be none. */
+type Rings = Pick<HalfedgeMesh, 'vertices' | 'vertexVertices' | 'edgeHalfedges' | 'circulate' | 'position' | 'allEdgeLengths'>;
+export function furthest(mesh: Rings): Vertex | typeof NONE {
+  let best: Vertex | typeof NONE = NONE;
+  for (const v of mesh.vertices()) if (best === NONE || mesh.position(v)[0] > mesh.position(best)[0]) best = v;
+  return best;
+}
+export const ofEither = (mesh: HalfedgeMesh, directed: DirectedEdgesMesh) => [furthest(mesh), furthest(directed)];
+
 /** Kinds that only the program knows. */
 export function ofAnyKind<Kind extends ItemKind>(mesh: HalfedgeMesh, kind: Kind, item: ItemLike<Kind>, index: number, name: CirculatorKind): number {
   mesh.deleteComponent(kind, index);

@@ -168,6 +168,45 @@ describe('An attribute', () => {
     expect(Array.from(view)).toEqual(new Array(16).fill(4));
   });
 
+  test('takes the same memory in history, however many numbers an item has', () => {
+    using mesh = grid();
+    const { attributes, history } = mesh;
+    attributes.add('vertex', 'matrix', { type: 'float64', components: 16 });
+    history.enabled = true;
+    attributes.set('vertex', 'matrix', 3, 1);
+    expect(history.bytes).toBe(16 * 8 + 8); // its own size and 8, as docs/editing.md says
+    const before = attributes.values('vertex', 'matrix', 3);
+    history.undo();
+    expect(attributes.values('vertex', 'matrix', 3)).toEqual(new Array(16).fill(0));
+    history.redo();
+    expect(attributes.values('vertex', 'matrix', 3)).toEqual(before);
+  });
+
+  test('rounds each number of an item in the same way', () => {
+    using mesh = grid();
+    const { attributes } = mesh;
+    const wanted = [
+      -1e12, -200.5, -128.5, -2.5, -1.5, -0.5, 0.5, 1.5, 2.5, 0.1, 126.5, 255.5, 1e12,
+    ];
+    for (const type of [
+      'int8',
+      'uint8',
+      'int16',
+      'uint16',
+      'int32',
+      'uint32',
+      'float32',
+      'float64',
+    ] as const) {
+      attributes.add('face', type, { type, components: 2 });
+      for (const value of [...wanted, -Infinity, Infinity]) {
+        attributes.set('face', type, 0, value); // the core converts the first, the package the second
+        const [first, second] = attributes.values('face', type, 0);
+        expect([type, value, second]).toEqual([type, value, first]);
+      }
+    }
+  });
+
   test('is set with a step of history, which writing to the view is not', () => {
     using mesh = grid();
     const { attributes, history } = mesh;

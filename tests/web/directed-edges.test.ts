@@ -105,6 +105,7 @@ describe('Directed Edges, as the full mesh', () => {
       expect(edges).toEqual([...edges].sort((a, b) => a - b));
       expect(mesh.eulerCharacteristic()).toBe(whole.eulerCharacteristic());
       expect(mesh.positions).toEqual(whole.positions);
+      for (const v of mesh.vertices()) expect(mesh.position(v)).toEqual(whole.position(v));
       expect(mesh.validate().filter(({ severity }) => severity === 'error')).toEqual([]);
     });
 

@@ -231,18 +231,14 @@ export class Attributes {
     }
     const { components, type } = this.#find(kind, name).info;
     const numbers = numbersOf('values', values, components, type);
-    const { address } = this.#find(kind, name); // again: reading the values may have removed it
+    const column = this.#find(kind, name); // again: reading the values may have removed it
     checkItem(links, kind, item);
-    const { core } = links;
-    links.groups += 1; // all components are one step
-    try {
-      const mode = modeOf(links);
-      for (let i = 0; i < components; i++)
-        done(links, core._set_attribute(links.address, mode, address, item, i, numbers[i]));
-    } finally {
-      links.groups -= 1;
-      if (links.groups === 0) core._end_step(links.address);
-    }
+    const { core, address } = links;
+    done(links, core._set_attribute(address, modeOf(links), column.address, item, 0, numbers[0]));
+    // History has noted all numbers of the item together with the first: noting it again for each of the
+    // others would take as much memory each time.
+    const view = this.#view(column);
+    for (let i = 1; i < components; i++) view[components * item + i] = rounded(type, numbers[i]);
   }
 
   /** A copy of the values of one item. */
@@ -381,6 +377,16 @@ function numbersOf(
 /** Whether the type can hold it, rounded or at its end where need be. */
 function canHold(type: AttributeType, value: unknown): value is number {
   return typeof value === 'number' && (!Number.isNaN(value) || type.startsWith('float'));
+}
+
+/** As the core converts numbers: to the nearest integer, of two the even one, and no further than the type goes. */
+function rounded(type: AttributeType, value: number): number {
+  if (type.startsWith('float')) return value;
+  const bits = 8 * TYPES[type].BYTES_PER_ELEMENT;
+  const least = type.startsWith('u') ? 0 : -(2 ** (bits - 1));
+  const near = Math.round(value);
+  const even = near - value === 0.5 && near % 2 !== 0 ? near - 1 : near;
+  return Math.min(Math.max(even, least), least + 2 ** bits - 1);
 }
 
 function refuseNumber(argument: string, value: unknown, type: AttributeType): never {

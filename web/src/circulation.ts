@@ -37,7 +37,7 @@ type Circulator<Item extends number, Around extends number> = circulator.Circula
 export type CirculatorKind = RingKind | 'halfedgeLoop';
 
 /** What a circulator shows. */
-type Shown<Kind extends CirculatorKind> =
+export type Shown<Kind extends CirculatorKind> =
   ReturnType<Circulation[Kind]> extends Orbit<infer Item> ? Item : never;
 
 /** What a circulator goes around. */

@@ -223,8 +223,8 @@ export class Circulator<Item extends number = number, Around extends number = nu
     throw corrupt(`The orbit of halfedge ${begin} does not close`);
   }
 
-  /** Takes the views as they are now. */
-  private lookAgain(): void {
+  /** @internal Takes the views as they are now. */
+  lookAgain(): void {
     const { links } = this;
     const { course } = this;
     const { centre, view } = course;

@@ -152,6 +152,13 @@ export abstract class DirectedEdgesNavigation {
     return this.#links.positions;
   }
 
+  /** A copy of the position of `v`: x, y, z. */
+  position(v: VertexLike): [x: number, y: number, z: number] {
+    this.#links.checkVertex(v);
+    const { positions } = this.#links;
+    return [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+  }
+
   // Each accessor does what it does most often first, and checks its argument where that fails.
 
   /** The halfedge after `h` in its face loop or boundary loop: arithmetic within a face. */

@@ -9,6 +9,7 @@ import {
   type CirculateOptions,
   type CirculatorCentre,
   type CirculatorKind,
+  type Shown,
 } from './circulation.js';
 import { DirectedEdgesGeometry } from './directed-edges-geometry.js';
 import { boundaryLoopsOf, DirectedLinks } from './directed-edges-links.js';
@@ -43,10 +44,6 @@ import { type Computed, checkLevel, findings, type LinkLevel } from './topology.
 import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './walks.js';
 
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
-
-/** What a circulator shows. */
-type Shown<Name extends CirculatorKind> =
-  ReturnType<DirectedEdgesMesh[Name]> extends DirectedOrbit<infer Item> ? Item : never;
 
 const KINDS: Record<CirculatorKind, Kind> = {
   vertexVertices: { centre: 'vertex', view: TO_VERTEX },

@@ -48,7 +48,10 @@ interface Indices {
 /** A number without a brand. */
 export type PlainNumber = number & { readonly [kind]?: never };
 
-/** The empty link, "no such item": -1. A boundary halfedge has the face `NONE`. */
+/**
+ * The empty link, "no such item": -1. A boundary halfedge has the face `NONE`. A variable that begins without an
+ * item is declared as `let best: Edge | typeof NONE = NONE`.
+ */
 export const NONE = -1;
 
 /**

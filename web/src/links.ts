@@ -39,7 +39,8 @@ function raise(slots: Slots, vertices: number, halfedges: number, faces: number)
 
 /**
  * Live zero-copy views of a mesh's links: index them with the items. Empty links are -1, deleted
- * slots hold other negative values.
+ * slots hold other negative values. The links of edges need no array: the opposite of `h` is `h ^ 1`, its edge
+ * `h >> 1`, and the halfedges of `e` are `2 * e` and `2 * e + 1`.
  */
 export interface ConnectivityViews {
   /** By halfedge: the one after it in its face loop or boundary loop. */

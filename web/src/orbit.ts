@@ -98,8 +98,8 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     return this.intoSlowly(buffer);
   }
 
-  /** `into` in all cases. */
-  private intoSlowly(buffer: Int32Array | Uint32Array): number {
+  /** @internal `into` in all cases. */
+  intoSlowly(buffer: Int32Array | Uint32Array): number {
     const room = buffer.length;
     let count = 0;
     for (const item of this) {
@@ -132,8 +132,8 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     return this.fail();
   }
 
-  /** Mends views that growth of the memory had detached. Throws after a change. */
-  private revive(): void {
+  /** @internal Mends views that growth of the memory had detached. Throws after a change. */
+  revive(): void {
     if (this.era.first < 0) this.refuse();
     this.links.revive();
   }
