@@ -73,3 +73,11 @@ void EditedMesh::prepare(const Edit& edit, bool has_history) {
 void EditedMesh::run(const Edit& edit) {
   edit.run(mesh_, edit.of_edges ? built_.edge_slots() : built_.face_slots());
 }
+
+void EditedMesh::undo_all() {
+  while (mesh_.undo()) continue;
+}
+
+void EditedMesh::redo_all() {
+  while (mesh_.redo()) continue;
+}

@@ -27,6 +27,8 @@ class EditedMesh {
   /// Makes the mesh as it is before the edit, with room for what that adds.
   void prepare(const Edit& edit, bool has_history);
   void run(const Edit& edit);
+  void undo_all();
+  void redo_all();
 
  private:
   halfedge::Mesh built_;

@@ -11,10 +11,21 @@ void compare_history(const std::string& label, const TriangleMesh& input) {
   EditedMesh mesh(input);
   for (const Edit& edit : edits()) {
     const auto run = [&] { mesh.run(edit); };
-    const std::vector<std::string> names{std::string(edit.name) + "/off",
-                                         std::string(edit.name) + "/on"};
-    print_row(label + " | " + edit.name, names,
+    const auto edited = [&] {
+      mesh.prepare(edit, true);
+      mesh.run(edit);
+    };
+    const auto undone = [&] {
+      edited();
+      mesh.undo_all();
+    };
+    const std::string name = edit.name;
+    const std::vector<std::string> names{name + "/off", name + "/on", name + "/undo",
+                                         name + "/redo"};
+    print_row(label + " | " + name, names,
               measure({{names[0], run, [&] { mesh.prepare(edit, false); }},
-                       {names[1], run, [&] { mesh.prepare(edit, true); }}}));
+                       {names[1], run, [&] { mesh.prepare(edit, true); }},
+                       {names[2], [&] { mesh.undo_all(); }, edited},
+                       {names[3], [&] { mesh.redo_all(); }, undone}}));
   }
 }

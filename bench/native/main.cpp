@@ -252,7 +252,7 @@ int main(int argc, char** argv) {
   }
 
   std::printf("\n");
-  print_header({"faces, order", "operation", "without history, ms", "with"});
+  print_header({"faces, order", "operation", "without history, ms", "with", "undo", "redo"});
   for (const TriangleMesh& mesh : meshes) {
     compare_history(thousands(mesh.face_count()) + ", natural", mesh);
   }

@@ -86,7 +86,10 @@ const ROWS = [
   },
 ];
 
-/** Nanoseconds an edit, the least of a few passes: `{ vertices, rows: [{ title, times }] }`. */
+/**
+ * Nanoseconds an edit, the least of a few passes: `{ vertices, rows: [{ title, times }] }`. In `times`, undo and
+ * redo are those of the whole pass, step by step.
+ */
 export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 5 } = {}) {
   const side = Math.min(sizes[0], 320);
   const { positions, triangles } = grid(side);
@@ -105,6 +108,11 @@ export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 
         const begin = performance.now();
         const count = run(mesh, given);
         note(history ? 'history' : 'halfedge', begin, count);
+        for (const way of mesh.history.canUndo ? ['undo', 'redo'] : []) {
+          const begin = performance.now();
+          travel(mesh, way);
+          note(way, begin, count);
+        }
         mesh.dispose();
       }
       if (flat !== undefined) {
@@ -118,6 +126,12 @@ export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 
   }
   given.mesh.dispose();
   return { vertices: positions.length / 3, rows };
+}
+
+/** Undoes or redoes all steps. */
+function travel(mesh, way) {
+  const { history } = mesh;
+  while (history[way]()) continue;
 }
 
 /** Among them the diagonals of every fourth square, which don't touch each other's triangles. */
@@ -145,17 +159,16 @@ function itemsOf(HalfedgeMesh, positions, triangles) {
 
 /** The results as Markdown. */
 export function operationTable({ vertices, rows }) {
-  const number = (value) => (value === undefined ? '–' : Math.round(value).toLocaleString('en-GB'));
+  const number = (value) => Math.round(value).toLocaleString('en-GB');
   const head = `open grid: ${vertices.toLocaleString('en-GB')} vertices; ns an edit`;
   const lines = [
-    [head, 'halfedge', 'with history', 'flat'],
-    ['---', '---:', '---:', '---:'],
-    ...rows.map(({ title, times: { halfedge, history, flat } }) => [
-      title,
-      number(halfedge),
-      `${number(history)} (${(history / halfedge).toPrecision(2)}×)`,
-      flat === undefined ? '–' : `${number(flat)} (${(flat / halfedge).toPrecision(2)}×)`,
-    ]),
+    [head, 'halfedge', 'with history', 'undo', 'redo', 'flat'],
+    ['---', '---:', '---:', '---:', '---:', '---:'],
+    ...rows.map(({ title, times: { halfedge, history, undo, redo, flat } }) => {
+      const besideOurs = (time) =>
+        time === undefined ? '–' : `${number(time)} (${(time / halfedge).toPrecision(2)}×)`;
+      return [title, number(halfedge), ...[history, undo, redo, flat].map(besideOurs)];
+    }),
   ];
   return lines.map((cells) => `| ${cells.join(' | ')} |`).join('\n');
 }
