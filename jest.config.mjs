@@ -1,6 +1,6 @@
 // The suites of one runner: `web` tests the package that dist/ holds, `three-oldest` those parts of it that
 // use three.js with the oldest release of it that package.json allows, `browser` drives the explorer in
-// Chromium and Firefox, `package` tries the packed tarball; `fuzz` is for `npm run fuzz`. Modules are
+// Chromium, Firefox and WebKit, `package` tries the packed tarball; `fuzz` is for `npm run fuzz`. Modules are
 // loaded as what they are, ES modules (node --experimental-vm-modules), so that the shipped files are
 // tested unchanged.
 

@@ -40,6 +40,7 @@ const requirements = [
   need('tests', 'CGAL', 'libcgal-dev', () => header('CGAL/Polyhedron_3.h')),
   need('tests', 'Chromium', 'chromium', () => onPath('chromium', 'chromium-browser')),
   need('tests', 'Firefox', 'firefox-esr', () => onPath('firefox-esr', 'firefox')),
+  need('tests', 'WebKit', 'webkit2gtk-driver', () => onPath('WebKitWebDriver') || !hasApt()),
   need('tests', 'Valgrind', 'valgrind', () => onPath('valgrind') || !hasApt()),
   need('tests', 'Xvfb', 'xvfb', () => onPath('Xvfb') || !hasApt()),
   need('bench', 'g++', 'g++', () => onPath('g++')),

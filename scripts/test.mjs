@@ -32,7 +32,7 @@ const parts = {
   },
 
   async browser(steps) {
-    await steps.run('Explorer (Chromium, Firefox)', () => runJest('browser'));
+    await steps.run('Explorer (Chromium, Firefox, WebKit)', () => runJest('browser'));
   },
 
   async package(steps) {

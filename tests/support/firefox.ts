@@ -1,7 +1,6 @@
-import { type ChildProcess, spawn } from 'node:child_process';
-import type { Readable } from 'node:stream';
 import puppeteer, { type Browser, type Page } from 'puppeteer-core';
 import { which } from '../../scripts/lib/run.mjs';
+import { Display } from './display.js';
 
 /** A tab, and what the browser complains of in it: errors and warnings in the console, uncaught errors. */
 export interface FirefoxTab {
@@ -15,9 +14,9 @@ export interface FirefoxTab {
  */
 export class Firefox {
   readonly #browser: Browser;
-  readonly #display: ChildProcess | undefined;
+  readonly #display: Display | undefined;
 
-  private constructor(browser: Browser, display: ChildProcess | undefined) {
+  private constructor(browser: Browser, display: Display | undefined) {
     this.#browser = browser;
     this.#display = display;
   }
@@ -25,23 +24,19 @@ export class Firefox {
   static async start(): Promise<Firefox> {
     const executablePath = which('firefox-esr') ?? which('firefox');
     if (!executablePath) throw new Error('There is no Firefox on PATH: `npm run setup tests`.');
-    const xvfb = which('Xvfb');
-    const screen = xvfb === undefined ? undefined : await startDisplay(xvfb);
+    const display = await Display.start();
     try {
       const browser = await puppeteer.launch({
         browser: 'firefox',
         executablePath,
-        headless: screen === undefined,
+        headless: display === undefined,
         defaultViewport: { width: 1280, height: 800 },
         timeout: 120_000, // a busy machine takes its time
-        env: {
-          ...process.env,
-          ...(screen && { DISPLAY: screen.name, LIBGL_ALWAYS_SOFTWARE: '1' }),
-        },
+        env: { ...process.env, ...display?.environment },
       });
-      return new Firefox(browser, screen?.display);
+      return new Firefox(browser, display);
     } catch (error) {
-      screen?.display.kill();
+      display?.stop();
       throw error;
     }
   }
@@ -62,18 +57,6 @@ export class Firefox {
 
   async close(): Promise<void> {
     await this.#browser.close();
-    this.#display?.kill();
+    this.#display?.stop();
   }
-}
-
-/** Starts a display without a screen, at the first number that is free. */
-async function startDisplay(xvfb: string): Promise<{ display: ChildProcess; name: string }> {
-  const args = ['-displayfd', '3', '-screen', '0', '1400x1000x24', '-nolisten', 'tcp'];
-  const display = spawn(xvfb, args, { stdio: ['ignore', 'ignore', 'ignore', 'pipe'] });
-  const name = await new Promise<string>((resolve, reject) => {
-    display.on('error', reject);
-    display.on('close', (status) => reject(new Error(`Xvfb ended (${status}).`)));
-    (display.stdio[3] as Readable).once('data', (number) => resolve(`:${String(number).trim()}`));
-  });
-  return { display, name };
 }
