@@ -23,6 +23,54 @@ describe('A page of figures', () => {
     expect(page.complaints).toEqual([]);
   });
 
+  test('gives the stage what its other parts leave of a height that the page sets', async () => {
+    const figure = (style: string, controls: string) =>
+      `<halfedge-figure loading="eager" src="shape:cube" select="v0" query="vertexVertices" controls="${controls}"
+        style="${style}"></halfedge-figure>`;
+    const page = await figures(`<div style="display: grid; grid-template: 320px / repeat(5, 1fr)">
+      ${figure('height: 300px', 'player code')}
+      ${figure('max-height: 300px; align-self: start', 'player code')}
+      ${figure('height: 100%', 'player')}
+      ${figure('', 'player')}
+      ${figure('align-self: start', 'player')}
+    </div>`);
+    expect(await page.ready()).toBe(5);
+    const seen = await page.page.$$eval('halfedge-figure', (all) =>
+      all.map((element) => {
+        const part = (name: string) => element.shadowRoot?.querySelector(name) as HTMLElement;
+        const [inner, stage, canvas] = ['figure', '.stage', 'canvas'].map(part);
+        return {
+          height: element.offsetHeight,
+          inside: inner?.offsetHeight,
+          overflowing: Math.max(0, (inner?.scrollHeight ?? 0) - (inner?.clientHeight ?? 0)),
+          stage: stage?.offsetHeight ?? 0,
+          canvas: canvas?.offsetHeight,
+          asWide: (stage?.offsetWidth ?? 0) / (stage?.offsetHeight ?? 0),
+        };
+      }),
+    );
+    expect(seen.map(({ height }) => height).slice(0, 4)).toEqual([300, 300, 320, 320]);
+    for (const { height, inside, overflowing, stage, canvas } of seen) {
+      expect({ inside, overflowing, canvas }).toEqual({
+        inside: height,
+        overflowing: 0,
+        canvas: stage,
+      });
+      expect(stage).toBeGreaterThan(60);
+    }
+    expect(seen[4]?.asWide).toBeCloseTo(1.6, 1); // nothing is set: its own ratio
+    // The line that is at work is in sight, though the code is longer than its part.
+    await page.figure((first) => first.seek(3));
+    const line = await page.page.$eval('halfedge-figure', (element) => {
+      const box = (name: string) =>
+        element.shadowRoot?.querySelector(name)?.getBoundingClientRect();
+      const [lines, current] = [box('.lines'), box('.code [aria-current]')];
+      return current && lines && current.top >= lines.top && current.bottom <= lines.bottom + 1;
+    });
+    expect(line).toBe(true);
+    expect(await page.page.evaluate(() => scrollY)).toBe(0);
+  });
+
   test('loads a figure when it comes near, and does not draw one that is out of sight', async () => {
     const page = await figures(`<div style="height: 4000px"></div>${ONE_RING}`);
     expect(await page.figure(({ state }) => state)).toBe('waiting');

@@ -196,6 +196,17 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   protected override updated(changed: PropertyValues<this>): void {
     if (changed.has('theme')) this.#view?.applyTheme();
+    this.#showLine();
+  }
+
+  /** Scrolls the code to the line that is at work; the page stays where it is. */
+  #showLine(): void {
+    const lines = this.renderRoot.querySelector('.lines');
+    const current = lines?.querySelector('[aria-current]');
+    if (!lines || !current) return;
+    const [seen, line] = [lines.getBoundingClientRect(), current.getBoundingClientRect()];
+    if (line.bottom > seen.bottom) lines.scrollTop += line.bottom - seen.bottom;
+    else if (line.top < seen.top) lines.scrollTop -= seen.top - line.top;
   }
 
   protected override render(): TemplateResult {

@@ -4,7 +4,17 @@ import { SLIDER_STYLES } from '../scene/slider-styles.js';
 import { basicStyles } from './basic-styles.js';
 
 const parts = css`
+  /* A page may give the figure a height, or a largest one: the stage takes what the other parts leave. */
+  :host {
+    display: flex;
+    flex-direction: column;
+  }
+
   figure {
+    display: flex;
+    flex: 1 1 auto;
+    flex-direction: column;
+    min-height: 0;
     container-type: inline-size;
     margin: 0;
     overflow: hidden;
@@ -20,8 +30,14 @@ const parts = css`
     direction: ltr;
   }
 
-  .stage {
+  figure > * {
+    flex: none;
+  }
+
+  figure > .stage {
     position: relative;
+    flex: 1 1 auto;
+    min-height: 0;
     aspect-ratio: var(--halfedge-aspect, 16 / 10);
     overflow: hidden;
     background: radial-gradient(ellipse at 50% 45%, var(--page) 35%, var(--page-far));
@@ -187,7 +203,11 @@ const parts = css`
     overflow-wrap: anywhere;
   }
 
-  .code {
+  figure > .code {
+    display: flex;
+    flex: 0 1 auto;
+    flex-direction: column;
+    min-height: 95px; /* the header and three lines */
     border-top: 1px solid var(--line);
     background: var(--well);
   }
@@ -220,7 +240,8 @@ const parts = css`
   }
 
   .code .lines {
-    overflow-x: auto;
+    min-height: 0;
+    overflow: auto;
   }
 
   .code ol {
