@@ -272,11 +272,15 @@ export class Explorer {
 
   /** Lets another axis point up, for this mesh and for the files to come. */
   setUp(axis: UpAxis): void {
+    this.setUpOfMesh(axis);
+    if (this.document.value?.sample === null) this.#upOfFiles = axis;
+  }
+
+  /** Lets another axis point up for this mesh alone: whoever made a link knows nothing of the files to come. */
+  setUpOfMesh(axis: UpAxis): void {
     this.up.value = axis;
     const { value: opened } = this.document;
-    if (!opened) return;
-    this.#ups.set(opened.mesh, axis);
-    if (opened.sample === null) this.#upOfFiles = axis;
+    if (opened) this.#ups.set(opened.mesh, axis);
   }
 
   /** Walks along the link with that key, as the inspector shows it. */
