@@ -73,6 +73,34 @@ describe('A text that is pasted', () => {
   });
 });
 
+describe('Several meshes that are chosen together', () => {
+  const off = (name: string) => ({
+    name,
+    buffer: Buffer.from('OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'),
+  });
+  const told = () => explorer.page.textContent('[data-passed-over]:not([hidden])');
+
+  test('are told of in a sentence: the first is on show', async () => {
+    const notes = { name: 'notes.txt', buffer: Buffer.from('no mesh') };
+    await choose(notes, off('one.off'), off('two.off'));
+    await explorer.ready('one.off');
+    expect(await told()).toBe('two.off was not opened: the page shows one mesh at a time.');
+    await choose(off('one.off'), off('two.off'), off('three.off'), off('four.off'));
+    await explorer.page.waitForSelector('[data-passed-over]:has-text("were")');
+    expect(await told()).toBe(
+      'two.off and 2 other meshes were not opened: the page shows one mesh at a time.',
+    );
+    await explorer.sample('cube', 'Cube');
+    expect(await explorer.page.isVisible('[data-passed-over]')).toBe(false);
+  });
+
+  test('are none where the others belong to the one that is opened', async () => {
+    await choose({ name: 'one.mtl', buffer: Buffer.from('newmtl red\n') }, off('one.off'));
+    await explorer.ready('one.off');
+    expect(await explorer.page.isVisible('[data-passed-over]')).toBe(false);
+  });
+});
+
 test('What an empty mesh says gives way to what is being opened', async () => {
   await paste('OFF\n0 0 0\n');
   await explorer.ready('Pasted mesh.off');

@@ -35,6 +35,7 @@ import {
   helpDialog,
   listenToPaste,
   namesHint,
+  passedOverNotice,
   startFailure,
 } from './ui/notices.js';
 import { panel } from './ui/panel.js';
@@ -85,7 +86,7 @@ async function start(): Promise<void> {
     pictureSwitch(explorer),
     side,
     emptyState(explorer),
-    h('div', { class: 'toasts' }, leftNotice(explorer), share.outcome),
+    h('div', { class: 'toasts' }, leftNotice(explorer), passedOverNotice(explorer), share.outcome),
     failureNotice(explorer), // over the toasts
     ...cards,
     busyNotice(explorer),

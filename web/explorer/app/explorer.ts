@@ -89,6 +89,8 @@ export class Explorer {
   /** How far it is, where that is known. */
   readonly progress = new Signal<Progress | null>(null);
   readonly failure = new Signal<OpenFailure | null>(null);
+  /** The names of meshes that were chosen together with the one on show, which alone was opened. */
+  readonly passedOver = new Signal<readonly string[]>([]);
   /** Whether the picture shows the polygons of the file as they stand there. */
   readonly showsFile = new Signal(false);
   /** The problem of the file that is lit. */
@@ -205,6 +207,7 @@ export class Explorer {
   #rest(): void {
     this.progress.value = null;
     this.busy.value = null;
+    this.passedOver.value = [];
   }
 
   /** Opens the first sample where nothing is on show. The message of a file that couldn't be opened stays. */

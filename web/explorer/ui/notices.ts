@@ -98,6 +98,29 @@ export function namesHint(lacksRoom: Signal<boolean>): HTMLElement {
   return hint;
 }
 
+/** How long it is shown which meshes were passed over. */
+const SHOWN_MS = 8000;
+
+/** Says that of several meshes which were chosen together one was opened. */
+export function passedOverNotice(explorer: Explorer): HTMLElement {
+  const notice = h('div', {
+    class: 'toast card',
+    role: 'status',
+    'data-passed-over': true,
+    hidden: true,
+  });
+  const appear = appearance(notice);
+  explorer.passedOver.subscribe(([first, ...others]) => {
+    if (first === undefined) return appear(false);
+    const { length } = others;
+    const more = length > 0 ? ` and ${length} other ${length > 1 ? 'meshes' : 'mesh'}` : '';
+    const verb = length > 0 ? 'were' : 'was';
+    notice.textContent = `${first}${more} ${verb} not opened: the page shows one mesh at a time.`;
+    appear(true, SHOWN_MS);
+  });
+  return notice;
+}
+
 const KINDS = 'OBJ, OFF, PLY, STL, GLB or glTF';
 
 /** Takes files and folders that are dropped anywhere on the page, and shows that it would. */
@@ -132,7 +155,14 @@ export function dropTarget(explorer: Explorer): HTMLElement {
 export function openFiles(explorer: Explorer, files: FileList | null | undefined): void {
   const all = [...(files ?? [])];
   const file = all.find(isMesh) ?? all[0];
-  if (file) void explorer.open(file, all);
+  if (file) void openAmong(explorer, file, all);
+}
+
+/** Opens one of these files, and tells of the other meshes among them. */
+async function openAmong(explorer: Explorer, file: File, all: readonly File[]): Promise<void> {
+  if (!(await explorer.open(file, all))) return;
+  const others = all.filter((each) => each !== file && isMesh(each));
+  explorer.passedOver.value = others.map(({ name }) => name);
 }
 
 /** Opens what was dropped: of folders, the first mesh in them. */
@@ -142,7 +172,7 @@ async function openDropped(explorer: Explorer, transfer: DataTransfer): Promise<
   try {
     const all = await files;
     const file = all.find(isMesh);
-    if (file) void explorer.open(file, all);
+    if (file) void openAmong(explorer, file, all);
     else throw new Error(`There is no ${KINDS} file in it.`);
   } catch (error) {
     explorer.failure.value = failureOf(error, { name: folder });
