@@ -144,11 +144,30 @@ describe('glTF', () => {
     await choose(main);
     await explorer.page.waitForSelector('.notice:not([hidden])');
     expect(await explorer.page.textContent('.notice [data-message]')).toContain(
-      'It needs the file “parts/solid.bin”: choose or drop both together.',
+      'This glTF file needs its buffer “parts/solid.bin”: choose or drop both together.',
     );
     await choose({ name: 'solid.bin', buffer: data }, main);
     await explorer.ready('solid.gltf');
     expect(await faces()).toBe('20');
+  });
+
+  test('opens with a buffer whose name has a percent sign', async () => {
+    const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
+    const document = JSON.parse(text) as { buffers: { uri: string }[] };
+    const data = Buffer.from(document.buffers[0].uri.split(',')[1], 'base64');
+    document.buffers[0].uri = 'half at 50%.bin';
+    const main = { name: 'half.gltf', buffer: Buffer.from(JSON.stringify(document)) };
+    await choose({ name: 'half at 50%.bin', buffer: data }, main);
+    await explorer.ready('half.gltf');
+    expect(await faces()).toBe('20');
+  });
+
+  test('is asked for where its buffer is chosen alone', async () => {
+    await choose({ name: 'solid.bin', buffer: Buffer.alloc(64) });
+    await explorer.page.waitForSelector('.notice:not([hidden])');
+    expect(await explorer.page.textContent('.notice [data-message]')).toBe(
+      'It is no mesh by itself. If it is the buffer of a glTF file, choose or drop both together.',
+    );
   });
 
   test('opens under another name, too', async () => {
