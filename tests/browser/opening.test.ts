@@ -65,6 +65,19 @@ describe('A text that is pasted', () => {
     await explorer.page.click('.pick-bar label:has-text("Auto")');
   });
 
+  test('is followed where it is a link to this page, also when it was followed before', async () => {
+    const link = 'http://elsewhere.test/explorer/#sample=torus&select=f2';
+    await paste(link);
+    await explorer.ready('Torus');
+    expect(await explorer.state('selected')).toBe('f2');
+    await explorer.goTo('v1');
+    await paste(` ${link}\n`);
+    await explorer.until('selected', 'f2');
+    await paste('http://elsewhere.test/bunny.obj');
+    expect(await explorer.page.textContent('.notice [data-message]')).toContain('It begins with');
+    await explorer.press('Escape');
+  });
+
   test('goes into a field where that has the focus', async () => {
     await explorer.page.focus('.goto input');
     await explorer.page.evaluate(() => navigator.clipboard.writeText('v3'));

@@ -183,17 +183,32 @@ function isMesh({ name }: File): boolean {
   return EXTENSIONS.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
 }
 
-/** Opens the mesh that is pasted, as a file or as text, anywhere but into a field. */
+/** Opens the mesh that is pasted, as a file or as text, or follows a link, anywhere but into a field. */
 export function listenToPaste(explorer: Explorer): void {
   window.addEventListener('paste', (event) => {
     if (event.target instanceof Element && event.target.matches('input[type=text]')) return;
     const { files } = event.clipboardData ?? {};
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (files?.length) openFiles(explorer, files);
+    else if (isLink(text)) followLink(text);
     else if (text.trim()) explorer.openText(text);
     else return;
     event.preventDefault();
   });
+}
+
+/** Whether it is an address with a state of this page; from another place that serves the page, too. */
+function isLink(text: string): boolean {
+  if (!URL.canParse(text)) return false;
+  const state = new URLSearchParams(new URL(text).hash.slice(1));
+  return state.has('sample') || state.has('mesh');
+}
+
+function followLink(text: string): void {
+  const { hash } = new URL(text);
+  // What it leads to may have been left: only a change of the address is followed.
+  if (hash === location.hash) history.replaceState(null, '', location.pathname + location.search);
+  location.hash = hash;
 }
 
 const KEYS: readonly [string[], string][] = [
@@ -214,7 +229,7 @@ const KEYS: readonly [string[], string][] = [
   [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
   [['Del'], 'delete the selected vertex, edge or face'],
   [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
-  [['Ctrl V'], 'open the mesh that was copied, a file or its text'],
+  [['Ctrl V'], 'open the mesh that was copied: a file, its text or a link'],
   [['R'], 'show the original file, or the repaired mesh'],
   [['1', '…', '5'], 'show the circulator, the operations, the mesh, its records, the problems'],
   [['Esc'], 'close, or select nothing'],
