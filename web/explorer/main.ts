@@ -15,6 +15,7 @@ import './styles/overlays.css';
 import './styles/narrow.css';
 import './styles/low.css';
 import './styles/forced-colors.css';
+import './styles/print.css';
 import { listenToPointer } from 'halfedge/scene';
 import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
@@ -41,6 +42,7 @@ import {
 import { panel } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
+import { keepShapeOnPaper } from './ui/printing.js';
 import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
@@ -104,6 +106,7 @@ async function start(): Promise<void> {
     doubleClicked: () => view.focus(),
   });
   listenToPaste(explorer);
+  keepShapeOnPaper();
   publishState(explorer, view, stage);
   await new AddressFollower(explorer, view).start();
   window.addEventListener('beforeunload', (event) => {
