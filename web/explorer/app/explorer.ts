@@ -396,6 +396,7 @@ export class Explorer {
     this.hovered.value = null;
     this.facts.value = null;
     this.problems.value = null;
+    this.failure.value = null; // it tells which mesh is on show
     this.#leaveProblems();
     this.#offerQueries();
     const usual = opened.sample === null ? this.#upOfFiles : 'y';
