@@ -30,6 +30,18 @@ function overlap(a: Box, b: Box): boolean {
   return a.x < b.right - 1 && b.x < a.right - 1 && a.y < b.bottom - 1 && b.y < a.bottom - 1;
 }
 
+test('The name of the mesh can be read on a page that is zoomed in to 400 %', async () => {
+  const explorer = await ExplorerPage.open({ width: 320, height: 200 });
+  const name = explorer.page.locator('.mesh-button span');
+  expect(await name.textContent()).toBe('Bunny');
+  const [shown, whole] = await name.evaluate((span) => [span.clientWidth, span.scrollWidth]);
+  expect(shown).toBeGreaterThanOrEqual(whole);
+  const [menu, open] = await boxes(explorer.page, '.mesh-button, [data-open]');
+  expect(overlap(menu, open)).toBe(false);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});
+
 test('The grip pulls the sheet of a telephone by clicks and by keys', async () => {
   const explorer = await ExplorerPage.open({ width: 390, height: 844, phone: true });
   const { page } = explorer;

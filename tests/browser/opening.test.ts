@@ -65,11 +65,52 @@ describe('A text that is pasted', () => {
     await explorer.page.click('.pick-bar label:has-text("Auto")');
   });
 
+  test('is followed where it is a link to this page, also when it was followed before', async () => {
+    const link = 'http://elsewhere.test/explorer/#sample=torus&select=f2';
+    await paste(link);
+    await explorer.ready('Torus');
+    expect(await explorer.state('selected')).toBe('f2');
+    await explorer.goTo('v1');
+    await paste(` ${link}\n`);
+    await explorer.until('selected', 'f2');
+    await paste('http://elsewhere.test/bunny.obj');
+    expect(await explorer.page.textContent('.notice [data-message]')).toContain('It begins with');
+    await explorer.press('Escape');
+  });
+
   test('goes into a field where that has the focus', async () => {
     await explorer.page.focus('.goto input');
     await explorer.page.evaluate(() => navigator.clipboard.writeText('v3'));
     await explorer.press('Control+v', 'Enter');
     expect(await explorer.state('selected')).toBe('v3');
+  });
+});
+
+describe('Several meshes that are chosen together', () => {
+  const off = (name: string) => ({
+    name,
+    buffer: Buffer.from('OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'),
+  });
+  const told = () => explorer.page.textContent('[data-passed-over]:not([hidden])');
+
+  test('are told of in a sentence: the first is on show', async () => {
+    const notes = { name: 'notes.txt', buffer: Buffer.from('no mesh') };
+    await choose(notes, off('one.off'), off('two.off'));
+    await explorer.ready('one.off');
+    expect(await told()).toBe('two.off was not opened: the page shows one mesh at a time.');
+    await choose(off('one.off'), off('two.off'), off('three.off'), off('four.off'));
+    await explorer.page.waitForSelector('[data-passed-over]:has-text("were")');
+    expect(await told()).toBe(
+      'two.off and 2 other meshes were not opened: the page shows one mesh at a time.',
+    );
+    await explorer.sample('cube', 'Cube');
+    expect(await explorer.page.isVisible('[data-passed-over]')).toBe(false);
+  });
+
+  test('are none where the others belong to the one that is opened', async () => {
+    await choose({ name: 'one.mtl', buffer: Buffer.from('newmtl red\n') }, off('one.off'));
+    await explorer.ready('one.off');
+    expect(await explorer.page.isVisible('[data-passed-over]')).toBe(false);
   });
 });
 
@@ -116,11 +157,30 @@ describe('glTF', () => {
     await choose(main);
     await explorer.page.waitForSelector('.notice:not([hidden])');
     expect(await explorer.page.textContent('.notice [data-message]')).toContain(
-      'It needs the file “parts/solid.bin”: choose or drop both together.',
+      'This glTF file needs its buffer “parts/solid.bin”: choose or drop both together.',
     );
     await choose({ name: 'solid.bin', buffer: data }, main);
     await explorer.ready('solid.gltf');
     expect(await faces()).toBe('20');
+  });
+
+  test('opens with a buffer whose name has a percent sign', async () => {
+    const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
+    const document = JSON.parse(text) as { buffers: { uri: string }[] };
+    const data = Buffer.from(document.buffers[0].uri.split(',')[1], 'base64');
+    document.buffers[0].uri = 'half at 50%.bin';
+    const main = { name: 'half.gltf', buffer: Buffer.from(JSON.stringify(document)) };
+    await choose({ name: 'half at 50%.bin', buffer: data }, main);
+    await explorer.ready('half.gltf');
+    expect(await faces()).toBe('20');
+  });
+
+  test('is asked for where its buffer is chosen alone', async () => {
+    await choose({ name: 'solid.bin', buffer: Buffer.alloc(64) });
+    await explorer.page.waitForSelector('.notice:not([hidden])');
+    expect(await explorer.page.textContent('.notice [data-message]')).toBe(
+      'It is no mesh by itself. If it is the buffer of a glTF file, choose or drop both together.',
+    );
   });
 
   test('opens under another name, too', async () => {

@@ -184,3 +184,25 @@ describe('The page', () => {
     await explorer.close();
   });
 });
+
+test.each([
+  [1280, 800, true],
+  [1920, 1080, true],
+  [390, 844, false],
+])('A window of %i × %i pixels keeps its shape on paper', async (width, height, showsPanel) => {
+  const explorer = await ExplorerPage.open({ width, height, link: 'sample=cube', mesh: 'Cube' });
+  const { page } = explorer;
+  await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')));
+  await page.emulateMedia({ media: 'print' });
+  // A4, with margins of 8 mm.
+  const paper = [734, 1062];
+  if (width > height) paper.reverse();
+  await page.setViewportSize({ width: paper[0], height: paper[1] });
+  const box = await page.locator('main.stage canvas').boundingBox();
+  if (!box) throw new Error('there is no picture on paper');
+  expect(box.width / box.height).toBeCloseTo(width / height, 1);
+  expect(box.x + box.width).toBeLessThanOrEqual(paper[0]);
+  expect(box.y + box.height).toBeLessThanOrEqual(paper[1]);
+  expect(await page.isVisible('.panel')).toBe(showsPanel);
+  await explorer.close();
+});

@@ -122,6 +122,46 @@ describe('a link', () => {
     );
   });
 
+  test('has the axis of its mesh alone: files to come have the one that was chosen for files', async () => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    const nextUp = () => {
+      explorer.openMesh('next', HalfedgeMesh.cube());
+      return explorer.up.value;
+    };
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const ofY = share.linkOf(explorer, sight);
+    explorer.setUp('z');
+    const ofZ = share.linkOf(explorer, sight);
+    await share.follow(ofY, explorer, sight);
+    expect(explorer.up.value).toBe('y');
+    expect(nextUp()).toBe('z');
+    explorer.setUp('y');
+    await share.follow(ofZ, explorer, sight);
+    expect(explorer.up.value).toBe('z');
+    expect(nextUp()).toBe('y');
+  });
+
+  test('puts away what was said of a file before, as a mesh that is made or brought back does', async () => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const link = share.linkOf(explorer, sight);
+    const failing = () => {
+      explorer.openText('nonsense');
+      return explorer.failure.value?.title;
+    };
+    expect(failing()).toBe('What was pasted is no mesh');
+    await share.follow(link, explorer, sight);
+    expect(explorer.failure.value).toBeNull();
+    expect(failing()).toBeDefined();
+    explorer.editor.runKey('M');
+    expect(explorer.failure.value).toBeNull();
+    expect(failing()).toBeDefined();
+    explorer.editor.undo();
+    expect(explorer.failure.value).toBeNull();
+  });
+
   test('has the problem that is lit of a sample, not of a file, of which it has the mesh alone', async () => {
     const sight = sightAt([1, 2, 3, 0, 0, 0]);
     const light = (explorer: InstanceType<typeof Explorer>) => {

@@ -15,6 +15,7 @@ import './styles/overlays.css';
 import './styles/narrow.css';
 import './styles/low.css';
 import './styles/forced-colors.css';
+import './styles/print.css';
 import { listenToPointer } from 'halfedge/scene';
 import { sameItem } from 'halfedge/teaching';
 import { Explorer } from './app/explorer.js';
@@ -35,11 +36,13 @@ import {
   helpDialog,
   listenToPaste,
   namesHint,
+  passedOverNotice,
   startFailure,
 } from './ui/notices.js';
 import { panel } from './ui/panel.js';
 import { pickBar } from './ui/pick-bar.js';
 import { pictureSwitch } from './ui/picture-switch.js';
+import { keepShapeOnPaper } from './ui/printing.js';
 import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
@@ -85,7 +88,7 @@ async function start(): Promise<void> {
     pictureSwitch(explorer),
     side,
     emptyState(explorer),
-    h('div', { class: 'toasts' }, leftNotice(explorer), share.outcome),
+    h('div', { class: 'toasts' }, leftNotice(explorer), passedOverNotice(explorer), share.outcome),
     failureNotice(explorer), // over the toasts
     ...cards,
     busyNotice(explorer),
@@ -103,6 +106,7 @@ async function start(): Promise<void> {
     doubleClicked: () => view.focus(),
   });
   listenToPaste(explorer);
+  keepShapeOnPaper();
   publishState(explorer, view, stage);
   await new AddressFollower(explorer, view).start();
   window.addEventListener('beforeunload', (event) => {

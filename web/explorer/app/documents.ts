@@ -94,7 +94,7 @@ async function openFile(file: File, options: OpenOptions): Promise<MeshDocument>
     return openContent(file.name, new Uint8Array(await file.arrayBuffer()));
   } catch (error) {
     if (isOfGltf(error)) return openGltf(file, options);
-    throw error;
+    throw isOfBuffer(file, error) ? new Error(LONE_BUFFER, { cause: error }) : error;
   }
 }
 
@@ -102,6 +102,15 @@ async function openFile(file: File, options: OpenOptions): Promise<MeshDocument>
 function isOfGltf(error: unknown): boolean {
   if (!(error instanceof HalfedgeError)) return false;
   return error.code === 'unsupported-format' && /GLB|glTF/.test(error.message);
+}
+
+const LONE_BUFFER =
+  'It is no mesh by itself. If it is the buffer of a glTF file, choose or drop both together.';
+
+/** Whether it may be the numbers that a glTF file refers to, in which no reader finds a format. */
+function isOfBuffer({ name }: File, error: unknown): boolean {
+  if (!(error instanceof HalfedgeError && /\.bin$/i.test(name))) return false;
+  return error.code === 'unknown-format' || error.code === 'not-text';
 }
 
 /** What is wrong in it is told as far as the report does: its polygons are not those of a text. */
@@ -123,10 +132,19 @@ async function openGltf(file: File, { companions = [] }: OpenOptions): Promise<M
 }
 
 function companionOf(uri: string, companions: readonly File[]): Promise<ArrayBuffer> {
-  const name = decodeURIComponent(uri).split('/').at(-1);
-  const found = companions.find((file) => file.name === name);
+  const names = [uri, decoded(uri)].map((each) => each.split('/').at(-1));
+  const found = companions.find(({ name }) => names.includes(name));
   if (found) return found.arrayBuffer();
-  throw new Error(`It needs the file “${uri}”: choose or drop both together.`);
+  throw new Error(`This glTF file needs its buffer “${uri}”: choose or drop both together.`);
+}
+
+/** As it stands, where it was not written as an address: `50%.bin`. */
+function decoded(uri: string): string {
+  try {
+    return decodeURIComponent(uri);
+  } catch {
+    return uri;
+  }
 }
 
 async function openElsewhere(

@@ -89,6 +89,8 @@ export class Explorer {
   /** How far it is, where that is known. */
   readonly progress = new Signal<Progress | null>(null);
   readonly failure = new Signal<OpenFailure | null>(null);
+  /** The names of meshes that were chosen together with the one on show, which alone was opened. */
+  readonly passedOver = new Signal<readonly string[]>([]);
   /** Whether the picture shows the polygons of the file as they stand there. */
   readonly showsFile = new Signal(false);
   /** The problem of the file that is lit. */
@@ -205,6 +207,7 @@ export class Explorer {
   #rest(): void {
     this.progress.value = null;
     this.busy.value = null;
+    this.passedOver.value = [];
   }
 
   /** Opens the first sample where nothing is on show. The message of a file that couldn't be opened stays. */
@@ -272,11 +275,15 @@ export class Explorer {
 
   /** Lets another axis point up, for this mesh and for the files to come. */
   setUp(axis: UpAxis): void {
+    this.setUpOfMesh(axis);
+    if (this.document.value?.sample === null) this.#upOfFiles = axis;
+  }
+
+  /** Lets another axis point up for this mesh alone: whoever made a link knows nothing of the files to come. */
+  setUpOfMesh(axis: UpAxis): void {
     this.up.value = axis;
     const { value: opened } = this.document;
-    if (!opened) return;
-    this.#ups.set(opened.mesh, axis);
-    if (opened.sample === null) this.#upOfFiles = axis;
+    if (opened) this.#ups.set(opened.mesh, axis);
   }
 
   /** Walks along the link with that key, as the inspector shows it. */
@@ -389,6 +396,7 @@ export class Explorer {
     this.hovered.value = null;
     this.facts.value = null;
     this.problems.value = null;
+    this.failure.value = null; // it tells which mesh is on show
     this.#leaveProblems();
     this.#offerQueries();
     const usual = opened.sample === null ? this.#upOfFiles : 'y';

@@ -117,7 +117,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   const link = new URLSearchParams(text);
   if (!(await openMeshOf(link, explorer))) return;
   repeatEdits(link.get('edits'), explorer);
-  explorer.setUp(upOf(link.get('up') ?? 'y'));
+  explorer.setUpOfMesh(upOf(link.get('up') ?? 'y'));
   const camera = link.get('camera');
   const selected = link.get('select');
   if (selected !== null) selectIn(selected, explorer);

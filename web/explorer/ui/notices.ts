@@ -98,6 +98,29 @@ export function namesHint(lacksRoom: Signal<boolean>): HTMLElement {
   return hint;
 }
 
+/** How long it is shown which meshes were passed over. */
+const SHOWN_MS = 8000;
+
+/** Says that of several meshes which were chosen together one was opened. */
+export function passedOverNotice(explorer: Explorer): HTMLElement {
+  const notice = h('div', {
+    class: 'toast card',
+    role: 'status',
+    'data-passed-over': true,
+    hidden: true,
+  });
+  const appear = appearance(notice);
+  explorer.passedOver.subscribe(([first, ...others]) => {
+    if (first === undefined) return appear(false);
+    const { length } = others;
+    const more = length > 0 ? ` and ${length} other ${length > 1 ? 'meshes' : 'mesh'}` : '';
+    const verb = length > 0 ? 'were' : 'was';
+    notice.textContent = `${first}${more} ${verb} not opened: the page shows one mesh at a time.`;
+    appear(true, SHOWN_MS);
+  });
+  return notice;
+}
+
 const KINDS = 'OBJ, OFF, PLY, STL, GLB or glTF';
 
 /** Takes files and folders that are dropped anywhere on the page, and shows that it would. */
@@ -132,7 +155,14 @@ export function dropTarget(explorer: Explorer): HTMLElement {
 export function openFiles(explorer: Explorer, files: FileList | null | undefined): void {
   const all = [...(files ?? [])];
   const file = all.find(isMesh) ?? all[0];
-  if (file) void explorer.open(file, all);
+  if (file) void openAmong(explorer, file, all);
+}
+
+/** Opens one of these files, and tells of the other meshes among them. */
+async function openAmong(explorer: Explorer, file: File, all: readonly File[]): Promise<void> {
+  if (!(await explorer.open(file, all))) return;
+  const others = all.filter((each) => each !== file && isMesh(each));
+  explorer.passedOver.value = others.map(({ name }) => name);
 }
 
 /** Opens what was dropped: of folders, the first mesh in them. */
@@ -142,7 +172,7 @@ async function openDropped(explorer: Explorer, transfer: DataTransfer): Promise<
   try {
     const all = await files;
     const file = all.find(isMesh);
-    if (file) void explorer.open(file, all);
+    if (file) void openAmong(explorer, file, all);
     else throw new Error(`There is no ${KINDS} file in it.`);
   } catch (error) {
     explorer.failure.value = failureOf(error, { name: folder });
@@ -153,17 +183,32 @@ function isMesh({ name }: File): boolean {
   return EXTENSIONS.some((extension) => name.toLowerCase().endsWith(`.${extension}`));
 }
 
-/** Opens the mesh that is pasted, as a file or as text, anywhere but into a field. */
+/** Opens the mesh that is pasted, as a file or as text, or follows a link, anywhere but into a field. */
 export function listenToPaste(explorer: Explorer): void {
   window.addEventListener('paste', (event) => {
     if (event.target instanceof Element && event.target.matches('input[type=text]')) return;
     const { files } = event.clipboardData ?? {};
     const text = event.clipboardData?.getData('text/plain') ?? '';
     if (files?.length) openFiles(explorer, files);
+    else if (isLink(text)) followLink(text);
     else if (text.trim()) explorer.openText(text);
     else return;
     event.preventDefault();
   });
+}
+
+/** Whether it is an address with a state of this page; from another place that serves the page, too. */
+function isLink(text: string): boolean {
+  if (!URL.canParse(text)) return false;
+  const state = new URLSearchParams(new URL(text).hash.slice(1));
+  return state.has('sample') || state.has('mesh');
+}
+
+function followLink(text: string): void {
+  const { hash } = new URL(text);
+  // What it leads to may have been left: only a change of the address is followed.
+  if (hash === location.hash) history.replaceState(null, '', location.pathname + location.search);
+  location.hash = hash;
 }
 
 const KEYS: readonly [string[], string][] = [
@@ -184,7 +229,7 @@ const KEYS: readonly [string[], string][] = [
   [['⇧ F', '⇧ S', '…'], 'flip, split, …: operations as the Edit panel lists them'],
   [['Del'], 'delete the selected vertex, edge or face'],
   [['Ctrl Z', 'Ctrl Y'], 'undo, redo'],
-  [['Ctrl V'], 'open the mesh that was copied, a file or its text'],
+  [['Ctrl V'], 'open the mesh that was copied: a file, its text or a link'],
   [['R'], 'show the original file, or the repaired mesh'],
   [['1', '…', '5'], 'show the circulator, the operations, the mesh, its records, the problems'],
   [['Esc'], 'close, or select nothing'],
