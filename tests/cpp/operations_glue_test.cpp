@@ -149,7 +149,7 @@ TEST(Glue, JoinsTwoComponentsAlongAnEdge) {
       } else if (kind == ItemKind::kEdge) {
         EXPECT_EQ(column->get(mesh.edge(h).index(), 0), old.get(mesh.edge(h).index(), 0));
       } else {
-        const Halfedge from = column->interpolates() ? Mesh::opposite(g) : h;
+        const Halfedge from = column->belongs_to_corners() ? Mesh::opposite(g) : h;
         EXPECT_EQ(column->get(h.index(), 0), old.get(from.index(), 0));
         EXPECT_EQ(column->get(Mesh::opposite(h).index(), 0), old.get(Mesh::opposite(h).index(), 0));
       }

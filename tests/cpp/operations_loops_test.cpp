@@ -392,7 +392,7 @@ std::map<std::pair<Index, Index>, std::vector<double>> corner_values(const Mesh&
     if (mesh.is_boundary(h)) continue;
     std::vector<double>& values = all[{mesh.face(h).index(), mesh.to_vertex(h).index()}];
     for (const auto& column : mesh.attributes().of(ItemKind::kHalfedge)) {
-      if (!column->interpolates()) continue;
+      if (!column->belongs_to_corners()) continue;
       for (Index i = 0; i < column->components(); ++i) {
         values.push_back(column->get(h.index(), i));
       }
@@ -420,7 +420,7 @@ TEST(Reverse, TurnsAllPolygonsAroundAndBack) {
       EXPECT_EQ(turned.face(h), mesh.face(h));
       // What doesn't belong to corners stays with the halfedge.
       for (const auto& column : mesh.attributes().of(ItemKind::kHalfedge)) {
-        if (column->interpolates()) continue;
+        if (column->belongs_to_corners()) continue;
         EXPECT_EQ(turned.attributes().find(ItemKind::kHalfedge, column->name())->get(h.index(), 0),
                   column->get(h.index(), 0));
       }

@@ -98,7 +98,7 @@ TEST(Triangulate, AConcaveFaceByItsInnerDiagonals) {
   for (const Halfedge h : before.face_halfedges_ccw(Face(0)))
     corner[before.to_vertex(h).index()] = h.index();
   for (const auto& column : mesh.attributes().of(ItemKind::kHalfedge)) {
-    if (!column->interpolates()) continue;
+    if (!column->belongs_to_corners()) continue;
     for (const Halfedge h : mesh.halfedges()) {
       if (mesh.is_boundary(h)) continue;
       EXPECT_EQ(column->get(h.index(), 0), column->get(corner[mesh.to_vertex(h).index()], 0));

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <halfedge/mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -130,6 +132,16 @@ inline void expect_rest_unchanged(const Mesh& before, const Mesh& after, const O
   }
 }
 
+/// Whether an item has in one column what another one has in the other, byte by byte.
+inline bool same_value(const Attribute& a, Index item, const Attribute& b, Index other) {
+  const std::size_t size = a.stride();
+  return std::memcmp(a.bytes().data() + size * item, b.bytes().data() + size * other, size) == 0;
+}
+inline bool has_default_value(const Attribute& column, Index item) {
+  const std::size_t size = column.stride();
+  return std::memcmp(column.bytes().data() + size * item, column.default_value().data(), size) == 0;
+}
+
 /// Every live item has a position and values that are numbers.
 inline void expect_defined_values(const Mesh& mesh) {
   for (const Vertex v : mesh.vertices()) {
@@ -149,6 +161,54 @@ inline void expect_defined_values(const Mesh& mesh) {
   for (const Halfedge h : mesh.halfedges()) check(ItemKind::kHalfedge, h.index());
   for (const Edge e : mesh.edges()) check(ItemKind::kEdge, e.index());
   for (const Face f : mesh.faces()) check(ItemKind::kFace, f.index());
+}
+
+/// Policies that copy mix no values: what an item has, one had before, or is the default.
+template <class Item>
+void expect_copied_values(const Mesh& before, const Mesh& after) {
+  const std::span<const Attributes::Column> columns = after.attributes().of(kind_of(Item{}));
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const Attribute& has = *columns[i];
+    const Attribute& had = *before.attributes().of(kind_of(Item{}))[i];
+    const OnSplit policy = has.on_split();
+    if (policy == OnSplit::kInterpolate || policy == OnSplit::kNormalize) continue;
+    if (has.is_generation()) continue;
+    const Index old_slots = before.slots(Item{});
+    for (Index item = 0; item < after.slots(Item{}); ++item) {
+      if (!after.is_live(Item(item)) || has_default_value(has, item)) continue;
+      const auto was_at = [&](Index old) {
+        return before.is_live(Item(old)) && same_value(had, old, has, item);
+      };
+      bool is_known = item < old_slots && was_at(item);
+      for (Index old = 0; old < old_slots && !is_known; ++old) is_known = was_at(old);
+      EXPECT_TRUE(is_known) << "value '" << has.name() << "' of " << name_of(has.kind()) << " "
+                            << item << " is of no item from before";
+    }
+  }
+}
+
+/// Values of corners that are copied stay at their vertex, if it stays where it is: a side of a
+/// face that ends there has the default, or what one had that ended there, or at a vertex that is
+/// no more.
+inline void expect_corner_values_stay(const Mesh& before, const Mesh& after) {
+  const char* const name = name_of(OnSplit::kCopyCorner);
+  const Attribute& had = *before.find_attribute(ItemKind::kHalfedge, name);
+  const Attribute& has = *after.find_attribute(ItemKind::kHalfedge, name);
+  for (const Halfedge h : after.halfedges()) {
+    const Vertex v = after.to_vertex(h);
+    if (after.is_boundary(h) || has_default_value(has, h.index())) continue;
+    if (!before.is_live(v) || !is_kept(before, after, v)) continue;
+    if (before.position(v) != after.position(v)) continue;
+    const auto was_at = [&](Halfedge old) {
+      const Vertex w = before.to_vertex(old);
+      return (w == v || !is_kept(before, after, w)) && same_value(had, old.index(), has, h.index());
+    };
+    if (before.is_live(h) && was_at(h)) continue;
+    const auto all = before.halfedges();
+    EXPECT_TRUE(std::ranges::any_of(all, was_at))
+        << "halfedge " << h.index() << " has the value of a corner that was not at vertex "
+        << v.index();
+  }
 }
 
 inline int euler_characteristic(const Mesh& mesh) {

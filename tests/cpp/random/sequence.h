@@ -88,6 +88,11 @@ inline void expect_success(const Mesh& before, const Mesh& after, const Operatio
   expect_only_named_items_deleted(before, after, op, call);
   expect_rest_unchanged(before, after, op, call);
   expect_defined_values(after);
+  expect_copied_values<Vertex>(before, after);
+  expect_copied_values<Halfedge>(before, after);
+  expect_copied_values<Edge>(before, after);
+  expect_copied_values<Face>(before, after);
+  expect_corner_values_stay(before, after);
 }
 
 /// How often each operation and renumbering was done, and how often it was refused.

@@ -103,8 +103,8 @@ inline void add_attributes_of_all_kinds(Mesh& mesh) {
   Index number = 0;
   for (const ItemKind kind :
        {ItemKind::kVertex, ItemKind::kHalfedge, ItemKind::kEdge, ItemKind::kFace}) {
-    for (const OnSplit policy :
-         {OnSplit::kInterpolate, OnSplit::kNormalize, OnSplit::kCopy, OnSplit::kDefault}) {
+    for (const OnSplit policy : {OnSplit::kInterpolate, OnSplit::kNormalize, OnSplit::kCopy,
+                                 OnSplit::kDefault, OnSplit::kCopyCorner}) {
       const AttributeOptions options{
           .type = Scalar((3 * number) % 8), .components = 1 + number % 3, .on_split = policy};
       const Result<Attribute*> column = mesh.add_attribute(kind, name_of(policy), options);
