@@ -6,6 +6,8 @@ import { basicStyles } from './basic-styles.js';
 const parts = css`
   figure {
     container-type: inline-size;
+    /* Where the page asks how wide it would be, as in a dialog: as wide as other pictures without a width. */
+    contain-intrinsic-inline-size: 300px;
     margin: 0;
     overflow: hidden;
     border: 1px solid var(--line);
