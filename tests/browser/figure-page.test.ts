@@ -145,6 +145,24 @@ describe('A figure in its page', () => {
     },
   );
 
+  test.each([
+    ['in a dialog', '<dialog open>', 302],
+    ['in a row', '<div style="display: flex">', 302],
+    ['in a row that is narrower', '<div style="display: flex; width: 200px">', 200],
+    [
+      'in a column of a grid',
+      '<div style="display: grid; grid: auto / 1fr 1fr; width: 400px">',
+      200,
+    ],
+    ['beside text', '<div style="float: right">', 302],
+  ])('is seen where nobody has given it a width: %s', async (_where, around, width) => {
+    const page = await figures(`${around}<halfedge-figure src="shape:cube"></halfedge-figure>`);
+    await page.ready();
+    const box = await page.page.locator('halfedge-figure').boundingBox();
+    expect(box?.width).toBe(width);
+    expect(box?.height).toBeGreaterThan(100);
+  });
+
   test('keeps the keys that it uses from the page, and no others', async () => {
     const page = await figures(ONE_RING);
     await page.ready();

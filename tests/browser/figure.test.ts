@@ -211,6 +211,15 @@ OFF
     ['src="shape:cube" overlays="glitter"', 'overlays has “glitter”; expected some of halfedges'],
     ['src="shape:cube" operation="melt e3"', '“melt e3” is no operation on an edge'],
     ['src="shape:cube" camera="1 2"', 'camera is “1 2”; expected three numbers'],
+    [
+      'src="shape:cube" camera="1e300,0,0"',
+      'camera is “1e300,0,0”; expected numbers below 3.4e38.',
+    ],
+    [
+      'src="shape:cube" camera="0 0 0"',
+      'camera is “0 0 0”; expected a direction, other than 0 0 0.',
+    ],
+    ['src="shape:cube" camera="1 2 3 1 2 3"', 'expected that it stands elsewhere than where it'],
     ['src="shape:cube" up="x"', 'up is “x”; expected y or z.'],
     ['src="shape:cube" step="abc"', 'step is no number; expected how many steps are made.'],
     ['src="shape:cube" speed="fast"', 'speed is no number; expected steps a second, more than 0.'],
@@ -366,6 +375,14 @@ OFF
       },
     ],
     ['clicked', ({ page }) => page.click('halfedge-figure canvas')],
+    [
+      'resized with the window',
+      async ({ page }) => {
+        await page.setViewportSize({ width: 500, height: 700 });
+        await page.waitForSelector('halfedge-figure [part=error]', { timeout: 5000 });
+      },
+    ],
+    ['shown in the dark', ({ page }) => page.emulateMedia({ colorScheme: 'dark' })],
   ])('tells that its mesh was disposed of when it is %s, and shows another', async (_how, act) => {
     const page = await figures(ONE_RING);
     await page.ready();

@@ -466,6 +466,21 @@ describe('An object with helpers upon it', () => {
     copy.dispose();
   });
 
+  test('can be cloned where one of them goes around a vertex that was deleted', () => {
+    using mesh = HalfedgeMesh.grid(3, 3);
+    const helper = new CirculatorHelper(mesh, 'vertexFaces', 5);
+    const object = new THREE.Mesh(new MeshGeometry(mesh)).add(helper);
+    mesh.deleteVertex(5);
+    const [copy] = object.clone().children as [typeof helper];
+    expect(copy.item).toBe(5);
+    expect(copy.segments).toBe(0);
+    expect(() => copy.update()).toThrow('vertex 5');
+    expect(() => new CirculatorHelper(mesh, 'vertexFaces', 5)).toThrow('vertex 5');
+    copy.item = 11;
+    copy.update();
+    expect(copy.segments).toBeGreaterThan(0);
+  });
+
   test('is written as JSON, without their lines', () => {
     using mesh = HalfedgeMesh.grid(2, 2);
     const helper = new HalfedgesHelper(mesh);

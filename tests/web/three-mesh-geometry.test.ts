@@ -374,6 +374,24 @@ describe('MeshGeometry', () => {
     expect(told).toHaveLength(2);
   });
 
+  test.each(['smooth', 'flat'] as const)(
+    'has no attributes of morph targets, unless they are named: %s',
+    (normals) => {
+      const box = new THREE.BoxGeometry();
+      const twice = [...box.attributes.position.array].map((x) => 2 * x);
+      box.morphAttributes.position = [new THREE.Float32BufferAttribute(twice, 3)];
+      using mesh = fromBufferGeometry(box).mesh;
+      const name = 'morph position 0';
+      expect(mesh.attributes.list().map((info) => info.name)).toContain(name);
+      expect(new MeshGeometry(mesh, { normals }).attributes).not.toHaveProperty([name]);
+      const named = new MeshGeometry(mesh, { normals, attributes: [name] });
+      expect(named.attributes).toHaveProperty([name]);
+      // An ordinary geometry has them as targets.
+      const { data } = new MeshGeometry(mesh, { normals }).toJSON();
+      expect(data).toHaveProperty('morphAttributes.position');
+    },
+  );
+
   test('refuses to show an attribute that is gone or another, until it is back', () => {
     using mesh = HalfedgeMesh.cube();
     const { attributes } = mesh;

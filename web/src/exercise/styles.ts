@@ -30,6 +30,7 @@ const parts = css`
   section {
     direction: ltr;
     container-type: inline-size;
+    contain-intrinsic-inline-size: 300px;
     overflow: hidden;
     border: 1px solid var(--line);
     border-radius: var(--halfedge-radius, 12px);

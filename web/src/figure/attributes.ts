@@ -148,10 +148,9 @@ export abstract class FigureAttributes extends LitElement {
 
   /** The numbers of `camera`: three, or six; null where it is absent or wrong. */
   protected get viewpoint(): readonly number[] | null {
-    const numbers = this.camera?.trim().split(/[\s,]+/);
-    const isOne = [3, 6].includes(numbers?.length ?? 0);
-    const viewpoint = numbers?.map(Number) ?? [];
-    return isOne && viewpoint.every(Number.isFinite) ? viewpoint : null;
+    if (this.camera === null) return null;
+    const numbers = numbersOf(this.camera);
+    return expectedOf(numbers) === null ? numbers : null;
   }
 
   /** The axis that points up, also where `up` is none. */
@@ -162,11 +161,8 @@ export abstract class FigureAttributes extends LitElement {
   /** What is wrong with an attribute that needs no mesh to tell; null for nothing. */
   protected get mistake(): Error | null {
     const { camera, up, step, speed, theme, loading, controlNames } = this;
-    if (camera !== null && !this.viewpoint) {
-      return new Error(
-        `camera is “${camera}”; expected three numbers, a direction, or six, where it stands and what it looks at.`,
-      );
-    }
+    const expected = camera === null ? null : expectedOf(numbersOf(camera));
+    if (expected !== null) return new Error(`camera is “${camera}”; expected ${expected}.`);
     if (up !== null && up !== 'y' && up !== 'z') {
       return new Error(`up is “${up}”; expected y or z.`);
     }
@@ -195,4 +191,24 @@ export abstract class FigureAttributes extends LitElement {
       holder instanceof HTMLTemplateElement ? holder.content.textContent : holder?.textContent;
     return { src: this.src, text: text ?? null, bytes: this.bytes };
   }
+}
+
+const numbersOf = (camera: string) =>
+  camera
+    .trim()
+    .split(/[\s,]+/)
+    .map(Number);
+
+/** What is expected instead of these numbers of `camera`; null where they are right. */
+function expectedOf(numbers: readonly number[]): string | null {
+  if (![3, 6].includes(numbers.length) || !numbers.every(Number.isFinite)) {
+    return 'three numbers, a direction, or six, where it stands and what it looks at';
+  }
+  // Of what the graphics card has no number for, a picture would never come to rest.
+  if (!numbers.every((x) => Number.isFinite(Math.fround(x)))) return 'numbers below 3.4e38';
+  const [x, y, z] = [0, 1, 2].map((k) => numbers[k] - (numbers[k + 3] ?? 0));
+  if (x * x + y * y + z * z > 0) return null;
+  return numbers.length === 3
+    ? 'a direction, other than 0 0 0'
+    : 'that it stands elsewhere than where it looks';
 }

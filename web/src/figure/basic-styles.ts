@@ -13,6 +13,7 @@ export const basicStyles = css`
     --mono: var(--halfedge-mono, ui-monospace, "SF Mono", "Cascadia Mono", Menlo, monospace);
     --quick: 0.12s;
     display: block;
+    min-width: 0; /* as an item of a flexible box or a grid */
     color: var(--text);
     font: 400 14px / 1.45 var(--sans);
     text-align: start;

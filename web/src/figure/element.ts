@@ -61,7 +61,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
           { rootMargin: NEAR },
         );
   readonly #dark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
-  readonly #retheme = () => this.#view?.applyTheme();
+  readonly #retheme = () => {
+    if (!this.#isLost()) this.#view?.applyTheme();
+  };
 
   constructor() {
     super();
@@ -195,7 +197,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (changed.has('theme')) this.#view?.applyTheme();
+    if (changed.has('theme')) this.#retheme();
     this.#showLine();
   }
 
@@ -339,6 +341,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#view.listen(
       (item) => this.#hover(item),
       (item) => this.#choose(item),
+      () => this.#isLost(),
     );
   }
 

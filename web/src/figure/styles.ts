@@ -16,6 +16,8 @@ const parts = css`
     flex-direction: column;
     min-height: 0;
     container-type: inline-size;
+    /* Where the page asks how wide it would be, as in a dialog: as wide as other pictures without a width. */
+    contain-intrinsic-inline-size: 300px;
     margin: 0;
     overflow: hidden;
     border: 1px solid var(--line);

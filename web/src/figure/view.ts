@@ -153,8 +153,16 @@ export class FigureView {
     this.stage.dispose();
   }
 
-  /** Tells what the pointer is over, and what is picked: an item, or null for nothing. */
-  listen(hovers: (item: Item | null) => void, picks: (item: Item | null) => void): void {
+  /**
+   * Tells what the pointer is over, and what is picked: an item, or null for nothing. `isLost` is asked before each
+   * frame whether there is nothing left to draw.
+   */
+  listen(
+    hovers: (item: Item | null) => void,
+    picks: (item: Item | null) => void,
+    isLost: () => boolean,
+  ): void {
+    this.stage.isOver = isLost;
     const listener = {
       itemAt: (x: number, y: number, reach: number) =>
         this.#state().mesh?.disposed ? null : this.#picture.pick(x, y, 'auto', reach),

@@ -57,6 +57,8 @@ export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.001, 100);
   readonly size = new Vector2(1, 1);
+  /** Asked before each frame: where it says so, none is drawn any more. */
+  isOver: () => boolean = () => false;
   readonly #screen: Screen;
   readonly #observer = new ResizeObserver(() => this.#resize());
   readonly #listeners: (() => void)[] = [];
@@ -533,6 +535,7 @@ export class Stage {
 
   #draw(now: number): void {
     this.#frame = 0;
+    if (this.isOver()) return;
     const seat = { target: this.controls.target, position: this.camera.position };
     const flying = this.#flight?.at(now, seat) ?? false;
     if (!flying) this.#flight = null;

@@ -17,6 +17,9 @@ export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute;
 /** What a morph target moves: the attribute of the mesh that has its i-th one. */
 export const morphName = (name: string, i: number) => `morph ${name} ${i}`;
 
+/** Whether an attribute is named as that of a morph target is. */
+export const isMorph = (name: string) => /^morph (position|normal|color) \d+$/.test(name);
+
 /** An error of a geometry, with what was expected. */
 export const geometryError = (code: string, message: string) => new HalfedgeError(code, message);
 

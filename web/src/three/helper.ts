@@ -95,7 +95,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
       this.draw();
     } catch (error) {
       this.batch.clear(); // a part would look like all of it
-      throw error;
+      if (!isCloning) throw error;
     } finally {
       this.batch.upload();
     }
@@ -111,6 +111,19 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
     const group = new Group().copy(this as Group, false);
     return Object.assign(group, { uuid: this.uuid }).toJSON(...meta);
+  }
+
+  /**
+   * Makes a clone and gives it what every object has. Where the original can't draw, such as around a vertex that was
+   * deleted, the clone draws nothing either: who clones an object above it need not know.
+   */
+  protected cloned(make: () => MeshHelper): this {
+    isCloning = true;
+    try {
+      return make().copy(this, false) as this;
+    } finally {
+      isCloning = false;
+    }
   }
 
   protected abstract draw(): void;
@@ -149,6 +162,9 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
     this.batch.add(this.points, 3 * toVertex[h ^ 1], 3 * toVertex[h], color);
   }
 }
+
+/** Whether a helper is being made that is the clone of another one. */
+let isCloning = false;
 
 /** A colour of its own; that of the helper where none is given. Of words that are none, three.js warns. */
 export function colorOf(argument: string, given: unknown, others: ColorRepresentation): Color {

@@ -68,8 +68,7 @@ export class HalfedgesHelper extends MeshHelper {
   /** One of its own for the same mesh, with the options that this one has now. */
   override clone(): this {
     const { mesh, options, boundaryColor, faces } = this;
-    const other = new HalfedgesHelper(mesh, { ...options, boundaryColor, faces });
-    return other.copy(this, false) as this;
+    return this.cloned(() => new HalfedgesHelper(mesh, { ...options, boundaryColor, faces }));
   }
 
   protected override draw(): void {
@@ -106,8 +105,7 @@ export class BoundaryLoopsHelper extends MeshHelper {
 
   /** One of its own for the same mesh, with the options that this one has now. */
   override clone(): this {
-    const other = new BoundaryLoopsHelper(this.mesh, this.options);
-    return other.copy(this, false) as this;
+    return this.cloned(() => new BoundaryLoopsHelper(this.mesh, this.options));
   }
 
   protected override draw(): void {
@@ -188,13 +186,15 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
   /** One of its own for the same mesh, with the options that this one has now. */
   override clone(): this {
     const { mesh, kind, item, options, direction, steps, currentColor } = this;
-    const other = new CirculatorHelper(mesh, kind, item, {
-      ...options,
-      direction,
-      steps,
-      currentColor,
-    });
-    return other.copy(this, false) as this;
+    return this.cloned(
+      () =>
+        new CirculatorHelper(mesh, kind, item, {
+          ...options,
+          direction,
+          steps,
+          currentColor,
+        }),
+    );
   }
 
   protected override draw(): void {
@@ -246,8 +246,7 @@ export class ProblemsHelper extends MeshHelper {
   /** One of its own for the same mesh, with the options that this one has now. */
   override clone(): this {
     const { mesh, options, problems } = this;
-    const other = new ProblemsHelper(mesh, { ...options, problems });
-    return other.copy(this, false) as this;
+    return this.cloned(() => new ProblemsHelper(mesh, { ...options, problems }));
   }
 
   protected override draw(): void {

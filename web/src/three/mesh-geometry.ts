@@ -4,6 +4,7 @@ import { refuse } from '../checks.js';
 import { type Face, type FaceLike, NONE } from '../items.js';
 import type { HalfedgeMesh } from '../mesh.js';
 import { takeOptions } from '../options.js';
+import { isMorph } from './attributes.js';
 import { fitBox, fitSphere, widen } from './bounds.js';
 import {
   checkMesh,
@@ -57,7 +58,8 @@ export let trianglesOf: (geometry: MeshGeometry) => TriangleIndex;
  * that they can grow; the draw range tells how far they are used. Unused triangles have no area. Exporters
  * would write them too, so pass them the result of `toBufferGeometry` instead. Nothing else may reorder the
  * triangles, as a MeshBVH that isn't `indirect` does. Groups and morph targets are not shown: see
- * `toBufferGeometry`. The attributes shown are those that the mesh had when the geometry was made. Each renderer needs a
+ * `toBufferGeometry`. The attributes shown are those that the mesh had when the geometry was made, without those of
+ * morph targets. Each renderer needs a
  * geometry of its own, as it does of helpers: what is to be uploaded is noted for one.
  *
  * To find what has changed, `update` makes a digest of the links, positions and attributes shown. For a
@@ -90,7 +92,9 @@ export class MeshGeometry extends BufferGeometry {
     this.#options = takeOptions(options, GEOMETRY_OPTIONS);
     this.mesh = checkMesh(mesh);
     const way = checkNormals(options.normals);
-    const attributes = shownAttributes(mesh, options);
+    const named = options.attributes !== undefined;
+    // Only morph targets could use them, which it doesn't have.
+    const attributes = shownAttributes(mesh, options).filter(({ name }) => named || !isMorph(name));
     this.#shown = attributes;
     const normals = way !== 'none' && attributes.every(({ name }) => name !== 'normal');
     const isIndexed = way !== 'flat' && attributes.every(({ kind }) => kind === 'vertex');

@@ -1,6 +1,6 @@
 // Picking with three-mesh-bvh, which is a peer dependency of this entry.
 
-import type { Matrix4, Mesh } from 'three';
+import type { Matrix4, Mesh, SkinnedMesh } from 'three';
 import { describe } from '../arguments.js';
 import { named } from '../inspect.js';
 import type { HalfedgeMesh } from '../mesh.js';
@@ -9,6 +9,7 @@ import { FACE_TREE_OPTIONS, FaceTree, type FaceTreeOptions, type ShownFaces } fr
 import { ItemPicker, type PickTarget } from './item-picker.js';
 import { MeshGeometry, trianglesOf } from './mesh-geometry.js';
 import { newPickingWorker } from './picking-worker.js';
+import { Pose } from './pose.js';
 import type { Triangles } from './triangle-tree.js';
 
 export { FaceTree, type FaceTreeOptions, type ShownFaces } from './face-tree.js';
@@ -35,11 +36,14 @@ export type { TriangleHit, Triangles } from './triangle-tree.js';
  *
  * It follows the updates of the geometry by itself; each costs what it changes. It stays with the geometry
  * that the object had when the picker was made: another geometry needs another picker.
+ *
+ * A SkinnedMesh is picked where its bones have moved it. Once they have moved, the next pick moves all vertices.
  */
 export class MeshPicker extends ItemPicker {
   /** What is picked from. */
   readonly object: Mesh<MeshGeometry>;
   readonly #tree: FaceTree;
+  readonly #pose: Pose | null;
   readonly #leave: () => void;
 
   /** @throws TypeError for anything but a Mesh with a MeshGeometry, or for wrong options */
@@ -51,13 +55,19 @@ export class MeshPicker extends ItemPicker {
     if ((object as { isInstancedMesh?: boolean }).isInstancedMesh === true) {
       throw new TypeError('object is an InstancedMesh; expected a Mesh, which has one place.');
     }
-    const shown = new GeometryFaces(geometry);
+    const isSkinned = (object as { isSkinnedMesh?: boolean }).isSkinnedMesh === true;
+    const pose = isSkinned ? new Pose(object as Mesh as SkinnedMesh, geometry) : null;
+    const shown = new GeometryFaces(geometry, pose);
     const { worker = newPickingWorker, ...rest } = checkOptions(options, FACE_TREE_OPTIONS);
     const tree = new FaceTree(shown, { worker, ...rest });
-    super(new ObjectTarget(object, geometry, tree));
+    super(new ObjectTarget(object, geometry, tree, shown));
     this.object = object;
     this.#tree = tree;
-    this.#leave = geometry.onChange((faces) => tree.update(faces, shown));
+    this.#pose = pose;
+    this.#leave = geometry.onChange((faces) => {
+      if (pose) pose.change(faces);
+      else tree.update(faces, shown);
+    });
   }
 
   /**
@@ -71,6 +81,7 @@ export class MeshPicker extends ItemPicker {
   /** Stops following the geometry. */
   dispose(): void {
     this.#leave();
+    this.#pose?.end();
     this.#tree.dispose();
   }
 }
@@ -83,37 +94,50 @@ class ObjectTarget implements PickTarget {
   readonly #object: Mesh<MeshGeometry>;
   /** The object may have got another one, which the tree knows nothing of. */
   readonly #geometry: MeshGeometry;
+  readonly #shown: GeometryFaces;
 
-  constructor(object: Mesh<MeshGeometry>, geometry: MeshGeometry, tree: FaceTree) {
+  constructor(
+    object: Mesh<MeshGeometry>,
+    geometry: MeshGeometry,
+    tree: FaceTree,
+    shown: GeometryFaces,
+  ) {
     this.#object = object;
     this.#geometry = geometry;
+    this.#shown = shown;
     this.mesh = geometry.mesh;
     this.tree = tree;
   }
 
   get points(): Float32Array {
-    return this.#geometry.points;
+    return this.#shown.points;
   }
 
   triangleVertices(face: number): Uint32Array {
     return this.#geometry.triangleVertices(face);
   }
 
+  /** Asked for before all else, it brings the bones up to date, too, and what follows them. */
   get matrixWorld(): Matrix4 {
     this.#object.updateWorldMatrix(true, false);
+    const changed = this.#shown.pose?.update();
+    if (changed === null || (changed && changed.size > 0)) this.tree.update(changed, this.#shown);
     return this.#object.matrixWorld;
   }
 }
 
 class GeometryFaces implements ShownFaces {
+  /** Of a SkinnedMesh. */
+  readonly pose: Pose | null;
   readonly #geometry: MeshGeometry;
 
-  constructor(geometry: MeshGeometry) {
+  constructor(geometry: MeshGeometry, pose: Pose | null) {
     this.#geometry = geometry;
+    this.pose = pose;
   }
 
   get points(): Float32Array {
-    return this.#geometry.points;
+    return (this.pose ?? this.#geometry).points;
   }
 
   triangleVertices(face: number): Uint32Array {

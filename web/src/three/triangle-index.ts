@@ -45,6 +45,16 @@ export class TriangleIndex {
     );
   }
 
+  /** Calls `use` with each corner of each triangle, counted as they are placed, and with its vertex. */
+  eachCorner(use: (corner: number, vertex: number) => void): void {
+    const slots = this.#slots;
+    const { array } = this.buffer;
+    for (let face = 0; face < slots.faces; face++) {
+      const from = 3 * slots.first(face);
+      for (let i = from; i < from + 3 * slots.count(face); i++) use(i, array[i]);
+    }
+  }
+
   /** All triangles in the order of their faces, as copies: their vertices, and the face of each. */
   inOrder(): { vertices: Uint32Array; faces: Uint32Array } {
     const slots = this.#slots;
