@@ -34,7 +34,7 @@ export class Pose {
     this.#hasEnded = true;
   }
 
-  /** Follows bones and geometry; Returns the faces that lie elsewhere since, null for all. */
+  /** Follows bones and geometry. Returns the faces that lie elsewhere since, null for all. */
   update(): ReadonlySet<number> | null {
     if (this.#hasEnded) return NONE;
     const matrices = this.#matricesNow();
