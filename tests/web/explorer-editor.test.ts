@@ -123,6 +123,22 @@ describe('A mesh that was made of another one', () => {
   };
   const face = (index: number): Item => ({ kind: 'face', index });
 
+  test('says why its picture is empty, where no vertex is interior', () => {
+    const { explorer, editor, run, end } = opened();
+    run('dual', face(0));
+    expect(editor.report.value).toBe('');
+    explorer.openMesh(
+      'triangle',
+      HalfedgeMesh.fromTriangles([0, 0, 0, 1, 0, 0, 0, 1, 0], [0, 1, 2]),
+    );
+    run('dual', face(0));
+    expect(explorer.document.value?.mesh.faceCount).toBe(0);
+    expect(editor.report.value).toBe('The dual has no faces: no vertex is interior.');
+    editor.undo();
+    expect(editor.report.value).toBe('');
+    end();
+  });
+
   test('leads back to it by undo, and there again by redo', () => {
     const { explorer, editor, run, end } = opened();
     /** Its name, what is selected, and the way back and forth. */

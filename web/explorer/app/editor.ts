@@ -353,6 +353,8 @@ export class Editor {
     if (!this.#explorer.openNext(`${operation.label} of ${before?.name}`, made, ledBy)) return;
     this.#log.saved = 'nothing';
     this.outcome.value = `Done: ${ledBy}.`;
+    if (made.faceCount === 0)
+      this.report.value = `The ${ledBy} has no faces: no vertex is interior.`;
   }
 
   /** A step that was done; those that the package has forgotten are forgotten here, too. */
