@@ -53,6 +53,7 @@ export class WebKit {
         .usingServer(await service.start(120_000)) // a busy machine takes its time
         .withCapabilities(new Capabilities({ browserName: 'MiniBrowser' }))
         .build();
+      await driver.manage().setTimeouts({ script: 90_000 });
       await driver.manage().window().setRect({ x: 0, y: 0, width: 1280, height: 838 });
       return new WebKit(driver, service, display);
     } catch (error) {
