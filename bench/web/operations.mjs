@@ -131,7 +131,7 @@ export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 
 /** Undoes or redoes all steps. */
 function travel(mesh, way) {
   const { history } = mesh;
-  while (history[way]()) continue;
+  while (history[way]());
 }
 
 /** Among them the diagonals of every fourth square, which don't touch each other's triangles. */

@@ -1,5 +1,6 @@
 // `npm run bench`: the JavaScript benchmark, in Node and in Chromium. Prints Markdown.
 //   --node, --chromium   only there
+//   --webkit             only in WebKit, the engine of Safari
 //   --quick              small meshes, to see whether it works
 //   --write              keeps the tables in bench/README.md
 
@@ -10,23 +11,24 @@ import { inNode } from './node.mjs';
 import { operationTable } from './operations.mjs';
 import { keepReport } from './readme.mjs';
 import { tables } from './table.mjs';
+import { inWebKit } from './webkit.mjs';
 
 const asked = new Set(argv.slice(2));
 const options = {
   ...(asked.has('--quick') && { sizes: [64, 4], rounds: 5, warm: 30 }),
   say: (name) => console.error(`  ${name}`),
 };
-const engines = [];
-if (!asked.has('--chromium')) engines.push(inNode);
-if (!asked.has('--node')) engines.push(inChromium);
+const ENGINES = { '--node': inNode, '--chromium': inChromium, '--webkit': inWebKit };
+const only = Object.keys(ENGINES).filter((name) => asked.has(name));
+const engines = only.length > 0 ? only : ['--node', '--chromium'];
 
 const processors = cpus();
 const machine = `${processors[0].model.trim()}, ${processors.length} processors.`;
 console.log(machine);
 const sections = [machine];
-for (const run of engines) {
-  console.error(run === inNode ? 'In Node:' : 'In Chromium:');
-  const { engine, results, operations } = await run(options);
+for (const name of engines) {
+  console.error(`With ${name}:`);
+  const { engine, results, operations } = await ENGINES[name](options);
   const section = `### ${engine}\n\n${tables(results)}\n\n${operationTable(operations)}`;
   console.log(`\n${section}`);
   sections.push(section);

@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { By, Key } from 'selenium-webdriver';
 import { root } from '../../scripts/lib/run.mjs';
+import { webkitDriver } from '../../scripts/lib/webkit.mjs';
 import { WebKit, type WebKitPage } from '../support/webkit.js';
 
 const { screenshots } = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
@@ -19,10 +20,10 @@ async function screenshot(page: WebKitPage, name: string): Promise<void> {
   writeFileSync(join(screenshots, `webkit-${name}.png`), await page.screenshot());
 }
 
-if (WebKit.program === undefined) {
+if (webkitDriver === undefined) {
   console.warn('Skipped: WebKit, as there is no WebKitWebDriver on PATH.');
 }
-const inWebKit = WebKit.program === undefined ? describe.skip : describe;
+const inWebKit = webkitDriver === undefined ? describe.skip : describe;
 
 inWebKit('In WebKit', () => {
   let webkit: WebKit;

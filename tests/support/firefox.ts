@@ -1,6 +1,8 @@
 import puppeteer, { type Browser, type Page } from 'puppeteer-core';
+import { startDisplay } from '../../scripts/lib/display.mjs';
 import { which } from '../../scripts/lib/run.mjs';
-import { Display } from './display.js';
+
+type Display = Awaited<ReturnType<typeof startDisplay>>;
 
 /** A tab, and what the browser complains of in it: errors and warnings in the console, uncaught errors. */
 export interface FirefoxTab {
@@ -14,9 +16,9 @@ export interface FirefoxTab {
  */
 export class Firefox {
   readonly #browser: Browser;
-  readonly #display: Display | undefined;
+  readonly #display: Display;
 
-  private constructor(browser: Browser, display: Display | undefined) {
+  private constructor(browser: Browser, display: Display) {
     this.#browser = browser;
     this.#display = display;
   }
@@ -24,19 +26,19 @@ export class Firefox {
   static async start(): Promise<Firefox> {
     const executablePath = which('firefox-esr') ?? which('firefox');
     if (!executablePath) throw new Error('There is no Firefox on PATH: `npm run setup tests`.');
-    const display = await Display.start();
+    const display = await startDisplay();
     try {
       const browser = await puppeteer.launch({
         browser: 'firefox',
         executablePath,
-        headless: display === undefined,
+        headless: display.environment.DISPLAY === undefined,
         defaultViewport: { width: 1280, height: 800 },
         timeout: 120_000, // a busy machine takes its time
-        env: { ...process.env, ...display?.environment },
+        env: { ...process.env, ...display.environment },
       });
       return new Firefox(browser, display);
     } catch (error) {
-      display?.stop();
+      display.stop();
       throw error;
     }
   }
@@ -57,6 +59,6 @@ export class Firefox {
 
   async close(): Promise<void> {
     await this.#browser.close();
-    this.#display?.stop();
+    this.#display.stop();
   }
 }

@@ -1,10 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { Builder, Capabilities, type WebDriver } from 'selenium-webdriver';
-import { DriverService } from 'selenium-webdriver/remote';
-import { which } from '../../scripts/lib/run.mjs';
+import type { WebDriver } from 'selenium-webdriver';
+import { startWebKit } from '../../scripts/lib/webkit.mjs';
 import { type Answer, type RunningServer, serve } from '../package/support/server.js';
-import { Display } from './display.js';
 
 /** Collects what a page complains of. WebDriver doesn't tell, so that it runs in the page, before all else. */
 const COLLECTOR = `<script>
@@ -22,45 +20,20 @@ const COLLECTOR = `<script>
   }
 </script>`;
 
-/**
- * WebKit as GTK's browsers have it, the engine of Safari, driven by WebDriver. It draws on a display of Xvfb. There
- * is no such browser on macOS or Windows.
- */
+/** WebKit, and the pages that it opens, one after the other. */
 export class WebKit {
   readonly #driver: WebDriver;
-  readonly #service: DriverService;
-  readonly #display: Display | undefined;
+  readonly #stop: () => Promise<void>;
   readonly #servers: RunningServer[] = [];
 
-  private constructor(driver: WebDriver, service: DriverService, display: Display | undefined) {
+  private constructor(driver: WebDriver, stop: () => Promise<void>) {
     this.#driver = driver;
-    this.#service = service;
-    this.#display = display;
+    this.#stop = stop;
   }
 
-  /** The program that drives it, if there is one. */
-  static readonly program = which('WebKitWebDriver');
-
   static async start(): Promise<WebKit> {
-    if (WebKit.program === undefined) throw new Error('There is no WebKitWebDriver on PATH.');
-    const display = await Display.start();
-    const service = new DriverService.Builder(WebKit.program)
-      .setLoopback(true)
-      .setEnvironment({ ...process.env, ...display?.environment } as Record<string, string>)
-      .build();
-    try {
-      const driver = await new Builder()
-        .usingServer(await service.start(120_000)) // a busy machine takes its time
-        .withCapabilities(new Capabilities({ browserName: 'MiniBrowser' }))
-        .build();
-      await driver.manage().setTimeouts({ script: 90_000 });
-      await driver.manage().window().setRect({ x: 0, y: 0, width: 1280, height: 838 });
-      return new WebKit(driver, service, display);
-    } catch (error) {
-      await service.kill();
-      display?.stop();
-      throw error;
-    }
+    const { driver, stop } = await startWebKit();
+    return new WebKit(driver, stop);
   }
 
   /** Serves a folder, and opens the page at its root: the one that is given, or its `index.html`. */
@@ -77,9 +50,7 @@ export class WebKit {
   }
 
   async close(): Promise<void> {
-    await this.#driver.quit();
-    await this.#service.kill();
-    this.#display?.stop();
+    await this.#stop();
     await Promise.all(this.#servers.map((server) => server.close()));
   }
 }
