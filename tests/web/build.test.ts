@@ -153,6 +153,15 @@ test('Arrays of another realm, such as a frame, are as good as any', () => {
     foreign('Uint32Array.of(0, 1, 2)'),
   );
   expect(mesh.faceCount).toBe(1);
+  using compact = DirectedEdgesMesh.fromTriangles(mesh.positions, [0, 1, 2]);
+  for (const from of [mesh, compact]) {
+    const buffer = foreign('new Int32Array(4)') as Int32Array;
+    expect(from.faceVertices(0).into(buffer)).toBe(3);
+    expect([...buffer]).toEqual([0, 1, 2, 0]);
+    expect(() => from.faceVertices(0).into(foreign('new Int16Array(4)') as Int32Array)).toThrow(
+      'expected an Int32Array or a Uint32Array',
+    );
+  }
   const { mesh: read } = HalfedgeMesh.parse(
     foreign(`Uint8Array.from('OFF 0 0 0', (c) => c.charCodeAt(0)).buffer`),
   );

@@ -1,5 +1,6 @@
 import { describe } from './arguments.js';
 import * as around from './around.js';
+import { roomIn, tooSmall } from './buffer.js';
 import * as directed from './directed-edges-links.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
 import type { Result } from './laps.js';
@@ -344,14 +345,4 @@ export class DirectedItems<Item extends number> implements Iterable<Item> {
     while (at < this.#count && opposite[at] < at) at += 1;
     return at;
   }
-}
-
-function roomIn(buffer: Int32Array | Uint32Array): number {
-  const name = buffer?.[Symbol.toStringTag];
-  if (name === 'Int32Array' || name === 'Uint32Array') return buffer.length;
-  throw new TypeError(`buffer is ${describe(buffer)}; expected an Int32Array or a Uint32Array.`);
-}
-
-function tooSmall(room: number, count: number): never {
-  throw new RangeError(`buffer has length ${room}; expected at least ${count}.`);
 }

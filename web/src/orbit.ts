@@ -1,4 +1,4 @@
-import { describe } from './arguments.js';
+import { roomIn, tooSmall } from './buffer.js';
 import { HalfedgeError } from './errors.js';
 import { NONE as none } from './items.js';
 import * as laps from './laps.js';
@@ -169,15 +169,4 @@ export function staleError(links: Links): HalfedgeError {
     'stale-circulator',
     'This circulator was used after the connectivity changed under it; expected a new one.',
   );
-}
-
-function roomIn(buffer: Int32Array | Uint32Array): number {
-  // Unlike `instanceof` this knows the arrays of other realms, and V8 makes one comparison of it.
-  const name = buffer?.[Symbol.toStringTag];
-  if (name === 'Int32Array' || name === 'Uint32Array') return buffer.length;
-  throw new TypeError(`buffer is ${describe(buffer)}; expected an Int32Array or a Uint32Array.`);
-}
-
-function tooSmall(room: number, count: number): never {
-  throw new RangeError(`buffer has length ${room}; expected at least ${count}.`);
 }

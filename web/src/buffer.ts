@@ -1,0 +1,20 @@
+import { describe } from './arguments.js';
+
+// What `into` of a range writes to.
+
+/** How many items there is room for. */
+export function roomIn(buffer: Int32Array | Uint32Array): number {
+  if (buffer instanceof Uint32Array || buffer instanceof Int32Array) return buffer.length;
+  return roomInForeign(buffer);
+}
+
+/** Arrays of other realms, too. Their names would do for all, but JavaScriptCore takes 30 ns to tell one. */
+function roomInForeign(buffer: Int32Array | Uint32Array): number {
+  const name = (buffer as Int32Array | Uint32Array | null)?.[Symbol.toStringTag];
+  if (name === 'Int32Array' || name === 'Uint32Array') return buffer.length;
+  throw new TypeError(`buffer is ${describe(buffer)}; expected an Int32Array or a Uint32Array.`);
+}
+
+export function tooSmall(room: number, count: number): never {
+  throw new RangeError(`buffer has length ${room}; expected at least ${count}.`);
+}
