@@ -18,16 +18,16 @@ const options = {
   ...(asked.has('--quick') && { sizes: [64, 4], rounds: 5, warm: 30 }),
   say: (name) => console.error(`  ${name}`),
 };
-const ENGINES = { '--node': inNode, '--chromium': inChromium, '--webkit': inWebKit };
-const only = Object.keys(ENGINES).filter((name) => asked.has(name));
-const engines = only.length > 0 ? only : ['--node', '--chromium'];
+const ENGINES = { Node: inNode, Chromium: inChromium, WebKit: inWebKit };
+const only = Object.keys(ENGINES).filter((name) => asked.has(`--${name.toLowerCase()}`));
+const engines = only.length > 0 ? only : ['Node', 'Chromium'];
 
 const processors = cpus();
 const machine = `${processors[0].model.trim()}, ${processors.length} processors.`;
 console.log(machine);
 const sections = [machine];
 for (const name of engines) {
-  console.error(`With ${name}:`);
+  console.error(`In ${name}:`);
   const { engine, results, operations } = await ENGINES[name](options);
   const section = `### ${engine}\n\n${tables(results)}\n\n${operationTable(operations)}`;
   console.log(`\n${section}`);

@@ -34,8 +34,11 @@ export async function startWebKit() {
     await driver.manage().setTimeouts({ script: 90_000 });
     await driver.manage().window().setRect({ x: 0, y: 0, width: 1280, height: 838 });
     const stop = async () => {
-      await driver.quit();
-      await end();
+      try {
+        await driver.quit();
+      } finally {
+        await end();
+      }
     };
     return { driver, stop };
   } catch (error) {

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { root } from '../../scripts/lib/run.mjs';
 import { serve } from '../package/support/server.js';
 import { Firefox, type FirefoxTab } from '../support/firefox.js';
+import { EXERCISE, elementPage, FIGURE, SQUARE, VALENCE } from './support/elements.js';
 
 const { address, screenshots } = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
   address: string;
@@ -69,36 +70,30 @@ describe('In Firefox, the explorer', () => {
   });
 
   test('opens a file that is dropped', async () => {
-    await tab.page.evaluate(() => {
+    await tab.page.evaluate((text) => {
       const dataTransfer = new DataTransfer();
-      const text = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
       dataTransfer.items.add(new File([text], 'square.off'));
       for (const type of ['dragenter', 'drop']) {
         const event = new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true });
         document.querySelector('main.stage')?.dispatchEvent(event);
       }
-    });
+    }, SQUARE);
     await until('mesh', /^square\.off$/);
   });
 });
 
 /** Opens a page with an element of the package, as one file brings it. */
 async function openElement(file: 'figure' | 'exercise', element: string) {
-  const page = `<!doctype html>
-<link rel="icon" href="data:,">
-<script type="module" src="${file}/standalone.js"></script>
-${element}`;
   const server = await serve(join(root, 'dist'), {
-    answers: { '/page.html': { body: page, type: 'text/html; charset=utf-8' } },
+    answers: {
+      '/page.html': { body: elementPage(file, element), type: 'text/html; charset=utf-8' },
+    },
   });
   return { server, tab: await firefox.open(`${server.address}page.html`) };
 }
 
 test('In Firefox, a figure is drawn and played', async () => {
-  const { server, tab } = await openElement(
-    'figure',
-    '<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>',
-  );
+  const { server, tab } = await openElement('figure', FIGURE);
   try {
     await tab.page.waitForSelector('halfedge-figure[state=ready]');
     await tab.page.evaluate(() => {
@@ -117,10 +112,7 @@ test('In Firefox, a figure is drawn and played', async () => {
 describe('In Firefox, an exercise', () => {
   let opened: Awaited<ReturnType<typeof openElement>>;
   beforeAll(async () => {
-    opened = await openElement(
-      'exercise',
-      '<halfedge-exercise task="valence" seed="5"></halfedge-exercise>',
-    );
+    opened = await openElement('exercise', EXERCISE);
     await opened.tab.page.waitForSelector('halfedge-exercise >>> .cm-content');
   });
   afterAll(() => opened?.server.close());
@@ -155,9 +147,7 @@ describe('In Firefox, an exercise', () => {
     expect(await run('const valence = (mesh, v) => 3 +;', 'failed')).toMatch(
       /^Line 1, column \d+: /,
     );
-    const right =
-      'const valence = (mesh, v) => { let n = 0, h = mesh.vertexHalfedge(v); const first = h; if (h === NONE) return 0; do { n++; h = mesh.next(mesh.opposite(h)); } while (h !== first); return n; }';
-    expect(await run(right, 'passed')).toBe('Right.');
+    expect(await run(VALENCE, 'passed')).toBe('Right.');
     await screenshot(opened.tab, 'exercise');
     expect(opened.tab.complaints).toEqual([]);
   });

@@ -8,11 +8,11 @@ import { By, Key } from 'selenium-webdriver';
 import { root } from '../../scripts/lib/run.mjs';
 import { webkitDriver } from '../../scripts/lib/webkit.mjs';
 import { WebKit, type WebKitPage } from '../support/webkit.js';
+import { EXERCISE, elementPage, FIGURE, SQUARE, VALENCE } from './support/elements.js';
 
 const { screenshots } = JSON.parse(process.env.HALFEDGE_EXPLORER ?? '{}') as {
   screenshots: string;
 };
-const SQUARE = 'OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n';
 
 /** Keeps a picture of the page among the artefacts. */
 async function screenshot(page: WebKitPage, name: string): Promise<void> {
@@ -147,13 +147,7 @@ inWebKit('In WebKit', () => {
 
   describe('a figure', () => {
     beforeAll(async () => {
-      page = await webkit.open(
-        join(root, 'dist'),
-        `<!doctype html>
-<link rel="icon" href="data:,">
-<script type="module" src="figure/standalone.js"></script>
-<halfedge-figure src="shape:icosahedron" select="v3" query="vertexVertices" controls="player code"></halfedge-figure>`,
-      );
+      page = await webkit.open(join(root, 'dist'), elementPage('figure', FIGURE));
     });
 
     test('is drawn and played', async () => {
@@ -166,13 +160,7 @@ inWebKit('In WebKit', () => {
 
   describe('an exercise', () => {
     beforeAll(async () => {
-      page = await webkit.open(
-        join(root, 'dist'),
-        `<!doctype html>
-<link rel="icon" href="data:,">
-<script type="module" src="exercise/standalone.js"></script>
-<halfedge-exercise task="valence" seed="5"></halfedge-exercise>`,
-      );
+      page = await webkit.open(join(root, 'dist'), elementPage('exercise', EXERCISE));
       await page.until(
         `document.querySelector('halfedge-exercise').shadowRoot?.querySelector('.cm-content')`,
       );
@@ -206,9 +194,7 @@ inWebKit('In WebKit', () => {
       expect(await run('const valence = (mesh, v) => count(v);', 'failed')).toBe(
         "The code stops with an error: Can't find variable: count.",
       );
-      const right =
-        'const valence = (mesh, v) => { let n = 0, h = mesh.vertexHalfedge(v); const first = h; if (h === NONE) return 0; do { n++; h = mesh.next(mesh.opposite(h)); } while (h !== first); return n; }';
-      expect(await run(right, 'passed')).toBe('Right.');
+      expect(await run(VALENCE, 'passed')).toBe('Right.');
       await screenshot(page, 'exercise');
     });
   });

@@ -47,6 +47,8 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #view: FigureView | null = null;
   /** The last walk, whose controls stay where something is picked that it does not go around. */
   #walk: WalkStory | null = null;
+  /** The line of code that was at work when it was last scrolled to. */
+  #line: Element | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
   #abort = new AbortController();
   /**
@@ -201,11 +203,13 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#showLine();
   }
 
-  /** Scrolls the code to the line that is at work; the page stays where it is. */
+  /** Scrolls the code to the line that is at work, once it is another; the page stays where it is. */
   #showLine(): void {
     const lines = this.renderRoot.querySelector('.lines');
-    const current = lines?.querySelector('[aria-current]');
-    if (!lines || !current) return;
+    const current = lines?.querySelector('[aria-current]') ?? null;
+    const wasShown = current === this.#line; // and may have been scrolled away by hand
+    this.#line = current;
+    if (!lines || !current || wasShown) return;
     const [seen, line] = [lines.getBoundingClientRect(), current.getBoundingClientRect()];
     if (line.bottom > seen.bottom) lines.scrollTop += line.bottom - seen.bottom;
     else if (line.top < seen.top) lines.scrollTop -= seen.top - line.top;
