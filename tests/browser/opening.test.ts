@@ -164,16 +164,19 @@ describe('glTF', () => {
     expect(await faces()).toBe('20');
   });
 
-  test('opens with a buffer whose name has a percent sign', async () => {
-    const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
-    const document = JSON.parse(text) as { buffers: { uri: string }[] };
-    const data = Buffer.from(document.buffers[0].uri.split(',')[1], 'base64');
-    document.buffers[0].uri = 'half at 50%.bin';
-    const main = { name: 'half.gltf', buffer: Buffer.from(JSON.stringify(document)) };
-    await choose({ name: 'half at 50%.bin', buffer: data }, main);
-    await explorer.ready('half.gltf');
-    expect(await faces()).toBe('20');
-  });
+  test.each(['half at 50%.bin', 'half%20at%2050%25.bin'])(
+    'opens with a buffer whose name has a percent sign: %s',
+    async (uri) => {
+      const text = await writeGltf(HalfedgeMesh.icosahedron(), { format: 'gltf' });
+      const document = JSON.parse(text) as { buffers: { uri: string }[] };
+      const data = Buffer.from(document.buffers[0].uri.split(',')[1], 'base64');
+      document.buffers[0].uri = uri;
+      const main = { name: 'half.gltf', buffer: Buffer.from(JSON.stringify(document)) };
+      await choose({ name: 'half at 50%.bin', buffer: data }, main);
+      await explorer.ready('half.gltf');
+      expect(await faces()).toBe('20');
+    },
+  );
 
   test('is asked for where its buffer is chosen alone', async () => {
     await choose({ name: 'solid.bin', buffer: Buffer.alloc(64) });
