@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 namespace halfedge {
 
