@@ -4,7 +4,6 @@
 #include <halfedge/connectivity/connectivity.h>
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
 #include <cstring>
 #include <span>

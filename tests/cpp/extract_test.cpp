@@ -137,6 +137,24 @@ TEST(Extract, TakesFacesInAnyOrderAndWithRepetitions) {
   EXPECT_EQ(Snapshot(again), Snapshot(part));
 }
 
+TEST(Extract, TakesHandlesAsWellAsIndices) {
+  const Mesh mesh = reference_build(torus(6, 5, 1));
+  const std::vector<Index> indices = {7, 3, 8};
+  const std::vector<Face> faces = {Face(7), Face(3), Face(8)};
+  Mesh of_indices;
+  Mesh of_faces;
+  (void)extract(mesh, indices, of_indices).value();
+  (void)extract(mesh, faces, of_faces).value();
+  EXPECT_EQ(Snapshot(of_faces), Snapshot(of_indices));
+  EXPECT_EQ(of_faces.face_count(), 3U);
+  Mesh of_one;
+  EXPECT_EQ(extract(mesh, Face(7), of_one).value().faces[0], 7U);
+  EXPECT_EQ(of_one.face_count(), 1U);
+  // What another function returned.
+  ASSERT_TRUE(extract(mesh, star(mesh, {.vertices = Vertex(4)}).value().faces, of_one));
+  EXPECT_EQ(of_one.vertex_count(), 9U);
+}
+
 TEST(Extract, OfNoFacesIsTheEmptyMesh) {
   const Mesh mesh = reference_build(cube());
   Mesh part = reference_build(tetrahedron());

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "support/random_polygons.h"
@@ -204,6 +205,45 @@ TEST(Neighbourhood, KRingHasRowsByDistance) {
       }
     }
   }
+}
+
+// A vertex is no edge, and an index alone could be of anything.
+static_assert(std::is_convertible_v<Vertex, ItemSpan<Vertex>>);
+static_assert(!std::is_convertible_v<Vertex, ItemSpan<Edge>>);
+static_assert(!std::is_convertible_v<std::vector<Vertex>, ItemSpan<Edge>>);
+static_assert(!std::is_convertible_v<Index, ItemSpan<Vertex>>);
+
+TEST(Neighbourhood, TakesHandlesAsWellAsIndices) {
+  const Mesh mesh = reference_build(triangle_grid(4, 4));
+  const Indices vertices = {12, 3};
+  const Indices edges = {7, 2, 9};
+  const Indices faces = {5, 1};
+  const std::vector<Vertex> same_vertices = {Vertex(12), Vertex(3)};
+  const std::array same_edges = {Edge(7), Edge(2), Edge(9)};
+  const Face same_faces[] = {Face(5), Face(1)};
+
+  const Adjacency rows = k_ring(mesh, vertices, 2).value();
+  const Adjacency same_rows = k_ring(mesh, same_vertices, 2).value();
+  EXPECT_TRUE(std::ranges::equal(rows.items, same_rows.items));
+  EXPECT_TRUE(std::ranges::equal(rows.offsets, same_rows.offsets));
+
+  const Items items = {vertices, edges, faces};
+  const Items same_items = {same_vertices, same_edges, same_faces};
+  EXPECT_EQ(Set(star(mesh, items).value()), Set(star(mesh, same_items).value()));
+  EXPECT_EQ(Set(closure(mesh, items).value()), Set(closure(mesh, same_items).value()));
+  EXPECT_EQ(Set(link(mesh, items).value()), Set(link(mesh, same_items).value()));
+}
+
+TEST(Neighbourhood, TakesOneHandle) {
+  const Mesh mesh = reference_build(triangle_grid(4, 4));
+  const Vertex v(12);
+  EXPECT_EQ(k_ring(mesh, v, 1).value().items.size(), 7U);
+  EXPECT_EQ(star(mesh, {.vertices = v}).value().faces.size(), 6U);
+  EXPECT_EQ(closure(mesh, {.faces = Face(0)}).value().edges.size(), 3U);
+  EXPECT_EQ(link(mesh, {.edges = mesh.find_edge(v, Vertex(13))}).value().vertices.size(), 2U);
+  EXPECT_EQ(k_ring(mesh, Vertex(99), 1).error().message,
+            "Vertex 99 at position 0 does not exist, expected less than 25.");
+  EXPECT_EQ(k_ring(mesh, Vertex(), 1).error().code, "index-out-of-range");
 }
 
 TEST(Neighbourhood, RefusesItemsThatAreNone) {

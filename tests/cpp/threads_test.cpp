@@ -1,6 +1,6 @@
 // What takes a mesh as const writes nothing, and meshes share nothing: so threads need no lock to
-// read one mesh, or to edit one of their own. g++ -fsanitize=thread sees more than can be told
-// here.
+// read one mesh, or to edit one of their own. ThreadSanitizer sees more than can be told here: the
+// preset tsan.
 
 #include <gtest/gtest.h>
 #include <halfedge/algorithms/topology.h>

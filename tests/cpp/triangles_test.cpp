@@ -260,6 +260,10 @@ TEST(Triangles, OfSomeFacesComeInTheOrderOfTheseAndLeaveOutWhatIsNotThere) {
   EXPECT_EQ(at, some.faces.size());
   EXPECT_EQ(at, 2 * all.faces.size());
   EXPECT_TRUE(to_triangles(mesh, std::span<const Index>{}).value().faces.empty());
+  const Face first(all.faces[0]);
+  const std::size_t corners = 3 * triangles_of(all, first).size();
+  EXPECT_TRUE(std::ranges::equal(to_triangles(mesh, first).value().corners,
+                                 all.corners.span().first(corners)));
 }
 
 TEST(Triangles, OfDegenerateComplexesAreNone) {

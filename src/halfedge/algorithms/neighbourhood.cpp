@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 namespace halfedge {
 
@@ -143,10 +142,10 @@ Result<void> check_items(const RawLinks& links, std::span<const Index> items) {
 }
 
 template <class Item>
-Result<void> mark_items(const RawLinks& links, std::span<const Index> items, Marks& marks) {
-  Result<void> checked = check_items<Item>(links, items);
+Result<void> mark_items(const RawLinks& links, ItemSpan<Item> items, Marks& marks) {
+  Result<void> checked = check_items<Item>(links, items.indices());
   if (!checked) return checked;
-  for (const Index item : items) marks.add(item);
+  for (const Index item : items.indices()) marks.add(item);
   return {};
 }
 
@@ -195,9 +194,9 @@ Result<ItemSet> surroundings(const RawLinks& links, Surroundings which, const It
   MarkedItems given;
   MarkedItems found;
   if (!given.create(links) || !found.create(links)) return no_room_for_items();
-  for (const Result<void>& marked : {mark_items<Vertex>(links, items.vertices, given.vertices),
-                                     mark_items<Edge>(links, items.edges, given.edges),
-                                     mark_items<Face>(links, items.faces, given.faces)}) {
+  for (const Result<void>& marked :
+       {mark_items(links, items.vertices, given.vertices),
+        mark_items(links, items.edges, given.edges), mark_items(links, items.faces, given.faces)}) {
     if (!marked) return marked.error();
   }
   bool is_sound = true;

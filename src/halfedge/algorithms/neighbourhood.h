@@ -5,6 +5,7 @@
 #include <halfedge/algorithms/rings.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/connectivity.h>
+#include <halfedge/connectivity/item_span.h>
 #include <halfedge/result.h>
 
 #include <cstdint>
@@ -19,11 +20,12 @@
 /// that are given; the message names the position)
 namespace halfedge {
 
-/// Some items of a mesh, in any order and with repetitions; a view, owning nothing.
+/// Some items of a mesh, in any order and with repetitions; a view, owning nothing:
+/// `star(mesh, {.vertices = v, .faces = faces})`.
 struct Items {
-  std::span<const Index> vertices = {};
-  std::span<const Index> edges = {};
-  std::span<const Index> faces = {};
+  ItemSpan<Vertex> vertices = {};
+  ItemSpan<Edge> edges = {};
+  ItemSpan<Face> faces = {};
 };
 
 /// Some items of a mesh, each once, in ascending order.
@@ -49,9 +51,9 @@ enum class Surroundings : std::uint8_t { kStar, kClosure, kLink };
 /// cost: O(vertices visited + their halfedges), and a bit for each slot
 template <Storage kStored>
 [[nodiscard]] Result<Adjacency> k_ring(const BasicConnectivity<kStored>& mesh,
-                                       std::span<const Index> vertices, Index k) {
+                                       ItemSpan<Vertex> vertices, Index k) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
-  return k_ring(RawLinks(mesh), vertices, k);
+  return k_ring(RawLinks(mesh), vertices.indices(), k);
 }
 
 /// The items, and all edges and faces that have one of them in their closure: of a vertex, its

@@ -5,7 +5,6 @@
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/sort.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -103,11 +102,7 @@ void PolygonCutter::for_each_triangle(std::span<const Index> ears, const Visit& 
 /// Calls `visit(before, ear, after)` for each ear.
 template <class Visit>
 void PolygonCutter::cut_off(std::span<const Index> ears, const Visit& visit) {
-  const std::size_t n = next_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    next_[i] = Index(i + 1 == n ? 0 : i + 1);
-    prev_[i] = Index(i == 0 ? n - 1 : i - 1);
-  }
+  make_ring(next_, prev_);
   for (const Index ear : ears) {
     const Index before = prev_[ear];
     const Index after = next_[ear];

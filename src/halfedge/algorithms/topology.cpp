@@ -3,8 +3,6 @@
 #include <halfedge/sentence.h>
 
 #include <algorithm>
-#include <string>
-#include <utility>
 
 namespace halfedge {
 

@@ -3,6 +3,7 @@
 #include <halfedge/algorithms/array_sizes.h>
 #include <halfedge/algorithms/rings.h>
 #include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/item_span.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
@@ -55,10 +56,10 @@ template <Storage kStored>
 /// named more than once.
 template <Storage kStored>
 [[nodiscard]] Result<TriangleList> to_triangles(const BasicMesh<kStored>& mesh,
-                                                std::span<const Index> faces,
+                                                ItemSpan<Face> faces,
                                                 CornersAs corners_as = CornersAs::kVertices) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
-  return to_triangles(RawLinks(mesh), mesh.positions(), corners_as, faces.size(), faces);
+  return to_triangles(RawLinks(mesh), mesh.positions(), corners_as, faces.size(), faces.indices());
 }
 
 }  // namespace halfedge

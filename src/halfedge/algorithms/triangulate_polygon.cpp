@@ -3,8 +3,6 @@
 #include <halfedge/algorithms/triangulate_polygon.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace halfedge {
@@ -15,6 +13,14 @@ namespace {
 enum Rank : std::uint8_t { kRight = 1, kLeft = 2, kFlat = 3 };
 
 }  // namespace
+
+void make_ring(Array<Index>& next, Array<Index>& prev) {
+  const std::size_t n = next.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    next[i] = Index(i + 1 == n ? 0 : i + 1);
+    prev[i] = Index(i == 0 ? n - 1 : i - 1);
+  }
+}
 
 bool PolygonTriangulator::project_points() {
   if (!planar_.recreate(points_.size())) return false;
@@ -152,11 +158,8 @@ bool PolygonTriangulator::begin_cutting() {
   start_ = 0;
   is_ranked_ = false;
   blocked_ = {};
-  for (std::size_t i = 0; i < n; ++i) {
-    next_[i] = Index(i + 1 == n ? 0 : i + 1);
-    prev_[i] = Index(i == 0 ? n - 1 : i - 1);
-    stamp_[i] = 0;
-  }
+  make_ring(next_, prev_);
+  std::fill(stamp_.begin(), stamp_.end(), 0);
   for (Index i = 0; i < n; ++i) {
     if (turn(prev_[i], i, next_[i]) <= 0) concave_.insert(i);
   }
@@ -215,15 +218,13 @@ bool PolygonTriangulator::look_at(Index corner) {
   if (!ears_.push_back({distance(prev_[corner], next_[corner]), corner, stamp_[corner]})) {
     return false;
   }
-  std::push_heap(ears_.begin(), ears_.end(),
-                 [](const Ear& a, const Ear& b) { return a.length > b.length; });
+  std::push_heap(ears_.begin(), ears_.end(), CutsLonger());
   return true;
 }
 
 Index PolygonTriangulator::best_ear() {
   while (!ears_.empty()) {
-    std::pop_heap(ears_.begin(), ears_.end(),
-                  [](const Ear& a, const Ear& b) { return a.length > b.length; });
+    std::pop_heap(ears_.begin(), ears_.end(), CutsLonger());
     const Ear ear = ears_[ears_.size() - 1];
     ears_.pop_back();
     if (ear.stamp == stamp_[ear.corner]) return ear.corner;

@@ -21,6 +21,10 @@ struct Diagonal {
   friend auto operator<=>(const Diagonal&, const Diagonal&) = default;
 };
 
+/// Makes a ring of all corners of a polygon, some of which are to be cut off: writes which one
+/// comes after each, and which before. pre: there is an element for each corner in both
+void make_ring(Array<Index>& next, Array<Index>& prev);
+
 /// Cuts polygons into triangles, one after another: it keeps its memory in between.
 ///
 /// The polygon may be concave, and nearly planar only: it is seen along the axis that its normal is
@@ -80,6 +84,9 @@ class PolygonTriangulator {
     double length = 0;
     Index corner = kNone;
     Index stamp = 0;
+  };
+  struct CutsLonger {
+    bool operator()(const Ear& a, const Ear& b) const { return a.length > b.length; }
   };
 
   [[nodiscard]] Outcome cut(Array<Index>& ears);

@@ -6,7 +6,6 @@
 #include <halfedge/result.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace halfedge {

@@ -4,7 +4,6 @@
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 
 namespace halfedge {

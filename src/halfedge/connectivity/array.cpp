@@ -1,5 +1,7 @@
 #include <halfedge/connectivity/array.h>
 
+#include <cstdint>
+
 namespace halfedge::internal {
 
 void* reallocate(void* data, std::size_t count, std::size_t size) {

@@ -1,8 +1,6 @@
 #include <halfedge/connectivity/convert.h>
 #include <halfedge/sentence.h>
 
-#include <string>
-
 namespace halfedge {
 
 namespace {

@@ -3,7 +3,6 @@
 #include <halfedge/decorator/edit.h>
 #include <halfedge/sort.h>
 
-#include <algorithm>
 #include <cstddef>
 
 namespace halfedge::decorator {

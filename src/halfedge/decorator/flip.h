@@ -3,8 +3,6 @@
 #include <halfedge/decorator/edit.h>
 #include <halfedge/sentence.h>
 
-#include <string>
-
 namespace halfedge::decorator {
 
 /// Whether flip_edge(h) can be done: else not-a-halfedge; boundary-halfedge; not-a-triangle;

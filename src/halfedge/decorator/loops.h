@@ -6,9 +6,7 @@
 
 #include <array>
 #include <cstddef>
-#include <initializer_list>
 #include <span>
-#include <string>
 
 namespace halfedge::decorator {
 

@@ -3,7 +3,6 @@
 #include <halfedge/decorator/edit.h>
 
 #include <cstddef>
-#include <memory>
 #include <utility>
 
 namespace halfedge::decorator {

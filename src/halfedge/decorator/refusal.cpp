@@ -85,8 +85,6 @@ Failure is_loop_edge(Halfedge h, Vertex v) {
                  {.vertices = {v.index()}, .edges = {edge.index()}});
 }
 
-Failure no_memory(const char* what) {
-  return refusal("out-of-memory", std::string("there is not enough memory for ") + what);
-}
+Failure no_memory(const char* what) { return no_memory_for(what); }
 
 }  // namespace halfedge::decorator::internal

@@ -3,8 +3,6 @@
 #include <halfedge/decorator/edit.h>
 #include <halfedge/sentence.h>
 
-#include <string>
-
 namespace halfedge::decorator {
 
 /// Whether split_vertex(h, g) can be done: else not-a-halfedge; different-vertices;

@@ -5,7 +5,6 @@
 #include <halfedge/sentence.h>
 
 #include <cstddef>
-#include <string>
 
 namespace halfedge {
 

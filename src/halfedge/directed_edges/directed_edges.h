@@ -6,7 +6,6 @@
 #include <halfedge/connectivity/storage.h>
 #include <halfedge/mesh.h>
 
-#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <cstring>
-#include <memory>
-#include <string>
 #include <string_view>
 
 namespace halfedge {

@@ -97,8 +97,4 @@ class LiveMesh {
   std::uint64_t triangle_count_ = 0;
 };
 
-[[nodiscard]] inline Error no_memory_for_a_file() {
-  return {"out-of-memory", "memory was exhausted while a file was written"};
-}
-
 }  // namespace halfedge::io

@@ -3,7 +3,6 @@
 #include <halfedge/sentence.h>
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace halfedge::io {

@@ -1,7 +1,6 @@
 #include <halfedge/io/off_writer.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace halfedge::io {
 namespace {

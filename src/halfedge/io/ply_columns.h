@@ -5,7 +5,6 @@
 #include <halfedge/io/text_scanner.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <type_traits>
 
 /// How PlyReader reads faces: polygons with the texture coordinates of their corners, and strips.

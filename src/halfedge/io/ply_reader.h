@@ -6,11 +6,9 @@
 #include <halfedge/io/readers.h>
 #include <halfedge/sentence.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>

@@ -2,7 +2,6 @@
 #include <halfedge/sentence.h>
 
 #include <string>
-#include <utility>
 
 namespace halfedge::io {
 

@@ -59,6 +59,11 @@ bool write_as(const LiveMesh& mesh, Format format, Encoding encoding,
 }
 
 }  // namespace
+
+Error no_memory_for_a_file() {
+  return {"out-of-memory", "memory was exhausted while a file was written"};
+}
+
 }  // namespace io
 
 bool has_polygons(const Adjacency& faces) {

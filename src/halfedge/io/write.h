@@ -4,6 +4,7 @@
 #include <halfedge/attributes/attributes.h>
 #include <halfedge/build/soup_attribute.h>
 #include <halfedge/connectivity/array.h>
+#include <halfedge/inlining.h>
 #include <halfedge/io/parse.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
@@ -46,6 +47,9 @@ struct WriteSource {
                                                       const WriteOptions& options);
 /// Whether a face has more than three corners.
 [[nodiscard]] bool has_polygons(const Adjacency& faces);
+namespace io {
+[[nodiscard]] HALFEDGE_COLD Error no_memory_for_a_file();
+}
 
 /// The bytes of a file of this mesh: its live vertices and faces, each in the order of their
 /// indices, a face from the vertex on that it was built from. Reading it gives the same polygons,
@@ -70,17 +74,15 @@ template <Storage kStored>
   if (options.attributes) source.attributes = &mesh.attributes();
   if (options.attributes && !mesh.attributes().of(ItemKind::kHalfedge).empty()) {
     rows = adjacency(mesh, Ring::kFaceHalfedges, Direction::kCcw, source.halfedges);
-    if (!rows) return rows.error();
+    if (!rows) return rows;
   }
   if (format == Format::kStl && has_polygons(source.faces)) {
     rows = adjacency(mesh, Ring::kVertexVertices, Direction::kCcw, source.neighbours);
     // Without neighbours faces are cut each for itself.
-    if (!rows && rows.error().code == "out-of-memory") return rows.error();
+    if (!rows && rows.error().code == "out-of-memory") return rows;
   }
   if (mesh.vertex_count() < mesh.vertex_slots()) {
-    if (!source.is_deleted.resize(mesh.vertex_slots())) {
-      return Error{"out-of-memory", "memory was exhausted while a file was written"};
-    }
+    if (!source.is_deleted.resize(mesh.vertex_slots())) return io::no_memory_for_a_file();
     for (Index v = 0; v < mesh.vertex_slots(); ++v) {
       source.is_deleted[v] = mesh.is_deleted(Vertex(v));
     }

@@ -2,7 +2,6 @@
 
 #include <halfedge/mend/measure.h>
 
-#include <array>
 #include <cstddef>
 
 namespace halfedge::mend {

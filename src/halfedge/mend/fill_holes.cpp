@@ -113,7 +113,7 @@ class Filler {
     if (outcome == HolePlan::Outcome::kSame) return true;
     loop.why = Why::kBlocked;
     if (outcome == HolePlan::Outcome::kBlocked) return true;
-    loop.degrees = 57.29577951308232 * std::acos(std::clamp(plan_.worst(), -1.0, 1.0));
+    loop.degrees = kDegreesPerRadian * std::acos(std::clamp(plan_.worst(), -1.0, 1.0));
     loop.why = loop.degrees > options_.max_angle ? Why::kFolding : Why::kFilled;
     return loop.why == Why::kFolding || cut(loop.first);
   }
@@ -128,11 +128,8 @@ class Filler {
       return false;
     }
     Halfedge h = first;
-    for (std::size_t i = 0; i < n; ++i, h = surface_.next(h)) {
-      into_[i] = h;
-      next_[i] = Index(i + 1 == n ? 0 : i + 1);
-      prev_[i] = Index(i == 0 ? n - 1 : i - 1);
-    }
+    for (std::size_t i = 0; i < n; ++i, h = surface_.next(h)) into_[i] = h;
+    make_ring(next_, prev_);
     surface_.fill_hole(first);
     (void)report_.faces.push_back(surface_.face(first).index());
     for (const Index corner : ears) {

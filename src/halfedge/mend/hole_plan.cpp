@@ -99,7 +99,7 @@ bool HolePlan::is_forbidden(Index a, Index b) const {
 }
 
 double HolePlan::worst_of(std::span<const Index> ears) {
-  begin();
+  begin_cutting();
   double worst = 1;
   const auto look = [&](Index corner) {
     const Index a = prev_[corner];
@@ -132,7 +132,7 @@ bool HolePlan::try_planar() {
   const double worst = worst_of(ears.span());
   if (worst <= worst_) return true;
   // It avoids what is forbidden if it can, but doesn't promise to.
-  begin();
+  begin_cutting();
   for (const Index corner : ears) {
     if (is_forbidden(prev_[corner], next_[corner])) return true;
     cut_off(corner, {});
@@ -147,10 +147,10 @@ HolePlan::Outcome HolePlan::plan() {
   if (cut == Outcome::kOutOfMemory) return cut;
   const Outcome chosen = cut == Outcome::kDone ? choose() : cut;
   if (chosen == Outcome::kOutOfMemory) return chosen;
-  worst_ = chosen == Outcome::kDone ? worst_of(ears_.span()) : -2;
+  worst_ = chosen == Outcome::kDone ? worst_of(ears_.span()) : kNoPlan;
   const bool is_large = vertices_.size() > kExact && vertices_.size() <= kPlanar;
   if (is_large && !try_planar()) return Outcome::kOutOfMemory;
-  return worst_ < -1.5 ? Outcome::kBlocked : Outcome::kDone;
+  return worst_ == kNoPlan ? Outcome::kBlocked : Outcome::kDone;
 }
 
 // Where a loop passes a vertex more than once, two diagonals may join the same two: one of them is
@@ -162,7 +162,7 @@ HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
     Diagonal diagonal;
   };
   Array<Join> joins;
-  begin();
+  begin_cutting();
   for (const Index corner : ears_) {
     const Diagonal d{std::min(prev_[corner], next_[corner]),
                      std::max(prev_[corner], next_[corner])};

@@ -6,9 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 namespace halfedge::mend {
+
+inline constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// Which triangles fill the boundary loops of a surface, one after another: it keeps its memory,
 /// and what it knows of the faces around, in between.
@@ -62,10 +65,16 @@ class HolePlan {
     Index corner = kNone;
     Index stamp = 0;
   };
+  struct CostsMore {
+    bool operator()(const Ear& a, const Ear& b) const { return is_less(b.cost, a.cost); }
+  };
   struct Corner {
     Vertex vertex;
     Index index;
   };
+
+  // Instead of worst(): below all cosines.
+  static constexpr double kNoPlan = -2;
 
   [[nodiscard]] static bool is_less(const Cost& a, const Cost& b);
   [[nodiscard]] static double cosine(const Vector& a, const Vector& b);
@@ -90,7 +99,7 @@ class HolePlan {
   }
   void list_ears(std::size_t i, std::size_t j);
   [[nodiscard]] bool try_planar();
-  void begin();
+  void begin_cutting();
   void cut_off(Index corner, const Vector& normal);
   [[nodiscard]] double worst_of(std::span<const Index> ears);
   [[nodiscard]] Outcome forbid_repeated(bool& is_repeated);

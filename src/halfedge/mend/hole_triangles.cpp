@@ -20,7 +20,7 @@ constexpr double kFoldOfThin = kSteps[3];
 // where another isn't.
 HolePlan::HolePlan(const Surface& surface, double max_angle) : surface_(surface) {
   std::copy(std::begin(kSteps), std::end(kSteps), steps_.begin());
-  steps_.back() = std::cos(max_angle / 57.29577951308232);
+  steps_.back() = std::cos(max_angle / kDegreesPerRadian);
   std::sort(steps_.begin(), steps_.end(), std::greater<>());
 }
 
@@ -64,14 +64,10 @@ Vector HolePlan::normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
 
 // ---- cutting ears off -----------------------------------------------------------------------
 
-void HolePlan::begin() {
-  const std::size_t n = vertices_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    next_[i] = Index(i + 1 == n ? 0 : i + 1);
-    prev_[i] = Index(i == 0 ? n - 1 : i - 1);
-    side_[i] = beyond_[i];
-    stamp_[i] = 0;
-  }
+void HolePlan::begin_cutting() {
+  make_ring(next_, prev_);
+  std::copy(beyond_.begin(), beyond_.end(), side_.begin());
+  std::fill(stamp_.begin(), stamp_.end(), 0);
 }
 
 void HolePlan::cut_off(Index corner, const Vector& normal) {
@@ -96,14 +92,13 @@ bool HolePlan::look_at(Index corner) {
   add_edge(ear.cost, normal, side_[corner], distance(corner, b));
   ear.cost.rest += distance(a, b);
   if (!heap_.push_back(ear)) return false;
-  std::push_heap(heap_.begin(), heap_.end(),
-                 [](const Ear& x, const Ear& y) { return is_less(y.cost, x.cost); });
+  std::push_heap(heap_.begin(), heap_.end(), CostsMore());
   return true;
 }
 
 HolePlan::Outcome HolePlan::cut_ears() {
   heap_.clear();
-  begin();
+  begin_cutting();
   std::size_t left = vertices_.size();
   for (Index i = 0; left > kExact && i < vertices_.size(); ++i) {
     if (!look_at(i)) return Outcome::kOutOfMemory;
@@ -111,8 +106,7 @@ HolePlan::Outcome HolePlan::cut_ears() {
   Index start = 0;
   while (left > kExact) {
     if (heap_.empty()) return Outcome::kBlocked;
-    std::pop_heap(heap_.begin(), heap_.end(),
-                  [](const Ear& x, const Ear& y) { return is_less(y.cost, x.cost); });
+    std::pop_heap(heap_.begin(), heap_.end(), CostsMore());
     const Ear ear = heap_[heap_.size() - 1];
     heap_.pop_back();
     if (stamp_[ear.corner] != ear.stamp) continue;

@@ -4,7 +4,6 @@
 #include <halfedge/sentence.h>
 
 #include <cstddef>
-#include <string>
 #include <utility>
 
 namespace halfedge::mend {

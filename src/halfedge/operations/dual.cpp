@@ -3,7 +3,6 @@
 #include <halfedge/sentence.h>
 
 #include <cstddef>
-#include <string>
 
 namespace halfedge {
 

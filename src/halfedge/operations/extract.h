@@ -5,6 +5,7 @@
 #include <halfedge/algorithms/rings.h>
 #include <halfedge/attributes/attributes.h>
 #include <halfedge/connectivity/array.h>
+#include <halfedge/connectivity/item_span.h>
 #include <halfedge/mesh.h>
 #include <halfedge/result.h>
 
@@ -66,14 +67,14 @@ template <Storage kStored>
 /// corrupt-connectivity, if links of `mesh` that are followed break its invariants; out-of-memory
 template <Storage kStored, Storage kOut>
 requires StoresSurface<BasicMesh<kStored>> && StoresSurface<BasicMesh<kOut>>
-[[nodiscard]] Result<ItemSet> extract(const BasicMesh<kStored>& mesh, std::span<const Index> faces,
+[[nodiscard]] Result<ItemSet> extract(const BasicMesh<kStored>& mesh, ItemSpan<Face> faces,
                                       BasicMesh<kOut>& out) {
   if (Result<void> sizes = check_array_sizes(mesh); !sizes) return sizes;
   BasicMesh<kOut> part;
   if constexpr (kOut.prev_at_run_time) part.choose_prev(out.stores_prev());
   Result<ItemSet> items =
-      extracting::copy_surface(RawLinks(mesh), mesh.positions(), faces, part.stores_prev(),
-                               part.mutable_links(), part.mutable_positions());
+      extracting::copy_surface(RawLinks(mesh), mesh.positions(), faces.indices(),
+                               part.stores_prev(), part.mutable_links(), part.mutable_positions());
   if (!items) return items;
   Result<void> done = extracting::copy_attributes(mesh.attributes(), items.value(), part);
   if (!done) return done;

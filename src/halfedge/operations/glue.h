@@ -5,7 +5,6 @@
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/surgery_refusals.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>

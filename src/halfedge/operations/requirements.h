@@ -3,8 +3,6 @@
 #include <halfedge/decorator/edit.h>
 #include <halfedge/operations/refusals.h>
 
-#include <type_traits>
-
 /// What all operations share. They are templates over the mesh type, and need what a surface is
 /// known by; prev may be left out.
 namespace halfedge::operations {

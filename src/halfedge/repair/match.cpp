@@ -3,7 +3,6 @@
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <string>
 
 namespace halfedge::repair {
 

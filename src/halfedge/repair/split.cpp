@@ -3,7 +3,6 @@
 #include <halfedge/sort.h>
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 
 namespace halfedge::repair {

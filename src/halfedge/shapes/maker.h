@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
-#include <string>
 
 namespace halfedge::shapes {
 

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <numbers>
 #include <span>
-#include <string>
 #include <utility>
 
 namespace halfedge::shapes {

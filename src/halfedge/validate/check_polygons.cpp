@@ -4,7 +4,6 @@
 #include <halfedge/validate/checker.h>
 
 #include <algorithm>
-#include <string>
 
 namespace halfedge {
 
