@@ -4,12 +4,13 @@ import { readingOf, rowsOf } from '../app/records.js';
 import type { Signal } from '../app/signal.js';
 import { h } from './dom.js';
 import { RecordsGrid } from './records-grid.js';
+import { type Segment, segments } from './segments.js';
 
-const KINDS: readonly [ItemKind, string][] = [
-  ['vertex', 'Vertices'],
-  ['halfedge', 'Halfedges'],
-  ['edge', 'Edges'],
-  ['face', 'Faces'],
+const KINDS: readonly Segment<ItemKind>[] = [
+  { value: 'vertex', content: ['Vertices'] },
+  { value: 'halfedge', content: ['Halfedges'] },
+  { value: 'edge', content: ['Edges'] },
+  { value: 'face', content: ['Faces'] },
 ];
 
 /**
@@ -18,7 +19,7 @@ const KINDS: readonly [ItemKind, string][] = [
  */
 export function recordsPanel(explorer: Explorer): HTMLElement {
   const grid = new RecordsGrid(explorer);
-  const kinds = kindSegments((chosen) => {
+  const kinds = segments('records', { 'aria-label': 'Records of' }, KINDS, (chosen) => {
     show(chosen);
     grid.goTo(0);
   });
@@ -33,7 +34,7 @@ export function recordsPanel(explorer: Explorer): HTMLElement {
 
   function show(kind: ItemKind): void {
     grid.show(kind);
-    kinds.choose(grid.kind);
+    kinds.mark(grid.kind);
   }
 
   /** Goes where the player is, or else the selection: to its record, or the first of its two. */
@@ -67,27 +68,4 @@ export function recordsPanel(explorer: Explorer): HTMLElement {
     if (isShown()) grid.render();
   });
   return section;
-}
-
-function kindSegments(choose: (kind: ItemKind) => void) {
-  const inputs = new Map<ItemKind, HTMLInputElement>();
-  const element = h('div', {
-    class: 'segments',
-    role: 'radiogroup',
-    'aria-label': 'Records of',
-  });
-  for (const [kind, text] of KINDS) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'records',
-      value: kind,
-      onchange: () => choose(kind),
-    });
-    inputs.set(kind, input);
-    element.append(h('label', {}, input, text));
-  }
-  const mark = (kind: ItemKind) => {
-    for (const [each, input] of inputs) input.checked = each === kind;
-  };
-  return { element, choose: mark };
 }
