@@ -2,8 +2,8 @@ import { EXTENSIONS } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
 import { fill, h, icon } from './dom.js';
 import { meshMenu } from './mesh-menu.js';
-import { openFiles } from './notices.js';
 import type { Theme } from './theme.js';
+import { openFiles } from './ways-in.js';
 
 /** Brand, the menu of meshes, the buttons for files and links, the theme and the list of keys. */
 export function topBar(
