@@ -13,7 +13,7 @@ import { pages } from './reference/pages.mjs';
 const folder = join(root, 'docs/reference');
 
 /** The files of docs/reference as they should be: a map from name to text. */
-export const referenceFiles = () => renderReference(readPages(root, pages));
+const referenceFiles = () => renderReference(readPages(root, pages));
 
 /** Fails if a page says something else than the declarations. Returns how many pages there are. */
 export function checkReference() {

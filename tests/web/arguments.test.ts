@@ -1,4 +1,5 @@
 import { DirectedEdgesMesh, HalfedgeError, HalfedgeMesh, init } from 'halfedge';
+import { newArray } from '../../dist/arguments.js';
 
 beforeAll(() => init());
 
@@ -426,4 +427,13 @@ test('A count that is too large is told how large it may be', () => {
   }
   expect(() => mesh.keepLargestComponents(-1)).toThrow('count is -1; expected an integer from 0.');
   mesh.dispose();
+});
+
+test('What JavaScript has no room for is told by what it is for, copy or not', () => {
+  expect(() => newArray('the sums of normals', Float64Array, 2 ** 53)).toThrow(
+    expect.objectContaining({
+      code: 'out-of-memory',
+      message: `An array for the sums of normals needs room for ${2 ** 53} numbers, more than JavaScript has.`,
+    }),
+  );
 });

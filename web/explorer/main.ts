@@ -27,14 +27,12 @@ import { h } from './ui/dom.js';
 import { pendingNotice, refusalNotice } from './ui/edit-notices.js';
 import { emptyState } from './ui/empty-state.js';
 import { chooseGlass } from './ui/glass.js';
+import { helpDialog } from './ui/help-dialog.js';
 import { listenToKeys } from './ui/keyboard.js';
 import { leftNotice } from './ui/left-notice.js';
 import {
   busyNotice,
-  dropTarget,
   failureNotice,
-  helpDialog,
-  listenToPaste,
   namesHint,
   passedOverNotice,
   startFailure,
@@ -47,6 +45,7 @@ import { shareButton } from './ui/share-button.js';
 import { publishState } from './ui/state-attributes.js';
 import { addPictureStyles, Theme } from './ui/theme.js';
 import { topBar } from './ui/top-bar.js';
+import { dropTarget, listenToPaste } from './ui/ways-in.js';
 
 // Both come while the page is built; if the package doesn't, it is told where a mesh is opened.
 loadPackage().catch(() => {});

@@ -227,15 +227,13 @@ export function newArray<T>(what: string, Kind: new (length: number) => T, lengt
   try {
     return new Kind(length);
   } catch (cause) {
-    throw noRoomHere(`${what} needs room for ${length} numbers`, cause);
+    throw noRoomHere(`An array for ${what} needs room for ${length} numbers`, cause);
   }
 }
 
-/** The error where a copy in JavaScript, of what the core has, fails. */
-export function noRoomHere(what: string, cause: unknown): HalfedgeError {
-  return new HalfedgeError('out-of-memory', `A copy of ${what}, more than JavaScript has.`, {
-    cause,
-  });
+/** The error where JavaScript has no room, which `need` tells of without a full stop. */
+export function noRoomHere(need: string, cause: unknown): HalfedgeError {
+  return new HalfedgeError('out-of-memory', `${need}, more than JavaScript has.`, { cause });
 }
 
 /** What can be iterated over as an array, but for arrays and typed arrays, which stay as anything else does. */

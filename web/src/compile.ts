@@ -1,6 +1,7 @@
 import { bytesOf, describe } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { messageOf } from './loader.js';
+import { nodeModule } from './node-module.js';
 import { checkOptions, isPlain } from './options.js';
 
 declare global {
@@ -52,20 +53,6 @@ export async function moduleFrom(source: Source, name = 'wasm'): Promise<WebAsse
   if (typeof source === 'string') return moduleAt(resolve(source));
   const bytes = bytesOf(name, source);
   return bytes === undefined ? moduleAt(source as URL) : fromBytes(bytes, name);
-}
-
-/** Node's modules without a `node:` import, which a bundler would follow (webpack fails on it). */
-function nodeModule<Name extends 'node:fs/promises' | 'node:url'>(name: Name) {
-  const { process } = globalThis as { process?: NodeProcess };
-  return process?.getBuiltinModule?.(name) as NodeModules[Name] | undefined;
-}
-
-interface NodeModules {
-  'node:fs/promises': { readFile(path: URL): Promise<Uint8Array> };
-  'node:url': { pathToFileURL(path: string): URL };
-}
-interface NodeProcess {
-  getBuiltinModule?(name: string): unknown;
 }
 
 function resolve(address: string): URL {

@@ -157,7 +157,7 @@ const advance = (lap: Lap): number => {
  * Where a lap around an item begins. Throws a sentence for wrong arguments. Circulators that show
  * incoming halfedges take one of those as their start, too.
  */
-export function firstAround(
+function firstAround(
   links: DirectedLinks,
   { centre, view }: Kind,
   item: number,

@@ -409,8 +409,9 @@ function lengthsAround(surface: Surface, slots: number): Float64Array {
 }
 
 /**
- * Writes the directions of the first `length` / 3 sums around vertices. One that is longer than `least`, a share of all faces together, is
- * long beside its own faces; for the others, these are asked: `lengthsOf` adds up their lengths, by vertex.
+ * Writes the directions of the first `length` / 3 sums around vertices. One that is longer than `least`, a share of all
+ * faces together, is long beside its own faces; for the others, these are asked: `lengthsOf` adds up their lengths, by
+ * vertex.
  */
 export function writeUnitVectors(
   sums: Float64Array,

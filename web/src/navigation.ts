@@ -125,8 +125,9 @@ export abstract class Navigation {
    *
    * Views that you keep go on showing the mesh through edits, until the number of slots changes, room is made
    * for more of them (by `reserve`, or by an edit that might have needed it), the WebAssembly memory grows
-   * (making any mesh can cause that; their length is then 0), or the mesh is disposed of. They are good exactly as long as `mesh.connectivity === kept`. Keeping a view keeps the
-   * memory of a mesh alive that is otherwise unreachable; keeping a `subarray` of it doesn't.
+   * (making any mesh can cause that; their length is then 0), or the mesh is disposed of. They are good exactly
+   * as long as `mesh.connectivity === kept`. Keeping a view keeps the memory of a mesh alive that is otherwise
+   * unreachable; keeping a `subarray` of it doesn't.
    *
    * Writing to them is at your own risk. Queries never crash or hang, whatever is written, and `validate()`
    * tells whether the mesh is still sound. Operations, and modules that draw a mesh (`halfedge/three`,

@@ -1,6 +1,7 @@
 // In a file of its own: bundlers include the script of each worker that they see, and here there is none.
 
 import { type WorkerLike, workerOf } from './connection.js';
+import { nodeModule } from './node-module.js';
 import { originalOf } from './original.js';
 
 /**
@@ -33,8 +34,7 @@ const NO_ADDRESS =
   "this script has no address (it was bundled as something else than a module), so that its worker can't be looked for beside it";
 
 function nodeWorkerClass(): new (script: URL) => WorkerLike {
-  const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
-  const threads = process?.getBuiltinModule?.('node:worker_threads');
+  const threads = nodeModule('node:worker_threads');
   if (threads === undefined) throw new Error('There are no workers here.');
-  return (threads as { Worker: new (script: URL) => WorkerLike }).Worker;
+  return threads.Worker;
 }

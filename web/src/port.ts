@@ -1,16 +1,17 @@
 // The end of a connection that is in a worker: the same for browsers and Node.
 
+import { nodeModule } from './node-module.js';
+
 /** This end of the connection. */
 export interface Port<Request, Reply> {
   post(reply: Reply, transfer: object[]): void;
   listen(listener: (request: Request) => void): void;
 }
 
-/** In a browser the global object, in Node one of its modules: not imported, as a bundler would follow. */
+/** In a browser the global object, in Node the port of one of its modules. */
 export function openPort<Request, Reply>(): Port<Request, Reply> {
-  const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
-  const threads = process?.getBuiltinModule?.('node:worker_threads');
-  const { parentPort } = (threads ?? {}) as { parentPort?: NodePort<Request, Reply> };
+  const threads = nodeModule('node:worker_threads');
+  const parentPort = threads?.parentPort as NodePort<Request, Reply> | null | undefined;
   if (parentPort) {
     return {
       post: (reply, transfer) => parentPort.postMessage(reply, transfer),

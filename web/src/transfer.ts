@@ -73,7 +73,7 @@ export function bytesOfLinks({ core, address: mesh }: Links): OwnBytes {
   try {
     return new Uint8Array(core.memory.buffer, address, count).slice();
   } catch (cause) {
-    throw noRoomHere(`the mesh needs room for ${count} bytes`, cause);
+    throw noRoomHere(`A copy of the mesh needs room for ${count} bytes`, cause);
   } finally {
     core.free(address);
   }

@@ -32,7 +32,7 @@ import { factsOfMesh, type MeshFacts, type Problems } from './facts.js';
 import { Signal, together } from './signal.js';
 import type { Tab } from './tabs.js';
 
-/** Steps a second, by the position of the speed slider. */
+/** Steps a second, as they are offered. */
 export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
 
 /** The position of the one that a new page has. */

@@ -1,5 +1,12 @@
 import type { HalfedgeMesh, ItemKind } from 'halfedge';
-import { arrives, type Item, stepOf, stepsFirst } from 'halfedge/teaching';
+import {
+  arrives,
+  type Dialect,
+  type Item,
+  type Query,
+  stepOf,
+  stepsFirst,
+} from 'halfedge/teaching';
 import type { Play } from './explorer.js';
 
 /** The rows that tell of an item: one, or the two halfedges of an edge, or the edge of a halfedge. */
@@ -21,77 +28,99 @@ export interface Reading {
   readonly at: number | null;
 }
 
+/** What the last step of the player has read. */
 export function readingOf(mesh: HalfedgeMesh, play: Play | null): Reading {
-  const cells = new Set<string>();
   const current = play?.player.current;
-  if (!play || !current) return { cells, at: null };
-  const { query, dialect } = play.player;
-  const { around, view } = query.circulator;
-  // Around a vertex, the cursor of such a dialect is the opposite of the halfedge where the walk is.
-  const isOpposite = arrives(query, dialect);
-  const read = (row: number, column: string) => cells.add(cellKey('halfedge', row, column));
-  const end = current.halfedge;
-  const last = play.player.visits.at(-2)?.halfedge;
-  let h = last ?? firstStop();
-  // Of the anchor it is asked what it shows, unless the lap begins by a step; and of all that is passed over.
-  const looks = last === undefined && !stepsFirst(query);
-  if (looks) show(h);
-  if (!looks || h !== end) {
+  if (!play || !current) return { cells: new Set(), at: null };
+  const { query, dialect, visits } = play.player;
+  const reader = new StepReader(mesh, query, dialect);
+  reader.follow(visits.at(-2)?.halfedge, current.halfedge);
+  return { cells: reader.cells, at: current.cursor };
+}
+
+/** Makes a step of a walk again, and notes the cells that it reads. */
+class StepReader {
+  readonly cells = new Set<string>();
+  readonly #mesh: HalfedgeMesh;
+  readonly #query: Query;
+  /** Around a vertex, the cursor of such a dialect is the opposite of the halfedge where the walk is. */
+  readonly #isOpposite: boolean;
+
+  constructor(mesh: HalfedgeMesh, query: Query, dialect: Dialect) {
+    this.#mesh = mesh;
+    this.#query = query;
+    this.#isOpposite = arrives(query, dialect);
+  }
+
+  /** From the visit before, or undefined for the first one, to the next: past what shows nothing. */
+  follow(last: number | undefined, end: number): void {
+    let h = last ?? this.#firstStop();
+    // Of the anchor it is asked what it shows, unless the lap begins by a step; and of all that is passed over.
+    const looks = last === undefined && !stepsFirst(this.#query);
+    if (looks) this.#show(h);
+    if (looks && h === end) return;
     do {
-      h = step(h);
-      show(h);
+      h = this.#step(h);
+      this.#show(h);
     } while (h !== end);
   }
-  return { cells, at: current.cursor };
 
   /** Before the first visit the walk is at the anchor, which may come last. */
-  function firstStop(): number {
-    const first = query.start ?? anchor(query.index);
-    if (isOpposite) read(first, 'opposite');
+  #firstStop(): number {
+    const { start, index } = this.#query;
+    const first = start ?? this.#anchor(index);
+    if (this.#isOpposite) this.#read(first, 'opposite');
     return first;
   }
 
-  function anchor(index: number): number {
+  #anchor(index: number): number {
+    const { around } = this.#query.circulator;
     if (around === 'halfedge') return index;
-    if (around === 'edge') return mesh.edgeHalfedge(index);
-    cells.add(cellKey(around, index, 'halfedge'));
-    return around === 'vertex' ? mesh.vertexHalfedge(index) : mesh.faceHalfedge(index);
+    if (around === 'edge') return this.#mesh.edgeHalfedge(index);
+    this.cells.add(cellKey(around, index, 'halfedge'));
+    return around === 'vertex' ? this.#mesh.vertexHalfedge(index) : this.#mesh.faceHalfedge(index);
   }
 
-  function step(h: number): number {
-    switch (stepOf(query)) {
+  #step(h: number): number {
+    const mesh = this.#mesh;
+    switch (stepOf(this.#query)) {
       case 'rotateCcw':
-        if (isOpposite) read(mesh.opposite(h), 'opposite');
-        read(h, 'prev');
-        if (!isOpposite) read(mesh.prev(h), 'opposite');
+        if (this.#isOpposite) this.#read(mesh.opposite(h), 'opposite');
+        this.#read(h, 'prev');
+        if (!this.#isOpposite) this.#read(mesh.prev(h), 'opposite');
         return mesh.rotateCcw(h);
       case 'rotateCw':
-        if (!isOpposite) read(h, 'opposite');
-        read(mesh.opposite(h), 'next');
-        if (isOpposite) read(mesh.rotateCw(h), 'opposite');
+        if (!this.#isOpposite) this.#read(h, 'opposite');
+        this.#read(mesh.opposite(h), 'next');
+        if (this.#isOpposite) this.#read(mesh.rotateCw(h), 'opposite');
         return mesh.rotateCw(h);
       case 'next':
-        read(h, 'next');
+        this.#read(h, 'next');
         return mesh.next(h);
       case 'prev':
-        read(h, 'prev');
+        this.#read(h, 'prev');
         return mesh.prev(h);
       case 'across':
-        read(h, 'opposite');
+        this.#read(h, 'opposite');
         return mesh.opposite(h);
     }
   }
 
-  function show(h: number): void {
+  #show(h: number): void {
+    const { view } = this.#query.circulator;
     // It has to get to the halfedge that leaves, or is at the one that arrives.
     const leaves = view !== 'opposite' && view !== 'edge';
-    if (isOpposite) {
-      if (leaves) read(mesh.opposite(h), 'opposite');
+    if (this.#isOpposite) {
+      if (leaves) this.#read(this.#mesh.opposite(h), 'opposite');
     } else if (view === 'opposite' || view === 'faceAcross') {
-      read(h, 'opposite');
+      this.#read(h, 'opposite');
     }
-    if (view === 'toVertex') read(h, 'to');
-    if (view === 'face') read(h, 'face');
-    if (view === 'faceAcross') read(mesh.opposite(h), 'face');
+    if (view === 'toVertex') this.#read(h, 'to');
+    if (view === 'face') this.#read(h, 'face');
+    if (view === 'faceAcross') this.#read(this.#mesh.opposite(h), 'face');
+  }
+
+  #read(row: number, column: string): void {
+    this.cells.add(cellKey('halfedge', row, column));
   }
 }

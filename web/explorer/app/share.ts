@@ -14,6 +14,7 @@ import type { PickMode } from 'halfedge/three/picking';
 import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { labelsText, NO_LABELS, parseLabels } from './captions.js';
+import type { MeshDocument } from './documents.js';
 import { DEFAULT_SPEED, type Explorer, SPEEDS } from './explorer.js';
 import { firstTab, hasProblems, TABS, type Tab } from './tabs.js';
 
@@ -49,43 +50,14 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
   const opened = explorer.document.value;
   if (!opened) throw new Error('There is no mesh yet.');
   const link = new URLSearchParams();
-  const deeds = opened.sample === null ? null : explorer.editor.deeds;
-  if (opened.sample !== null && deeds) {
-    link.set('sample', opened.sample);
-    if (deeds.length > 0) link.set('edits', deeds.join(','));
-  } else {
-    link.set('name', opened.name);
-    const bytes = opened.mesh.toBytes();
-    if (bytes.length > MOST_BYTES) throw tooLarge(opened.name, 'far longer');
-    for (const [attribute, words] of Object.entries(opened.names)) {
-      for (const word of words) link.append(WORDS + attribute, word);
-    }
-    link.set('mesh', packed(bytes));
-  }
+  addMesh(link, opened, explorer);
   const { value: selected } = explorer.selected;
   link.set('select', selected ? itemName(selected) : 'nothing');
-  const { value: choice } = explorer.choice;
-  const { value: play } = explorer.play;
-  if (choice && play) {
-    link.set('query', choice.circulator.name);
-    if (choice.group > 0) link.set('around', String(choice.group));
-    if (explorer.direction.value !== 'ccw') link.set('direction', explorer.direction.value);
-    if (play.position > 0) link.set('at', String(play.position));
-  }
-  if (explorer.speed.value !== DEFAULT_SPEED)
-    link.set('speed', String(SPEEDS[explorer.speed.value]));
-  if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
-  const { value: labels } = explorer.labels;
-  if (labels.scope !== 'off') link.set('labels', labelsText(labels));
-  if (explorer.pointers.value) link.set('pointers', 'on');
+  addQuery(link, explorer);
+  addCaptions(link, explorer);
   if (explorer.showsFile.value) link.set('picture', 'original');
-  const { value: problem } = explorer.problem;
-  // What was wrong in a file does not go with its mesh.
-  if (problem && link.has('sample')) {
-    link.set('problem', String(problemsOf(explorer).indexOf(problem)));
-  }
-  if (explorer.tab.value !== firstTab(opened)) link.set('tab', explorer.tab.value);
-  if (explorer.pickMode.value !== 'auto') link.set('pick', explorer.pickMode.value);
+  addProblem(link, explorer);
+  addPanel(link, opened, explorer);
   if (explorer.up.value !== 'y') link.set('up', explorer.up.value);
   const viewpoint = sight.viewpoint();
   if (viewpoint) link.set('camera', cameraText(viewpoint));
@@ -95,6 +67,55 @@ export function linkOf(explorer: Explorer, sight: Sight): string {
     throw tooLarge(opened.name, `${kilobytes(text.length)} long`);
   }
   return text;
+}
+
+/** A sample by its name, with its edits, as long as all of them are known; otherwise the mesh itself. */
+function addMesh(link: URLSearchParams, opened: MeshDocument, explorer: Explorer): void {
+  const deeds = opened.sample === null ? null : explorer.editor.deeds;
+  if (opened.sample !== null && deeds) {
+    link.set('sample', opened.sample);
+    if (deeds.length > 0) link.set('edits', deeds.join(','));
+    return;
+  }
+  link.set('name', opened.name);
+  const bytes = opened.mesh.toBytes();
+  if (bytes.length > MOST_BYTES) throw tooLarge(opened.name, 'far longer');
+  for (const [attribute, words] of Object.entries(opened.names)) {
+    for (const word of words) link.append(WORDS + attribute, word);
+  }
+  link.set('mesh', packed(bytes));
+}
+
+function addQuery(link: URLSearchParams, explorer: Explorer): void {
+  const { value: choice } = explorer.choice;
+  const { value: play } = explorer.play;
+  if (choice && play) {
+    link.set('query', choice.circulator.name);
+    if (choice.group > 0) link.set('around', String(choice.group));
+    if (explorer.direction.value !== 'ccw') link.set('direction', explorer.direction.value);
+    if (play.position > 0) link.set('at', String(play.position));
+  }
+  const { value: speed } = explorer.speed;
+  if (speed !== DEFAULT_SPEED) link.set('speed', String(SPEEDS[speed]));
+  if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
+}
+
+function addCaptions(link: URLSearchParams, explorer: Explorer): void {
+  const { value: labels } = explorer.labels;
+  if (labels.scope !== 'off') link.set('labels', labelsText(labels));
+  if (explorer.pointers.value) link.set('pointers', 'on');
+}
+
+/** What was wrong in a file does not go with its mesh. */
+function addProblem(link: URLSearchParams, explorer: Explorer): void {
+  const { value: problem } = explorer.problem;
+  if (!problem || !link.has('sample')) return;
+  link.set('problem', String(problemsOf(explorer).indexOf(problem)));
+}
+
+function addPanel(link: URLSearchParams, opened: MeshDocument, explorer: Explorer): void {
+  if (explorer.tab.value !== firstTab(opened)) link.set('tab', explorer.tab.value);
+  if (explorer.pickMode.value !== 'auto') link.set('pick', explorer.pickMode.value);
 }
 
 function tooLarge(name: string, length: string): Error {

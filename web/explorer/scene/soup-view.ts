@@ -16,7 +16,7 @@ import { type Diagnosis, FACE_FATES, type Fate } from '../app/diagnosis.js';
 import { SoupShape } from './soup-shape.js';
 
 /** The colour of a fate, the same as in the list of problems. */
-export function colorOfFate(palette: Palette, fate: Fate): Color {
+function colorOfFate(palette: Palette, fate: Fate): Color {
   switch (fate) {
     case 'dropped':
       return palette.dropped;

@@ -2,6 +2,7 @@ import type { ItemKind } from 'halfedge';
 import { LABEL_KINDS, LABEL_SCOPES, type LabelScope, withKind } from '../app/captions.js';
 import type { Explorer } from '../app/explorer.js';
 import { h, icon } from './dom.js';
+import { segments } from './segments.js';
 
 const SCOPES: Record<LabelScope, string> = {
   off: 'Off',
@@ -48,24 +49,16 @@ export function captionsButton(explorer: Explorer): HTMLElement {
 }
 
 function scopes(explorer: Explorer): HTMLElement {
-  const inputs = LABEL_SCOPES.map((scope) =>
-    h('input', {
-      type: 'radio',
-      name: 'label-scope',
-      value: scope,
-      onchange: () => {
-        explorer.labels.value = { ...explorer.labels.value, scope };
-      },
-    }),
+  const choices = segments(
+    'label-scope',
+    { 'aria-labelledby': 'captions-title' },
+    LABEL_SCOPES.map((value) => ({ value, content: [SCOPES[value]] })),
+    (scope) => {
+      explorer.labels.value = { ...explorer.labels.value, scope };
+    },
   );
-  explorer.labels.subscribe(({ scope }) => {
-    for (const input of inputs) input.checked = input.value === scope;
-  });
-  return h(
-    'div',
-    { class: 'segments', role: 'radiogroup', 'aria-labelledby': 'captions-title' },
-    ...LABEL_SCOPES.map((scope, i) => h('label', {}, inputs[i], SCOPES[scope])),
-  );
+  explorer.labels.subscribe(({ scope }) => choices.mark(scope));
+  return choices.element;
 }
 
 function kinds(explorer: Explorer): HTMLElement {

@@ -2,6 +2,7 @@ import { hasDirection, itemName } from 'halfedge/teaching';
 import { type Explorer, type Play, SPEEDS } from '../app/explorer.js';
 import { codeListing } from './code-listing.js';
 import { fill, h, type IconName, icon, setAttribute } from './dom.js';
+import { segments } from './segments.js';
 
 /** Longer laps are scrubbed, and list only their last visits. */
 const LIST_CAP = 60;
@@ -56,58 +57,42 @@ function kindControls(explorer: Explorer): HTMLElement[] {
   const { value: groups } = explorer.groups;
   const chosen = explorer.choice.value;
   const group = groups[chosen?.group ?? 0];
-  const around = h(
-    'div',
-    { class: 'segments', role: 'radiogroup', 'aria-label': 'Around' },
-    ...groups.map(({ caption, circulators }, i) => {
-      const input = h('input', {
-        type: 'radio',
-        name: 'around',
-        value: i,
-        checked: i === chosen?.group,
-        onchange: () => explorer.choose({ group: i, circulator: circulators[0] }),
-      });
-      return h('label', {}, input, caption);
-    }),
+  const around = segments(
+    'around',
+    { 'aria-label': 'Around' },
+    groups.map(({ caption }, i) => ({ value: String(i), content: [caption] })),
+    (i) => explorer.choose({ group: Number(i), circulator: groups[Number(i)].circulators[0] }),
   );
-  const chips = h(
-    'div',
-    { class: 'chips', role: 'radiogroup', 'aria-label': 'Circulator' },
-    ...group.circulators.map((circulator) => {
-      const input = h('input', {
-        type: 'radio',
-        name: 'circulator',
-        value: circulator.name,
-        checked: circulator === chosen?.circulator,
-        onchange: () => explorer.choose({ group: chosen?.group ?? 0, circulator }),
-      });
-      return h('label', {}, input, circulator.label);
-    }),
+  const chips = segments(
+    'circulator',
+    { class: 'chips', 'aria-label': 'Circulator' },
+    group.circulators.map(({ name, label }) => ({ value: name, content: [label] })),
+    (name) => {
+      const circulator = group.circulators.find((each) => each.name === name);
+      if (circulator) explorer.choose({ group: chosen?.group ?? 0, circulator });
+    },
   );
-  if (groups.length > 1) return group.circulators.length > 1 ? [around, chips] : [around];
-  return [h('p', { class: 'caption' }, group.caption), chips];
+  if (chosen) {
+    around.mark(String(chosen.group));
+    chips.mark(chosen.circulator.name);
+  }
+  if (groups.length === 1) return [h('p', { class: 'caption' }, group.caption), chips.element];
+  return [around.element, ...(group.circulators.length > 1 ? [chips.element] : [])];
 }
 
 function directionControl(explorer: Explorer): HTMLElement {
-  const option = (value: 'ccw' | 'cw', title: string) => {
-    const input = h('input', {
-      type: 'radio',
-      name: 'direction',
-      value,
-      'aria-label': title,
-      onchange: () => explorer.setDirection(value),
-    });
-    explorer.direction.subscribe((direction) => {
-      input.checked = direction === value;
-    });
-    return h('label', { title: `${title} (C)` }, input, icon(value), value);
-  };
-  return h(
-    'div',
-    { class: 'segments', role: 'radiogroup', 'aria-label': 'Direction' },
-    option('ccw', 'counter-clockwise'),
-    option('cw', 'clockwise'),
+  const choice = (value: 'ccw' | 'cw', label: string) => ({
+    ...{ value, label, title: `${label} (C)` },
+    content: [icon(value), value],
+  });
+  const choices = segments(
+    'direction',
+    { 'aria-label': 'Direction' },
+    [choice('ccw', 'counter-clockwise'), choice('cw', 'clockwise')],
+    (direction) => explorer.setDirection(direction),
   );
+  explorer.direction.subscribe((direction) => choices.mark(direction));
+  return choices.element;
 }
 
 function player(explorer: Explorer, direction: HTMLElement) {

@@ -1,6 +1,7 @@
 import type { FileFormat } from 'halfedge';
+import type { MeshDocument } from '../app/documents.js';
 import type { Explorer } from '../app/explorer.js';
-import { fileName, fileOf, sizeWords } from '../app/files.js';
+import { fileName, fileOf, type MeshFile, sizeWords } from '../app/files.js';
 import { h, icon } from './dom.js';
 
 const FORMATS: readonly [FileFormat, string][] = [
@@ -21,30 +22,29 @@ export type TakePicture = (format: 'png' | 'svg') => Promise<Blob>;
 /** Buttons that hand the mesh on show, or its picture, to the browser as a file. */
 export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLElement {
   const outcome = h('p', { class: 'outcome', role: 'status' });
-  const save = (format: FileFormat) => {
+  const handOver = ({ name, content, notes }: MeshFile) => {
+    offer(name, content);
+    outcome.textContent = [`Saved ${name}, ${sizeWords(content.size)}.`, ...notes].join(' ');
+  };
+  const save = async (act: (opened: MeshDocument) => void | Promise<void>) => {
     const opened = explorer.document.value;
     if (!opened) return;
     try {
-      const { name, content, notes } = fileOf(opened, format);
-      offer(name, content);
+      await act(opened);
+    } catch (error) {
+      outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
+    }
+  };
+  const saveMesh = (format: FileFormat) =>
+    save((opened) => {
+      handOver(fileOf(opened, format));
       explorer.editor.markSaved();
-      outcome.textContent = [`Saved ${name}, ${sizeWords(content.size)}.`, ...notes].join(' ');
-    } catch (error) {
-      outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
-    }
-  };
-  const savePicture = async (format: 'png' | 'svg') => {
-    const opened = explorer.document.value;
-    if (!opened) return;
-    try {
+    });
+  const savePicture = (format: 'png' | 'svg') =>
+    save(async (opened) => {
       const content = await takePicture(format);
-      const name = fileName(opened, format);
-      offer(name, content);
-      outcome.textContent = `Saved ${name}, ${sizeWords(content.size)}.`;
-    } catch (error) {
-      outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
-    }
-  };
+      handOver({ name: fileName(opened, format), content, notes: [] });
+    });
   const button = (format: string, title: string, act: () => void) =>
     h(
       'button',
@@ -58,15 +58,15 @@ export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLEle
       },
       format.toUpperCase(),
     );
-  const buttons = FORMATS.map(([format, title]) => button(format, title, () => save(format)));
+  const buttons = FORMATS.map(([format, title]) =>
+    button(format, title, () => void saveMesh(format)),
+  );
   const pictures = PICTURES.map(([format, title]) =>
     button(format, title, () => void savePicture(format)),
   );
-  explorer.document.subscribe(() => {
-    outcome.textContent = '';
-  });
   const label = h('span', { class: 'caption' }, icon('download'), 'Download');
   explorer.document.subscribe((opened) => {
+    outcome.textContent = '';
     const isRepaired = opened?.diagnosis?.isRepaired;
     label.lastChild?.replaceWith(isRepaired ? 'Download repaired' : 'Download');
   });

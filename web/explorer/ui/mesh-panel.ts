@@ -5,6 +5,7 @@ import { fill, h, icon } from './dom.js';
 import { downloads, type TakePicture } from './downloads.js';
 import { changeBadge } from './history-bar.js';
 import { longList } from './long-list.js';
+import { segments } from './segments.js';
 
 const LOOPS_SHOWN = 12;
 const PROBLEMS_SHOWN = 5;
@@ -73,20 +74,19 @@ export function meshPanel(explorer: Explorer, goTo: GoTo, takePicture: TakePictu
 
 /** Which axis points up: files don't tell, and those of CAD and of scanners mostly mean z. */
 function upChoice(explorer: Explorer): HTMLElement {
-  const axes = h('div', { class: 'segments', role: 'radiogroup', 'aria-labelledby': 'up-title' });
-  for (const axis of ['y', 'z'] as const) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'up',
-      value: axis,
-      onchange: () => explorer.setUp(axis),
-    });
-    explorer.up.subscribe((current) => {
-      input.checked = current === axis;
-    });
-    axes.append(h('label', { title: `${axis} points up (Y)` }, input, axis));
-  }
-  return h('div', { class: 'up-choice' }, h('span', { id: 'up-title' }, 'Points up'), axes);
+  const axes = segments(
+    'up',
+    { 'aria-labelledby': 'up-title' },
+    (['y', 'z'] as const).map((value) => ({
+      value,
+      content: [value],
+      title: `${value} points up (Y)`,
+    })),
+    (axis) => explorer.setUp(axis),
+  );
+  explorer.up.subscribe((axis) => axes.mark(axis));
+  const title = h('span', { id: 'up-title' }, 'Points up');
+  return h('div', { class: 'up-choice' }, title, axes.element);
 }
 
 function count(

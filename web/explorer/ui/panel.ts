@@ -40,11 +40,9 @@ export interface Flights {
 export function panel(explorer: Explorer, flights: Flights): HTMLElement {
   const { tab } = explorer;
   const tabs = h('nav', { class: 'tabs', 'aria-label': 'Panel' });
-  const sheetGrip = grip();
   const element = h(
     'aside',
     { class: 'panel card', 'aria-label': 'Panel', 'data-sheet': 'half' },
-    sheetGrip,
     inspector(explorer, flights.bringIntoSight),
     tabs,
     h(
@@ -58,6 +56,8 @@ export function panel(explorer: Explorer, flights: Flights): HTMLElement {
     ),
     historyBar(explorer),
   );
+  const { grip, pull } = sheetGrip(element);
+  element.prepend(grip);
   for (const [id, text, key] of BUTTONS) {
     const choose = () => {
       tab.value = id;
@@ -84,46 +84,47 @@ export function panel(explorer: Explorer, flights: Flights): HTMLElement {
   };
   tab.subscribe(mark);
   window.addEventListener('resize', mark);
-
-  function pull(sheet: Sheet): void {
-    element.dataset.sheet = sheet;
-    sheetGrip.setAttribute('aria-expanded', String(sheet === 'tall'));
-  }
-
-  function grip(): HTMLElement {
-    let from = 0;
-    let isPulled = false;
-    const move = (by: 1 | -1) => {
-      const at = SHEETS.indexOf(element.dataset.sheet as Sheet);
-      pull(SHEETS[Math.max(0, Math.min(SHEETS.length - 1, at + by))]);
-    };
-    return h('button', {
-      type: 'button',
-      class: 'grip',
-      'aria-label': 'Resize the panel',
-      'aria-expanded': 'false',
-      onpointerdown: (event) => {
-        from = (event as PointerEvent).clientY;
-        (event.currentTarget as HTMLElement).setPointerCapture((event as PointerEvent).pointerId);
-      },
-      onpointerup: (event) => {
-        const by = from - (event as PointerEvent).clientY;
-        isPulled = Math.abs(by) > 12;
-        if (isPulled) move(by > 0 ? 1 : -1);
-      },
-      onclick: (event) => {
-        // A pull ends in a click of the pointer, too.
-        const endsPull = isPulled && (event as MouseEvent).detail > 0;
-        if (!endsPull) pull(element.dataset.sheet === 'half' ? 'tall' : 'half');
-      },
-      onkeydown: (event) => {
-        const { key } = event as KeyboardEvent;
-        if (key === 'ArrowUp') move(1);
-        else if (key === 'ArrowDown') move(-1);
-      },
-    });
-  }
   return element;
+}
+
+/** The grip by which the sheet is pulled up or down in narrow windows, and what pulls it otherwise. */
+function sheetGrip(panel: HTMLElement) {
+  let from = 0;
+  let isPulled = false;
+  const pull = (sheet: Sheet) => {
+    panel.dataset.sheet = sheet;
+    grip.setAttribute('aria-expanded', String(sheet === 'tall'));
+  };
+  const move = (by: 1 | -1) => {
+    const at = SHEETS.indexOf(panel.dataset.sheet as Sheet);
+    pull(SHEETS[Math.max(0, Math.min(SHEETS.length - 1, at + by))]);
+  };
+  const grip = h('button', {
+    type: 'button',
+    class: 'grip',
+    'aria-label': 'Resize the panel',
+    'aria-expanded': 'false',
+    onpointerdown: (event) => {
+      from = (event as PointerEvent).clientY;
+      grip.setPointerCapture((event as PointerEvent).pointerId);
+    },
+    onpointerup: (event) => {
+      const by = from - (event as PointerEvent).clientY;
+      isPulled = Math.abs(by) > 12;
+      if (isPulled) move(by > 0 ? 1 : -1);
+    },
+    onclick: (event) => {
+      // A pull ends in a click of the pointer, too.
+      const endsPull = isPulled && (event as MouseEvent).detail > 0;
+      if (!endsPull) pull(panel.dataset.sheet === 'half' ? 'tall' : 'half');
+    },
+    onkeydown: (event) => {
+      const { key } = event as KeyboardEvent;
+      if (key === 'ArrowUp') move(1);
+      else if (key === 'ArrowDown') move(-1);
+    },
+  });
+  return { grip, pull };
 }
 
 /** There is such a tab where there is something to tell of a file; it comes to the front then. */

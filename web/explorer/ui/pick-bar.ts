@@ -3,40 +3,29 @@ import type { PickMode } from 'halfedge/three/picking';
 import type { Explorer } from '../app/explorer.js';
 import { captionsButton } from './captions-menu.js';
 import { fill, h, icon } from './dom.js';
+import { type Segment, segments } from './segments.js';
 
-const MODES: readonly [PickMode, string, string][] = [
-  ['auto', 'Auto', 'Pick whatever is nearest'],
-  ['vertex', 'Vertex', 'Pick vertices'],
-  ['edge', 'Edge', 'Pick edges'],
-  ['halfedge', 'Halfedge', 'Pick halfedges'],
-  ['face', 'Face', 'Pick faces'],
+const MODES: readonly Segment<PickMode>[] = [
+  { value: 'auto', content: ['Auto'], title: 'Pick whatever is nearest' },
+  { value: 'vertex', content: ['Vertex'], title: 'Pick vertices' },
+  { value: 'edge', content: ['Edge'], title: 'Pick edges' },
+  { value: 'halfedge', content: ['Halfedge'], title: 'Pick halfedges' },
+  { value: 'face', content: ['Face'], title: 'Pick faces' },
 ];
 
 /** What the pointer picks, a button that flies to the selection, and what is under the pointer. */
 export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
-  const modes = h('div', {
-    class: 'segments card',
-    role: 'radiogroup',
-    'aria-label': 'What to pick',
-  });
-  for (const [mode, text, title] of MODES) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'pick-mode',
-      value: mode,
-      onchange: () => {
-        explorer.pickMode.value = mode;
-      },
-    });
-    explorer.pickMode.subscribe((current) => {
-      input.checked = current === mode;
-    });
-    // Of the file as it was nothing can be picked.
-    explorer.showsFile.subscribe((shows) => {
-      input.disabled = shows;
-    });
-    modes.append(h('label', { title }, input, text));
-  }
+  const modes = segments(
+    'pick-mode',
+    { class: 'segments card', 'aria-label': 'What to pick' },
+    MODES,
+    (mode) => {
+      explorer.pickMode.value = mode;
+    },
+  );
+  explorer.pickMode.subscribe((mode) => modes.mark(mode));
+  // Of the file as it was nothing can be picked.
+  explorer.showsFile.subscribe((shows) => modes.disable(shows));
   const readout = h('p', { class: 'readout card' });
   explorer.hovered.subscribe((item) => {
     const mesh = explorer.document.value?.mesh;
@@ -46,7 +35,7 @@ export function pickBar(explorer: Explorer, focus: () => void): HTMLElement {
   return h(
     'div',
     { class: 'pick-bar', role: 'region', 'aria-label': 'Picking' },
-    modes,
+    modes.element,
     h(
       'button',
       {

@@ -1,35 +1,32 @@
 import type { Explorer } from '../app/explorer.js';
 import { grouped } from '../app/facts.js';
 import { h } from './dom.js';
+import { type Segment, segments } from './segments.js';
+
+const PICTURES: readonly Segment<'original' | 'repaired'>[] = [
+  {
+    value: 'original',
+    content: ['Original'],
+    title: 'The polygons as they stand in the file (R)',
+  },
+  { value: 'repaired', content: ['Repaired'], title: 'The mesh that was made of them (R)' },
+];
 
 /** Over the picture: the file as it is, or the mesh that was made of it; and what the colours mean. */
 export function pictureSwitch(explorer: Explorer): HTMLElement {
-  const choices = h('div', {
-    class: 'segments card',
-    role: 'radiogroup',
-    'aria-label': 'What the picture shows',
-  });
-  for (const [shows, text, title] of [
-    [true, 'Original', 'The polygons as they stand in the file (R)'],
-    [false, 'Repaired', 'The mesh that was made of them (R)'],
-  ] as const) {
-    const input = h('input', {
-      type: 'radio',
-      name: 'picture',
-      value: text.toLowerCase(),
-      onchange: () => explorer.showFile(shows),
-    });
-    explorer.showsFile.subscribe((current) => {
-      input.checked = current === shows;
-    });
-    choices.append(h('label', { title }, input, text));
-  }
+  const choices = segments(
+    'picture',
+    { class: 'segments card', 'aria-label': 'What the picture shows' },
+    PICTURES,
+    (picture) => explorer.showFile(picture === 'original'),
+  );
+  explorer.showsFile.subscribe((shows) => choices.mark(shows ? 'original' : 'repaired'));
   const state = h('p', { class: 'visually-hidden', role: 'status' });
   const legend = h('ul', { class: 'legend card', 'aria-label': 'Colours of the original' });
   const element = h(
     'div',
     { class: 'picture-switch', role: 'region', 'aria-label': 'Picture', hidden: true },
-    choices,
+    choices.element,
     legend,
     state,
   );

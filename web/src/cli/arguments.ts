@@ -130,7 +130,7 @@ function distance(a: string, b: string): number {
 }
 
 /** A word of the command line in a sentence. */
-export const quoted = (word: string) => JSON.stringify(word);
+const quoted = (word: string) => JSON.stringify(word);
 
 /** "a, b or c". */
 export function listed(words: readonly string[]): string {

@@ -2,14 +2,8 @@ import { html, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { HalfedgeMesh } from '../api.js';
 import { prefersReducedMotion } from '../scene/reduced-motion.js';
 import type { DialectId } from '../teaching/dialects.js';
-import {
-  type Item,
-  isLive,
-  itemName,
-  parseItemName,
-  sameItem,
-  type WalkKey,
-} from '../teaching/items.js';
+import type { WalkKey } from '../teaching/item-links.js';
+import { type Item, isLive, itemName, parseItemName, sameItem } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';

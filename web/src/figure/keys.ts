@@ -1,4 +1,4 @@
-import type { WalkKey } from '../teaching/items.js';
+import type { WalkKey } from '../teaching/item-links.js';
 
 /** What keys do in a figure. */
 export interface KeyActions {

@@ -3,7 +3,7 @@ import type { HalfedgeMesh, ItemKind } from '../api.js';
 import type { Mark } from '../scene/highlights.js';
 
 /** What a figure can draw over its mesh, by the words of the attribute `overlays`. */
-export const OVERLAYS = [
+const OVERLAYS = [
   'halfedges',
   'boundary',
   'links',

@@ -74,7 +74,7 @@ export async function openFaces(source: Source, signal: AbortSignal): Promise<Fa
  * A shape as it would be called: `shape:torus(8, 6)`; options are words or assignments, as in
  * `shape:grid(4, 3, triangles)` and `shape:cylinder(8, rings=2, caps=open)`.
  */
-export function shapeOf(src: string): HalfedgeMesh {
+function shapeOf(src: string): HalfedgeMesh {
   const [, name, list = ''] = SHAPE.exec(src) ?? [];
   const shape = SHAPES.find((known) => known === name);
   if (!shape) {

@@ -7,7 +7,8 @@ import { listenToPointer } from '../scene/pointer.js';
 import { SharedScreen } from '../scene/shared-screen.js';
 import { Stage } from '../scene/stage.js';
 import type { UpAxis } from '../scene/up.js';
-import { type Item, linksOf } from '../teaching/items.js';
+import { linksOf } from '../teaching/item-links.js';
+import type { Item } from '../teaching/items.js';
 import type { Edit } from '../teaching/motion.js';
 import { frontOf } from './front.js';
 import { namedKinds, type OverlayName, vertexDiscs } from './overlays.js';
@@ -87,12 +88,8 @@ export class FigureView {
    * up.
    */
   show(camera: readonly number[] | null, up: UpAxis): void {
-    const { mesh, overlays } = this.#state();
-    this.#picture.show(mesh);
-    this.#picture.setLayers({
-      arrows: overlays.has('halfedges'),
-      boundary: overlays.has('boundary'),
-    });
+    this.#picture.show(this.#state().mesh);
+    this.#setLayers();
     this.look(camera, up);
   }
 
@@ -120,11 +117,8 @@ export class FigureView {
 
   /** Draws what has changed of the state; `edit` is a change of the mesh. */
   update(edit: Edit | null = null): void {
-    const { story, selected, overlays } = this.#state();
-    this.#picture.setLayers({
-      arrows: overlays.has('halfedges'),
-      boundary: overlays.has('boundary'),
-    });
+    const { story, selected } = this.#state();
+    this.#setLayers();
     if (edit) this.#picture.change(edit);
     else this.#picture.mark();
     if (story?.witness) this.#picture.travel.turnTo(story.witness);
@@ -172,6 +166,14 @@ export class FigureView {
     };
     const canvas = this.stage.controls.domElement as HTMLElement;
     listenToPointer(canvas, listener, this.#ended.signal);
+  }
+
+  #setLayers(): void {
+    const { overlays } = this.#state();
+    this.#picture.setLayers({
+      arrows: overlays.has('halfedges'),
+      boundary: overlays.has('boundary'),
+    });
   }
 
   #overlay(anchors: Anchors): Overlay {

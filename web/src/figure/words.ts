@@ -2,13 +2,13 @@
 
 import type { Direction, HalfedgeMesh } from '../api.js';
 import { circulators, type Query } from '../teaching/circulators.js';
-import { type Dialect, type DialectId, dialectOf, dialects } from '../teaching/dialects.js';
+import { type Dialect, dialects } from '../teaching/dialects.js';
 import { type Item, isLive, itemName, itemSlots, parseItemName } from '../teaching/items.js';
 
 /** The dialect of that name. Throws a sentence for another. */
 export function dialectNamed(name: string): Dialect {
   const found = dialects.find(({ id }) => id === name);
-  if (found) return dialectOf(name as DialectId);
+  if (found) return found;
   const known = dialects.map(({ id }) => id).join(', ');
   throw new Error(`dialect is “${name}”; expected one of ${known}.`);
 }

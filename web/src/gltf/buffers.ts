@@ -3,6 +3,7 @@ import { refuse } from '../checks.js';
 import { counted } from '../counted.js';
 import { bytesIn } from '../letters.js';
 import { messageOf } from '../loader.js';
+import { nodeModule } from '../node-module.js';
 import { fileError, type GltfFile } from './container.js';
 import type { GltfDocument, GltfView } from './document.js';
 
@@ -22,9 +23,22 @@ const PADDING = 256;
 /** All buffers of a document as one, and the document that refers to it. */
 export async function joinBuffers(
   document: GltfDocument,
-  { binary }: GltfFile,
+  file: GltfFile,
   resources: GltfResources,
 ): Promise<{ document: GltfDocument; binary: Uint8Array }> {
+  const parts = await contents(document, file, resources);
+  const { starts, binary } = inARow(parts);
+  const bufferViews = document.bufferViews.map((view) => moveView(view, starts));
+  const buffers = [{ byteLength: binary.length }];
+  return { document: { ...document, bufferViews, buffers }, binary };
+}
+
+/** The bytes of each buffer. */
+async function contents(
+  document: GltfDocument,
+  { binary }: GltfFile,
+  resources: GltfResources,
+): Promise<Uint8Array[]> {
   const parts: Uint8Array[] = [];
   for (const [i, { uri, byteLength, extensions = {} }] of document.buffers.entries()) {
     if (uri === undefined && Object.values(extensions).some(({ fallback }) => fallback === true)) {
@@ -40,42 +54,52 @@ export async function joinBuffers(
     }
     parts.push(bytes.subarray(0, byteLength));
   }
+  return parts;
+}
+
+/** All parts in one array, and where each begins: where numbers of any size may. */
+function inARow(parts: readonly Uint8Array[]): { starts: number[]; binary: Uint8Array } {
   const starts: number[] = [];
   let size = 0;
   for (const { length } of parts) {
     starts.push(size);
     size += Math.ceil(length / 8) * 8;
   }
-  let joined: Uint8Array;
+  let binary: Uint8Array;
   try {
-    joined = new Uint8Array(size + PADDING);
+    binary = new Uint8Array(size + PADDING);
   } catch {
     throw fileError(
       'out-of-memory',
       `The ${size} bytes of the buffers are more than JavaScript has.`,
     );
   }
-  for (const [i, part] of parts.entries()) joined.set(part, starts[i]);
-  const bufferViews = document.bufferViews.map((view): GltfView => {
-    const { buffer, byteOffset = 0, byteLength, byteStride = 0, extensions = {} } = view;
-    return {
-      ...view,
-      buffer: 0,
-      byteOffset: starts[buffer] + byteOffset,
-      byteLength: byteLength + byteStride,
-      // Those of compressed views lie in a buffer of their own.
-      extensions: Object.fromEntries(
-        Object.entries(extensions).map(([name, extension]) => [name, moved(extension, starts)]),
-      ),
-    };
-  });
+  for (const [i, part] of parts.entries()) binary.set(part, starts[i]);
+  return { starts, binary };
+}
+
+/** The view as one of the buffer that has all. */
+function moveView(view: GltfView, starts: readonly number[]): GltfView {
+  const { buffer, byteOffset = 0, byteLength, byteStride = 0, extensions = {} } = view;
   return {
-    document: { ...document, bufferViews, buffers: [{ byteLength: joined.length }] },
-    binary: joined,
+    ...view,
+    buffer: 0,
+    byteOffset: starts[buffer] + byteOffset,
+    byteLength: byteLength + byteStride,
+    // Those of compressed views lie in a buffer of their own.
+    extensions: Object.fromEntries(
+      Object.entries(extensions).map(([name, extension]) => [
+        name,
+        moveExtension(extension, starts),
+      ]),
+    ),
   };
 }
 
-function moved(extension: Record<string, unknown>, starts: number[]): Record<string, unknown> {
+function moveExtension(
+  extension: Record<string, unknown>,
+  starts: readonly number[],
+): Record<string, unknown> {
   const { buffer, byteOffset = 0 } = extension as Partial<GltfView>;
   const start = typeof buffer === 'number' ? starts[buffer] : undefined;
   return start === undefined
@@ -153,11 +177,8 @@ export async function load(address: URL): Promise<Uint8Array> {
   const failed = (why: string) =>
     fileError('missing-resource', `glTF: ${address.href} can't be loaded: ${why}.`);
   try {
-    const { process } = globalThis as { process?: { getBuiltinModule?(name: string): unknown } };
-    const files = process?.getBuiltinModule?.('node:fs/promises') as
-      | { readFile(path: URL): Promise<Uint8Array> }
-      | undefined;
-    if (address.protocol === 'file:' && files !== undefined) return await files.readFile(address);
+    const files = address.protocol === 'file:' ? nodeModule('node:fs/promises') : undefined;
+    if (files !== undefined) return await files.readFile(address);
     const response = await fetch(address);
     if (response.ok) return new Uint8Array(await response.arrayBuffer());
     throw new Error(`the server answered ${response.status} ${response.statusText}`.trimEnd());

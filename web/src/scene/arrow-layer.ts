@@ -10,7 +10,7 @@ import type { Stage } from './stage.js';
 import type { Surface } from './surface.js';
 
 /** Faces whose edges are as long as this have room for the names of their items. */
-export const LABELS_FROM_PX = 56;
+const LABELS_FROM_PX = 56;
 /** Away from the selection and the pointer they fade in from here to there. */
 const FADE_PX = [33, 52] as const;
 /** How many rings of faces around the selection and the pointer show full arrows. */

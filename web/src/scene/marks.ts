@@ -1,6 +1,7 @@
 import type { Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
-import { type Item, itemName, type LinkRole, linksOf, sameItem } from '../teaching/items.js';
+import { type LinkRole, linksOf } from '../teaching/item-links.js';
+import { type Item, itemName, sameItem } from '../teaching/items.js';
 import type { Visit } from '../teaching/player.js';
 import type { Mark } from './highlights.js';
 import type { Label } from './labels.js';

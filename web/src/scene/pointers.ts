@@ -1,5 +1,6 @@
 import { type Color, Vector3 } from 'three';
-import { type Item, itemName, type Link, linksOf } from '../teaching/items.js';
+import { type Link, linksOf } from '../teaching/item-links.js';
+import { type Item, itemName } from '../teaching/items.js';
 import { LineBatch, lineMaterial, lines } from '../three/lines.js';
 import { anchorOf, shaftOf, sideOf } from './anchors.js';
 import type { FaceFrames } from './faces.js';

@@ -14,6 +14,7 @@ import {
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { PickView } from '../three/projection.js';
 import { Flight, type Pose } from './flight.js';
+import { type Framing, framingOf, type Slopes } from './framing.js';
 import { prefersReducedMotion } from './reduced-motion.js';
 import { pixelRatio, type Screen } from './screen.js';
 import { UP, type UpAxis, uprightOf } from './up.js';
@@ -449,7 +450,7 @@ export class Stage {
   }
 
   /** How far from the axis a point may be at depth 1 to be in the free part of the canvas. */
-  #freeSlopes(share: number): { x: number; y: number } {
+  #freeSlopes(share: number): Slopes {
     const { top, right, bottom, left } = this.#insets;
     const slope = SLOPE / (this.size.y / 2);
     const x = Math.max(60, this.size.x - left - right) / 2;
@@ -457,33 +458,9 @@ export class Stage {
     return { x: share * slope * x, y: share * slope * y };
   }
 
-  /**
-   * The nearest place that has all points in sight. A point at (x, y, z) of the camera's frame is
-   * in sight where |x - cx| ≤ slope (d - z), which the extremes of x ± slope z decide.
-   */
-  #framing(points: Float32Array, direction: Vector3, share: number) {
-    const back = direction.clone().normalize();
-    const right = new Vector3().crossVectors(this.camera.up, back);
-    if (right.lengthSq() < 1e-9) right.set(1, 0, 0);
-    right.normalize();
-    const up = new Vector3().crossVectors(back, right);
-    const slopes = this.#freeSlopes(share);
-    const limits = [
-      farthest(points, slopes.x, right, back),
-      farthest(points, slopes.x, right.clone().negate(), back),
-      farthest(points, slopes.y, up, back),
-      farthest(points, slopes.y, up.clone().negate(), back),
-    ];
-    if (!limits.every(Number.isFinite)) limits.fill(1);
-    const distance = Math.max(
-      (limits[0] + limits[1]) / (2 * slopes.x),
-      (limits[2] + limits[3]) / (2 * slopes.y),
-      1e-3,
-    );
-    const target = right
-      .multiplyScalar((limits[0] - limits[1]) / 2)
-      .addScaledVector(up, (limits[2] - limits[3]) / 2);
-    return { target, distance };
+  /** The nearest place from which all points are in sight in the free part of the canvas. */
+  #framing(points: Float32Array, direction: Vector3, share: number): Framing {
+    return framingOf(points, direction, this.camera.up, this.#freeSlopes(share));
   }
 
   /** The browser scrolls the page with the fingers that began to turn the camera: it goes back. */
@@ -553,15 +530,4 @@ export class Stage {
     if (flying || animated || moving) this.invalidate();
     else for (const listener of this.#rested) listener();
   }
-}
-
-/** The largest of x + slope z among points, where x and z are measured along two directions. */
-function farthest(points: Float32Array, slope: number, along: Vector3, back: Vector3): number {
-  const { x, y, z } = along.clone().addScaledVector(back, slope);
-  let most = Number.NEGATIVE_INFINITY;
-  for (let i = 0; i < points.length; i += 3) {
-    const reach = x * points[i] + y * points[i + 1] + z * points[i + 2];
-    if (reach > most) most = reach;
-  }
-  return most;
 }

@@ -4,7 +4,7 @@ import type { HalfedgeMesh } from '../api.js';
  * The halfedges of a shortest path along edges from vertex `from` to vertex `to`, without the vertices
  * of `avoided` in between; null if there is none. O(what is nearer than the end).
  */
-export function edgePath(
+function edgePath(
   mesh: HalfedgeMesh,
   from: number,
   to: number,

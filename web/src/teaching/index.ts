@@ -22,6 +22,7 @@ export {
   type Items,
   type Step,
 } from './dialects.js';
+export { type Link, type LinkRole, linksOf, type WalkKey } from './item-links.js';
 export {
   factsOf,
   type Item,
@@ -29,13 +30,9 @@ export {
   item,
   itemName,
   itemSlots,
-  type Link,
-  type LinkRole,
-  linksOf,
   parseItemName,
   sameItem,
   verticesOf,
-  type WalkKey,
 } from './items.js';
 export {
   type Edit,

@@ -18,7 +18,8 @@ export interface Visit {
 }
 
 /**
- * Runs the code of a query through one lap, and remembers what it visited: back is where it was. Position 0 is before the first visit; `count` is the length of the lap.
+ * Runs the code of a query through one lap, and remembers what it visited: back is where it was. Position 0 is before
+ * the first visit; `count` is the length of the lap.
  */
 export class CirculatorPlayer {
   readonly query: Query;

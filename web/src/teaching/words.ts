@@ -59,8 +59,11 @@ function noFace(query: Query, dialect: Dialect): string {
   return `no face ${isAcross ? 'across it' : 'there'}`;
 }
 
-/** The walk in words from one halfedge to another that it reaches, skipped ones included. */
-function walkWords(
+/**
+ * What a step did, from one halfedge to another that the walk reaches: `opposite(prev(h12)) = h31 → vertex 7`. Those
+ * that are skipped on the way are told, too.
+ */
+export function hopWords(
   mesh: HalfedgeMesh,
   query: Query,
   from: number,
@@ -88,7 +91,7 @@ export function startWords(
 ): string {
   const begin = anchorOf(mesh, query);
   const name = `h${cursor(mesh, query, dialect, begin)}`;
-  const walk = () => walkWords(mesh, query, begin, first, dialect);
+  const walk = () => hopWords(mesh, query, begin, first, dialect);
   if (stepsFirst(query)) return `${anchorName(query, dialect, name)}: ${walk()}`;
   const words = beginWords(query, dialect, name);
   if (begin === first) return words + shown(mesh, query, dialect, first);
@@ -132,15 +135,4 @@ function beginWords(query: Query, dialect: Dialect, name: string): string {
   if (around === 'edge') return `starts at ${name}`;
   const anchor = dialect.anchor(around, around[0] + index);
   return `${anchor.replace('.', dialect.mesh ? '.' : '->')} = ${name}`;
-}
-
-/** What a step did: `opposite(prev(h12)) = h31 → vertex 7`. */
-export function hopWords(
-  mesh: HalfedgeMesh,
-  query: Query,
-  from: number,
-  to: number,
-  dialect: Dialect,
-): string {
-  return walkWords(mesh, query, from, to, dialect);
 }

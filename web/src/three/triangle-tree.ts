@@ -133,7 +133,7 @@ function isSame(some: Uint32Array, others: Uint32Array): boolean {
 }
 
 /** Where a face begins in an ascending list, or would. */
-export function firstOf(faces: Uint32Array, face: number): number {
+function firstOf(faces: Uint32Array, face: number): number {
   let low = 0;
   let high = faces.length;
   while (low < high) {

@@ -51,42 +51,13 @@ export function compile(code: string, call: string): Program | Fault {
   } catch (error) {
     return syntaxFault(error);
   }
-  const module = tree.body.find(({ type }) => /^(Import|Export)/.test(type));
-  if (module) {
-    const { line, column } = module.loc.start;
-    const message = 'Import and export have no place here';
-    const hint = /^Export/.test(module.type)
-      ? `Leave the word out: the function ${call} is found by its name.`
-      : 'The mesh is given to the function; nothing else is needed.';
-    return { kind: 'syntax', message, line, column: column + 1, hint };
-  }
-  const waiting = [...nodesOf(tree, isOutside)].find(
-    (node) => node.type === 'AwaitExpression' || ('await' in node && node.await === true),
-  );
-  if (waiting) {
-    const { line, column } = (waiting as Statement).loc.start;
-    const message = 'Nothing can be waited for outside of a function';
-    const hint = 'Nothing here has to be waited for: leave the word await out.';
-    return { kind: 'syntax', message, line, column: column + 1, hint };
-  }
-  let make: (
-    none: number,
-    turn: (line: number) => void,
-    named: (it: unknown) => unknown,
-  ) => unknown;
+  const misplaced = moduleIn(tree, call) ?? waitIn(tree);
+  if (misplaced) return misplaced;
+  let make: Make;
   try {
-    make = new Function(
-      'NONE',
-      '__turn',
-      '__named',
-      // In a block of its own the code may name a constant of its own NONE.
-      `'use strict'; { ${countTurns(code, tree)}
-      ;return typeof ${call} === 'function' ? ${call} : undefined; }
-      //# sourceURL=${FILE}`,
-    ) as typeof make;
+    make = makerOf(countTurns(code, tree), call);
   } catch (error) {
-    if (error instanceof SyntaxError) return syntaxFault(error);
-    return { kind: 'forbidden' };
+    return error instanceof SyntaxError ? syntaxFault(error) : { kind: 'forbidden' };
   }
   try {
     allowTurns();
@@ -97,6 +68,50 @@ export function compile(code: string, call: string): Program | Fault {
     const line = error instanceof Endless ? error.line : lineOf(error);
     return { kind: 'threw', message: messageOf(error), line };
   }
+}
+
+/** What is wrong where the code is written as a module. */
+function moduleIn({ body }: Tree, call: string): Fault | undefined {
+  const found = body.find(({ type }) => /^(Import|Export)/.test(type));
+  if (!found) return undefined;
+  const hint = /^Export/.test(found.type)
+    ? `Leave the word out: the function ${call} is found by its name.`
+    : 'The mesh is given to the function; nothing else is needed.';
+  return faultAt(found, 'Import and export have no place here', hint);
+}
+
+/** What is wrong where the code waits for something outside of functions. */
+function waitIn(tree: Tree): Fault | undefined {
+  const found = [...nodesOf(tree, isOutside)].find(
+    (node) => node.type === 'AwaitExpression' || ('await' in node && node.await === true),
+  );
+  const hint = 'Nothing here has to be waited for: leave the word await out.';
+  return found && faultAt(found, 'Nothing can be waited for outside of a function', hint);
+}
+
+function faultAt(node: Node, message: string, hint: string): Fault {
+  const { line, column } = (node as Statement).loc.start;
+  return { kind: 'syntax', message, line, column: column + 1, hint };
+}
+
+/** Runs the code, and returns its function. */
+type Make = (
+  none: number,
+  count: (line: number) => void,
+  look: (source: unknown) => unknown,
+) => unknown;
+
+/** Throws a SyntaxError for code that only the browser finds wrong, something else where the page forbids code. */
+function makerOf(counted: string, call: string): Make {
+  return new Function(
+    'NONE',
+    '__turn',
+    '__named',
+    // In a block of its own the code may name a constant of its own NONE.
+    `'use strict'; { ${counted}
+      ;return typeof ${call} === 'function' ? ${call} : undefined; }
+      //# sourceURL=${FILE}`,
+  ) as Make;
 }
 
 /** The line of the student's code from which an error comes, where the browser tells it. */
