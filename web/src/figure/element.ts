@@ -233,6 +233,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             @keydown=${this.#pressed}
             @focus=${() => this.#focus(true)}
             @blur=${() => this.#focus(false)}
+            @transitionrun=${this.#retheme}
           ></canvas>
           <div class="labels" part="labels" aria-hidden="true"></div>
           ${this.#poster()}
@@ -401,6 +402,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   #seen(seen: boolean): void {
     if (seen && this.state === 'waiting') void this.#load();
+    if (seen) this.#retheme(); // what isn't rendered, as behind a tab, has no transitions
     if (this.#view) this.#view.stage.asleep = !seen;
   }
 
