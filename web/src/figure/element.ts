@@ -66,6 +66,12 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   readonly #retheme = () => {
     if (!this.#isLost()) this.#view?.applyTheme();
   };
+  /** Each colour that is set tells of itself: they are read once for all, in the same frame. */
+  readonly #recolour = () => {
+    cancelAnimationFrame(this.#recolouring);
+    this.#recolouring = requestAnimationFrame(this.#retheme);
+  };
+  #recolouring = 0;
 
   constructor() {
     super();
@@ -233,7 +239,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             @keydown=${this.#pressed}
             @focus=${() => this.#focus(true)}
             @blur=${() => this.#focus(false)}
-            @transitionrun=${this.#retheme}
+            @transitionrun=${this.#recolour}
           ></canvas>
           <div class="labels" part="labels" aria-hidden="true"></div>
           ${this.#poster()}
