@@ -402,6 +402,73 @@ describe('A figure in its page', () => {
   });
 });
 
+describe('The colours of a figure', () => {
+  const cube = (style = '') =>
+    `<halfedge-figure loading="eager" src="shape:cube" overlays="" camera="0 0 1" style="${style}"></halfedge-figure>`;
+
+  test('may be written in every way that CSS has', async () => {
+    const notations = [
+      '#3366cc',
+      'rgb(51 102 204)',
+      'hsl(220deg 60% 50%)',
+      'color-mix(in srgb, #3366cc, #3366cc)',
+      'light-dark(#3366cc, #ff0000)',
+      'color(srgb 0.2 0.4 0.8)',
+      'oklch(0.5325 0.1679 262.29)',
+    ];
+    const cubes = notations.map((text) => cube(`--halfedge-gl-surface: ${text}`));
+    const page = await figures(cubes.join(''));
+    await page.ready();
+    const middles = await page.page.$$eval('halfedge-figure', (all) =>
+      all.map(({ shadowRoot }) => {
+        const canvas = shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+        const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+        const { data } = context.getImageData(canvas.width / 2, canvas.height / 2, 1, 1);
+        return [...data];
+      }),
+    );
+    const [[red, , blue]] = middles;
+    expect(blue).toBeGreaterThan(red + 50);
+    const isBlue = middles.map((middle) => middle.every((x, k) => Math.abs(x - middles[0][k]) < 4));
+    const told = Object.fromEntries(notations.map((notation, i) => [notation, isBlue[i]]));
+    expect(told).toEqual(Object.fromEntries(notations.map((notation) => [notation, true])));
+    expect(page.complaints).toEqual([]);
+  });
+
+  test('go along when the page sets others, also behind a tab', async () => {
+    const page = await figures(
+      `<style>.red { --halfedge-gl-surface: #c02020 }</style><section>${cube()}</section>`,
+    );
+    await page.ready();
+    const until = (wanted: boolean) =>
+      page.page.waitForFunction((red) => {
+        const figure = document.querySelector('halfedge-figure');
+        const canvas = figure?.shadowRoot?.querySelector('canvas') as HTMLCanvasElement;
+        const context = canvas.getContext('2d') as CanvasRenderingContext2D;
+        const { data } = context.getImageData(canvas.width / 2, canvas.height / 2, 1, 1);
+        return data[3] === 255 && data[0] > data[1] + 50 === red;
+      }, wanted);
+    const setClass = (names: string) =>
+      page.page.evaluate((text) => document.documentElement.setAttribute('class', text), names);
+    const setDisplay = (display: string) =>
+      page.page.$eval(
+        'section',
+        async (section, text) => {
+          section.style.display = text;
+          for (let i = 0; i < 4; i++) await new Promise(requestAnimationFrame);
+        },
+        display,
+      );
+    await until(false);
+    await setClass('red');
+    await until(true);
+    await setDisplay('none');
+    await setClass('');
+    await setDisplay('block');
+    await until(false);
+  });
+});
+
 describe('The page for frames', () => {
   test('takes attributes from its address, and tells its height', async () => {
     const page = await figures(`<script>

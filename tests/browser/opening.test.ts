@@ -78,6 +78,15 @@ describe('A text that is pasted', () => {
     await explorer.press('Escape');
   });
 
+  test('is followed where it is the end of a link, and a file may begin like one', async () => {
+    await paste('\n#sample=torus&select=f2 ');
+    await explorer.ready('Torus');
+    expect(await explorer.state('selected')).toBe('f2');
+    await paste('#sample=cube\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+    await explorer.ready('Pasted mesh.obj');
+    expect(await faces()).toBe('1');
+  });
+
   test('goes into a field where that has the focus', async () => {
     await explorer.page.focus('.goto input');
     await explorer.page.evaluate(() => navigator.clipboard.writeText('v3'));

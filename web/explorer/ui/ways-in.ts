@@ -73,23 +73,29 @@ export function listenToPaste(explorer: Explorer): void {
     if (event.target instanceof Element && event.target.matches('input[type=text]')) return;
     const { files } = event.clipboardData ?? {};
     const text = event.clipboardData?.getData('text/plain') ?? '';
+    const link = linkIn(text);
     if (files?.length) openFiles(explorer, files);
-    else if (isLink(text)) followLink(text);
+    else if (link !== null) followLink(link);
     else if (text.trim()) explorer.openText(text);
     else return;
     event.preventDefault();
   });
 }
 
-/** Whether it is an address with a state of this page; from another place that serves the page, too. */
-function isLink(text: string): boolean {
-  if (!URL.canParse(text)) return false;
-  const state = new URLSearchParams(new URL(text).hash.slice(1));
-  return state.has('sample') || state.has('mesh');
+/**
+ * What a text leads to, from `#` on, where it is an address with a state of this page, or the end of one; from another
+ * place that serves the page, too. Null for all else: lines of a file may begin with `#`, too.
+ */
+function linkIn(text: string): string | null {
+  const link = text.trim();
+  const isEnd = /^#.+$/.test(link);
+  if (!isEnd && !URL.canParse(link)) return null;
+  const { hash } = new URL(link, location.href);
+  const state = new URLSearchParams(hash.slice(1));
+  return state.has('sample') || state.has('mesh') ? hash : null;
 }
 
-function followLink(text: string): void {
-  const { hash } = new URL(text);
+function followLink(hash: string): void {
   // What it leads to may have been left: only a change of the address is followed.
   if (hash === location.hash) history.replaceState(null, '', location.pathname + location.search);
   location.hash = hash;

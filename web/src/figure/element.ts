@@ -60,6 +60,12 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   readonly #retheme = () => {
     if (!this.#isLost()) this.#view?.applyTheme();
   };
+  /** Each colour that is set tells of itself: they are read once for all, in the same frame. */
+  readonly #recolour = () => {
+    cancelAnimationFrame(this.#recolouring);
+    this.#recolouring = requestAnimationFrame(this.#retheme);
+  };
+  #recolouring = 0;
 
   constructor() {
     super();
@@ -227,6 +233,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
             @keydown=${this.#pressed}
             @focus=${() => this.#focus(true)}
             @blur=${() => this.#focus(false)}
+            @transitionrun=${this.#recolour}
           ></canvas>
           <div class="labels" part="labels" aria-hidden="true"></div>
           ${this.#poster()}
@@ -395,6 +402,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
 
   #seen(seen: boolean): void {
     if (seen && this.state === 'waiting') void this.#load();
+    if (seen) this.#retheme(); // what isn't rendered, as behind a tab, has no transitions
     if (this.#view) this.#view.stage.asleep = !seen;
   }
 

@@ -1,5 +1,6 @@
 import { css, unsafeCSS } from 'lit';
 import { LABEL_STYLES } from '../scene/label-styles.js';
+import { PALETTE_PROPERTIES } from '../scene/palette.js';
 import { SLIDER_STYLES } from '../scene/slider-styles.js';
 import { basicStyles } from './basic-styles.js';
 
@@ -54,6 +55,9 @@ const parts = css`
     outline: none;
     touch-action: pan-y pinch-zoom;
     -webkit-tap-highlight-color: transparent;
+    /* Its beginning tells that the page has set other colours, which are drawn then. */
+    transition: 1ms step-end allow-discrete;
+    transition-property: ${unsafeCSS(Object.values(PALETTE_PROPERTIES).join(', '))};
   }
 
   canvas:active {

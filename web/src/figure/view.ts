@@ -1,7 +1,7 @@
 import { Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
 import { type Anchors, addWitness, type Overlay, overlayOf } from '../scene/marks.js';
-import { type Palette, readPalette } from '../scene/palette.js';
+import { type Palette, readPalette, samePalette } from '../scene/palette.js';
 import { type Captions, MeshPicture } from '../scene/picture.js';
 import { listenToPointer } from '../scene/pointer.js';
 import { SharedScreen } from '../scene/shared-screen.js';
@@ -54,7 +54,7 @@ export class FigureView {
       near: () => [state().selected, state().hovered].filter((item) => item !== null),
     });
     this.focused = false;
-    this.applyTheme();
+    this.#picture.setPalette(this.#palette);
     this.stage.onFrame(() => this.#tellSize(labels));
     const { signal } = this.#ended;
     window.addEventListener('beforeprint', () => this.stage.drawNow(), { signal });
@@ -77,9 +77,11 @@ export class FigureView {
     if (domElement) domElement.style.touchAction = focused ? 'none' : 'pan-y pinch-zoom';
   }
 
-  /** Takes over the colours that the element has now. */
+  /** Takes over the colours that the element has now, if they are others. */
   applyTheme(): void {
-    this.#palette = readPalette(this.#host);
+    const palette = readPalette(this.#host);
+    if (samePalette(palette, this.#palette)) return;
+    this.#palette = palette;
     this.#picture.setPalette(this.#palette);
   }
 

@@ -45,11 +45,13 @@ function named(source: unknown): unknown {
  * counted, so that one that doesn't end is ended, and its line known.
  */
 export function compile(code: string, call: string): Program | Fault {
+  const fence = FENCE.exec(code);
+  if (fence) return fenceFault(fence[0].split('\n').length);
   let tree: Tree;
   try {
     tree = parse(code, { ecmaVersion: 2022, sourceType: 'module', locations: true }) as Tree;
   } catch (error) {
-    return syntaxFault(error);
+    return syntaxFault(error, code);
   }
   const misplaced = moduleIn(tree, call) ?? waitIn(tree);
   if (misplaced) return misplaced;
@@ -57,7 +59,7 @@ export function compile(code: string, call: string): Program | Fault {
   try {
     make = makerOf(countTurns(code, tree), call);
   } catch (error) {
-    return error instanceof SyntaxError ? syntaxFault(error) : { kind: 'forbidden' };
+    return error instanceof SyntaxError ? syntaxFault(error, code) : { kind: 'forbidden' };
   }
   try {
     allowTurns();
@@ -216,8 +218,44 @@ function functionsOf({ body }: Tree): string[] {
   });
 }
 
-function syntaxFault(error: unknown): Fault {
+function syntaxFault(error: unknown, code: string): Fault {
   const { loc } = Object(error) as { loc?: { line: number; column: number } };
-  const message = messageOf(error).replace(/\s*\(\d+:\d+\)$/, '');
-  return { kind: 'syntax', message, line: loc?.line ?? 1, column: (loc?.column ?? 0) + 1 };
+  const { line, column } = loc ?? { line: 1, column: 0 };
+  const text = code.split('\n')[line - 1] ?? '';
+  if (FENCE.test(text)) return fenceFault(line);
+  const hint = hintAt(text, column);
+  const [seen] = text.slice(column);
+  const message =
+    hint === UNSEEN
+      ? `Unexpected character U+${seen.charCodeAt(0).toString(16).toUpperCase()}, which can’t be seen`
+      : messageOf(error).replace(/\s*\(\d+:\d+\)$/, '');
+  return { kind: 'syntax', message, line, column: column + 1, ...(hint && { hint }) };
+}
+
+/** What stands above and below code in a chat or in notes, and is copied along; JavaScript takes it for a template. */
+const FENCE = /^\s*(```|~~~)/;
+
+function fenceFault(line: number): Fault {
+  const hint = 'Leave the lines with ``` out.';
+  return {
+    kind: 'syntax',
+    message: 'This marks code in Markdown, and is none',
+    line,
+    column: 1,
+    hint,
+  };
+}
+
+const UNSEEN = 'It came along with what was pasted: delete it.';
+const PRINTED =
+  'Code has plain characters: quotes are \' or ", minus is -, comparisons are !=, <= and >=.';
+const TYPED = 'It may be a type, which TypeScript has: leave the colon and the type out.';
+
+/** What to do about what comes along where code is pasted from a web page, from slides or from TypeScript. */
+function hintAt(text: string, column: number): string | undefined {
+  const [before, after] = [text.slice(0, column), text.slice(column)];
+  if (/^[\u200b-\u200f\u2028-\u202e\u2060-\u2064]/.test(after)) return UNSEEN;
+  if (/^[‘’‚“”„‹›«»‐-―−×≠≤≥…]/.test(after)) return PRINTED;
+  const isTyped = /([(,]\s*\w+|\b(let|const|var)\s+\w+|\bfunction\b.*\))\s*$/.test(before);
+  return isTyped && /^:/.test(after) ? TYPED : undefined;
 }
