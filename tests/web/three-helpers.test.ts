@@ -494,6 +494,71 @@ describe('An object with helpers upon it', () => {
   });
 });
 
+describe('A helper to which a page has added objects', () => {
+  const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [
+    ['HalfedgesHelper', (m) => new HalfedgesHelper(m)],
+    ['BoundaryLoopsHelper', (m) => new BoundaryLoopsHelper(m)],
+    ['CirculatorHelper', (m) => new CirculatorHelper(m, 'vertexFaces', 4)],
+    ['ProblemsHelper', (m) => new ProblemsHelper(m, { problems: [{ kind: 'face', index: 0 }] })],
+  ];
+  const names = ({ children }: THREE.Object3D) => children.map(({ name }) => name);
+  const named = (object: THREE.Object3D, name: string) => Object.assign(object, { name });
+
+  /** A helper with a box and, in a group, a helper that can't draw. */
+  function dressed(mesh: HalfedgeMesh, make: (mesh: HalfedgeMesh) => MeshHelper) {
+    const helper = make(mesh);
+    const box = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+    const inner = new CirculatorHelper(mesh, 'vertexFaces', 0);
+    mesh.deleteVertex(0);
+    const group = named(new THREE.Group(), 'group').add(named(inner, 'inner'));
+    helper.add(named(box, 'box'), group);
+    return { helper, box, inner };
+  }
+
+  test.each(HELPERS)('has clones of them as it is cloned: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const { helper, box } = dressed(mesh, make);
+    const copy = helper.clone();
+    expect(names(copy)).toEqual(['', 'box', 'group']);
+    expect(copy.children[1]).not.toBe(box);
+    expect(box.parent).toBe(helper);
+    expect(names(copy.children[2])).toEqual(['inner']);
+    expect(names(copy.children[2].children[0])).toEqual(['']);
+    expect(names(helper.clone(false))).toEqual(['']);
+    expect(() => new CirculatorHelper(mesh, 'vertexFaces', 0)).toThrow('vertex 0');
+  });
+
+  test.each(HELPERS)('is written as JSON with them: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const { helper, box, inner } = dressed(mesh, make);
+    const json = JSON.parse(JSON.stringify(new THREE.Scene().add(helper).toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children;
+    expect(names(read)).toEqual(['box', 'group']);
+    expect(read.children[0].uuid).toBe(box.uuid);
+    expect(json.geometries).toHaveLength(1);
+    expect(read.children[1].children[0].uuid).toBe(inner.uuid);
+    expect(names(helper)).toEqual(['', 'box', 'group']);
+    expect(box.parent).toBe(helper);
+  });
+
+  test.each(HELPERS)('hands them to a copy, which keeps its own mesh and lines: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    using other = HalfedgeMesh.cube();
+    const { helper } = dressed(mesh, make);
+    helper.position.z = 0.25;
+    const copy = make(other);
+    const [lines, segments] = [linesOf(copy), segmentsOf(copy)];
+    expect(copy.copy(helper)).toBe(copy);
+    expect([copy.mesh, copy.position.z]).toEqual([other, 0.25]);
+    expect(names(copy)).toEqual(['', 'box', 'group']);
+    expect(linesOf(copy)).toBe(lines);
+    expect(segmentsOf(copy)).toEqual(segments);
+    expect(names(make(other).copy(helper, false))).toEqual(['']);
+    expect(names(make(other).copy(new THREE.Group().add(helper)))).toHaveLength(2);
+    expect(names(new THREE.Group().copy(helper as THREE.Group))).toHaveLength(3);
+  });
+});
+
 describe('IndexLabelsHelper', () => {
   /** As much of a page as three.js's labels ask for. */
   class Element {
@@ -574,6 +639,35 @@ describe('IndexLabelsHelper', () => {
     const [copy] = new THREE.Group().add(helper).clone().children;
     expect(copy).toBeInstanceOf(IndexLabelsHelper);
     expect(copy.children).toHaveLength(4);
+  });
+
+  test('leaves alone what a page has added to it, and clones, copies and writes that', () => {
+    using mesh = HalfedgeMesh.cube();
+    using small = HalfedgeMesh.grid(1, 1);
+    const helper = new IndexLabelsHelper(mesh);
+    const box = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+    const object = new THREE.Group().add(helper.add(box));
+    const [label] = helper.children;
+    const boxes = (of: THREE.Object3D) => of.children.filter((child) => 'isMesh' in child);
+    mesh.poke(0);
+    helper.update();
+    expect([helper.children.length, boxes(helper)]).toEqual([10, [box]]);
+    helper.remove(label);
+    helper.update();
+    expect(helper.children).toHaveLength(10);
+    const copy = helper.clone();
+    expect([copy.children.length, boxes(copy).length]).toEqual([10, 1]);
+    expect(helper.clone(false).children).toHaveLength(9);
+    const other = new IndexLabelsHelper(small).copy(helper as never);
+    expect([other.mesh, other.children.length, boxes(other).length]).toEqual([small, 5, 1]);
+    const json = JSON.parse(JSON.stringify(object.toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children;
+    expect(read.children.map(({ uuid }) => uuid)).toEqual([box.uuid]);
+    object.remove(helper);
+    helper.dispose();
+    expect(helper.children).toEqual([box]);
+    helper.update();
+    expect(helper.children).toHaveLength(10);
   });
 
   test('takes options that are inherited, and defaults for those that are undefined', () => {
