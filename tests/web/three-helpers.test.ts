@@ -432,6 +432,33 @@ test('Helpers are seen by the cameras that their layers say, and so are their cl
   }
 });
 
+test('Helpers are drawn by materials of lines alone, and cast no shadows', () => {
+  using mesh = HalfedgeMesh.cube();
+  const helper = new HalfedgesHelper(mesh);
+  const lines: THREE.Mesh = linesOf(helper);
+  const { geometry } = linesOf(helper);
+  const all = helper.segments;
+  const [scene, camera] = [new THREE.Scene(), new THREE.Camera()];
+  const renderer = { getViewport() {} } as unknown as THREE.WebGLRenderer;
+  /** How many segments are drawn as three.js draws them by a material. */
+  const drawn = (material: THREE.Material, way: 'Render' | 'Shadow' = 'Render') => {
+    const group = null as unknown as THREE.Group;
+    const asRendered = [renderer, scene, camera, geometry, material, group] as const;
+    const asShadow = [renderer, lines, camera, camera, geometry, material, group] as const;
+    if (way === 'Render') lines.onBeforeRender(...asRendered);
+    else lines.onBeforeShadow(...(asShadow as unknown as Parameters<typeof lines.onBeforeShadow>));
+    const count = drawnBy(helper);
+    if (way === 'Render') lines.onAfterRender(...asRendered);
+    else lines.onAfterShadow(...(asShadow as unknown as Parameters<typeof lines.onAfterShadow>));
+    expect(drawnBy(helper)).toBe(all);
+    return count;
+  };
+  expect(drawn(linesOf(helper).material)).toBe(all);
+  expect(drawn(lineMaterial(3, 0))).toBe(all);
+  expect(drawn(new THREE.MeshNormalMaterial())).toBe(0);
+  expect(drawn(new THREE.MeshDepthMaterial(), 'Shadow')).toBe(0);
+});
+
 describe('An object with helpers upon it', () => {
   const options = { color: 0x123456, linewidth: 7, pixel: 0.02 };
   const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [

@@ -153,9 +153,36 @@ export const webglLines: LineKind = {
       if ((renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer) throw cannotDraw();
       onBeforeRender.call(drawn, renderer, ...rest);
     };
-    return drawn;
+    return onlyAsLines(drawn);
   },
 };
+
+/**
+ * Leaves lines out of what is drawn by a material that knows nothing of segments: `scene.overrideMaterial`, those of
+ * passes such as ambient occlusion, and those of shadows would draw the quad of a segment, unplaced, at the origin.
+ */
+function onlyAsLines(drawn: DrawnLines): DrawnLines {
+  const { onBeforeRender, geometry } = drawn;
+  let left: number | undefined;
+  const leaveOut = () => {
+    left = geometry.instanceCount;
+    geometry.instanceCount = 0;
+  };
+  const bringBack = () => {
+    if (left !== undefined) geometry.instanceCount = left;
+    left = undefined;
+  };
+  drawn.onBeforeRender = (...args) => {
+    onBeforeRender.apply(drawn, args);
+    const material = args[4] as Partial<LineMaterial> | undefined;
+    if (material && !material.isLineMaterial) leaveOut();
+  };
+  return Object.assign(drawn, {
+    onAfterRender: bringBack,
+    onBeforeShadow: leaveOut,
+    onAfterShadow: bringBack,
+  });
+}
 
 const cannotDraw = () =>
   new TypeError(
