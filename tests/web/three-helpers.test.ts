@@ -457,6 +457,8 @@ test('Helpers are drawn by materials of lines alone, and cast no shadows', () =>
   expect(drawn(lineMaterial(3, 0))).toBe(all);
   expect(drawn(new THREE.MeshNormalMaterial())).toBe(0);
   expect(drawn(new THREE.MeshDepthMaterial(), 'Shadow')).toBe(0);
+  scene.overrideMaterial = new THREE.MeshNormalMaterial();
+  expect(drawn(linesOf(helper).material)).toBe(all); // of a material that allows no other
 });
 
 describe('An object with helpers upon it', () => {

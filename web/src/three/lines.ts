@@ -1,4 +1,12 @@
-import { type Color, DoubleSide, GreaterDepth, type Material, type Mesh, Vector4 } from 'three';
+import {
+  type Color,
+  DoubleSide,
+  GreaterDepth,
+  type Material,
+  type Mesh,
+  type Scene,
+  Vector4,
+} from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -150,7 +158,7 @@ export const webglLines: LineKind = {
     const drawn = lines({ geometry }, lineMaterial(linewidth, bias), 0);
     const { onBeforeRender } = drawn;
     drawn.onBeforeRender = (renderer, ...rest) => {
-      if ((renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer) throw cannotDraw();
+      if (isWebGPU(renderer)) throw cannotDraw();
       onBeforeRender.call(drawn, renderer, ...rest);
     };
     return onlyAsLines(drawn);
@@ -161,21 +169,25 @@ export const webglLines: LineKind = {
  * Leaves lines out of what is drawn by a material that knows nothing of segments: `scene.overrideMaterial`, those of
  * passes such as ambient occlusion, and those of shadows would draw the quad of a segment, unplaced, at the origin.
  */
-function onlyAsLines(drawn: DrawnLines): DrawnLines {
+export function onlyAsLines(drawn: DrawnLines): DrawnLines {
   const { onBeforeRender, geometry } = drawn;
   let left: number | undefined;
   const leaveOut = () => {
-    left = geometry.instanceCount;
+    // WebGPURenderer does so for a shadow, and once more for its material.
+    if (geometry.instanceCount > 0) left = geometry.instanceCount;
     geometry.instanceCount = 0;
   };
   const bringBack = () => {
-    if (left !== undefined) geometry.instanceCount = left;
+    if (left !== undefined && geometry.instanceCount === 0) geometry.instanceCount = left;
     left = undefined;
   };
   drawn.onBeforeRender = (...args) => {
     onBeforeRender.apply(drawn, args);
-    const material = args[4] as Partial<LineMaterial> | undefined;
-    if (material && !material.isLineMaterial) leaveOut();
+    const { scene, material } = { scene: args[1] as Scene, material: args[4] as LineMaterial };
+    const isOwn = material === drawn.material;
+    // WebGPURenderer tells the material that is overridden, WebGLRenderer the one that is drawn.
+    if (isOwn ? isWebGPU(args[0]) && scene.overrideMaterial : material && !material.isLineMaterial)
+      leaveOut();
   };
   return Object.assign(drawn, {
     onAfterRender: bringBack,
@@ -183,6 +195,9 @@ function onlyAsLines(drawn: DrawnLines): DrawnLines {
     onAfterShadow: bringBack,
   });
 }
+
+const isWebGPU = (renderer: object) =>
+  (renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer === true;
 
 const cannotDraw = () =>
   new TypeError(
