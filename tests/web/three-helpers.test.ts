@@ -432,6 +432,35 @@ test('Helpers are seen by the cameras that their layers say, and so are their cl
   }
 });
 
+test('Helpers are drawn by materials of lines alone, and cast no shadows', () => {
+  using mesh = HalfedgeMesh.cube();
+  const helper = new HalfedgesHelper(mesh);
+  const lines: THREE.Mesh = linesOf(helper);
+  const { geometry } = linesOf(helper);
+  const all = helper.segments;
+  const [scene, camera] = [new THREE.Scene(), new THREE.Camera()];
+  const renderer = { getViewport() {} } as unknown as THREE.WebGLRenderer;
+  /** How many segments are drawn as three.js draws them by a material. */
+  const drawn = (material: THREE.Material, way: 'Render' | 'Shadow' = 'Render') => {
+    const group = null as unknown as THREE.Group;
+    const asRendered = [renderer, scene, camera, geometry, material, group] as const;
+    const asShadow = [renderer, lines, camera, camera, geometry, material, group] as const;
+    if (way === 'Render') lines.onBeforeRender(...asRendered);
+    else lines.onBeforeShadow(...(asShadow as unknown as Parameters<typeof lines.onBeforeShadow>));
+    const count = drawnBy(helper);
+    if (way === 'Render') lines.onAfterRender(...asRendered);
+    else lines.onAfterShadow(...(asShadow as unknown as Parameters<typeof lines.onAfterShadow>));
+    expect(drawnBy(helper)).toBe(all);
+    return count;
+  };
+  expect(drawn(linesOf(helper).material)).toBe(all);
+  expect(drawn(lineMaterial(3, 0))).toBe(all);
+  expect(drawn(new THREE.MeshNormalMaterial())).toBe(0);
+  expect(drawn(new THREE.MeshDepthMaterial(), 'Shadow')).toBe(0);
+  scene.overrideMaterial = new THREE.MeshNormalMaterial();
+  expect(drawn(linesOf(helper).material)).toBe(all); // of a material that allows no other
+});
+
 describe('An object with helpers upon it', () => {
   const options = { color: 0x123456, linewidth: 7, pixel: 0.02 };
   const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [
@@ -491,6 +520,71 @@ describe('An object with helpers upon it', () => {
     expect([read.type, read.name, read.uuid]).toEqual(['Group', 'above', helper.uuid]);
     expect(read.children).toEqual([]);
     expect(json.geometries).toHaveLength(1);
+  });
+});
+
+describe('A helper to which a page has added objects', () => {
+  const HELPERS: [string, (mesh: HalfedgeMesh) => MeshHelper][] = [
+    ['HalfedgesHelper', (m) => new HalfedgesHelper(m)],
+    ['BoundaryLoopsHelper', (m) => new BoundaryLoopsHelper(m)],
+    ['CirculatorHelper', (m) => new CirculatorHelper(m, 'vertexFaces', 4)],
+    ['ProblemsHelper', (m) => new ProblemsHelper(m, { problems: [{ kind: 'face', index: 0 }] })],
+  ];
+  const names = ({ children }: THREE.Object3D) => children.map(({ name }) => name);
+  const named = (object: THREE.Object3D, name: string) => Object.assign(object, { name });
+
+  /** A helper with a box and, in a group, a helper that can't draw. */
+  function dressed(mesh: HalfedgeMesh, make: (mesh: HalfedgeMesh) => MeshHelper) {
+    const helper = make(mesh);
+    const box = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+    const inner = new CirculatorHelper(mesh, 'vertexFaces', 0);
+    mesh.deleteVertex(0);
+    const group = named(new THREE.Group(), 'group').add(named(inner, 'inner'));
+    helper.add(named(box, 'box'), group);
+    return { helper, box, inner };
+  }
+
+  test.each(HELPERS)('has clones of them as it is cloned: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const { helper, box } = dressed(mesh, make);
+    const copy = helper.clone();
+    expect(names(copy)).toEqual(['', 'box', 'group']);
+    expect(copy.children[1]).not.toBe(box);
+    expect(box.parent).toBe(helper);
+    expect(names(copy.children[2])).toEqual(['inner']);
+    expect(names(copy.children[2].children[0])).toEqual(['']);
+    expect(names(helper.clone(false))).toEqual(['']);
+    expect(() => new CirculatorHelper(mesh, 'vertexFaces', 0)).toThrow('vertex 0');
+  });
+
+  test.each(HELPERS)('is written as JSON with them: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    const { helper, box, inner } = dressed(mesh, make);
+    const json = JSON.parse(JSON.stringify(new THREE.Scene().add(helper).toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children;
+    expect(names(read)).toEqual(['box', 'group']);
+    expect(read.children[0].uuid).toBe(box.uuid);
+    expect(json.geometries).toHaveLength(1);
+    expect(read.children[1].children[0].uuid).toBe(inner.uuid);
+    expect(names(helper)).toEqual(['', 'box', 'group']);
+    expect(box.parent).toBe(helper);
+  });
+
+  test.each(HELPERS)('hands them to a copy, which keeps its own mesh and lines: %s', (_, make) => {
+    using mesh = HalfedgeMesh.grid(2, 2);
+    using other = HalfedgeMesh.cube();
+    const { helper } = dressed(mesh, make);
+    helper.position.z = 0.25;
+    const copy = make(other);
+    const [lines, segments] = [linesOf(copy), segmentsOf(copy)];
+    expect(copy.copy(helper)).toBe(copy);
+    expect([copy.mesh, copy.position.z]).toEqual([other, 0.25]);
+    expect(names(copy)).toEqual(['', 'box', 'group']);
+    expect(linesOf(copy)).toBe(lines);
+    expect(segmentsOf(copy)).toEqual(segments);
+    expect(names(make(other).copy(helper, false))).toEqual(['']);
+    expect(names(make(other).copy(new THREE.Group().add(helper)))).toHaveLength(2);
+    expect(names(new THREE.Group().copy(helper as THREE.Group))).toHaveLength(3);
   });
 });
 
@@ -574,6 +668,35 @@ describe('IndexLabelsHelper', () => {
     const [copy] = new THREE.Group().add(helper).clone().children;
     expect(copy).toBeInstanceOf(IndexLabelsHelper);
     expect(copy.children).toHaveLength(4);
+  });
+
+  test('leaves alone what a page has added to it, and clones, copies and writes that', () => {
+    using mesh = HalfedgeMesh.cube();
+    using small = HalfedgeMesh.grid(1, 1);
+    const helper = new IndexLabelsHelper(mesh);
+    const box = new THREE.Mesh(new THREE.BoxGeometry(), new THREE.MeshBasicMaterial());
+    const object = new THREE.Group().add(helper.add(box));
+    const [label] = helper.children;
+    const boxes = (of: THREE.Object3D) => of.children.filter((child) => 'isMesh' in child);
+    mesh.poke(0);
+    helper.update();
+    expect([helper.children.length, boxes(helper)]).toEqual([10, [box]]);
+    helper.remove(label);
+    helper.update();
+    expect(helper.children).toHaveLength(10);
+    const copy = helper.clone();
+    expect([copy.children.length, boxes(copy).length]).toEqual([10, 1]);
+    expect(helper.clone(false).children).toHaveLength(9);
+    const other = new IndexLabelsHelper(small).copy(helper as never);
+    expect([other.mesh, other.children.length, boxes(other).length]).toEqual([small, 5, 1]);
+    const json = JSON.parse(JSON.stringify(object.toJSON()));
+    const [read] = new THREE.ObjectLoader().parse(json).children;
+    expect(read.children.map(({ uuid }) => uuid)).toEqual([box.uuid]);
+    object.remove(helper);
+    helper.dispose();
+    expect(helper.children).toEqual([box]);
+    helper.update();
+    expect(helper.children).toHaveLength(10);
   });
 
   test('takes options that are inherited, and defaults for those that are undefined', () => {

@@ -436,6 +436,23 @@ describe('MeshGeometry', () => {
     expect([copy.name, copy.userData]).toEqual(['box', { id: 7 }]);
   });
 
+  test('refuses to copy another geometry, and is copied by ordinary ones', () => {
+    using mesh = HalfedgeMesh.cube();
+    using other = HalfedgeMesh.grid(2);
+    const geometry = new MeshGeometry(mesh);
+    const before = geometry.attributes.position;
+    for (const source of [new MeshGeometry(other), new THREE.BoxGeometry(), geometry]) {
+      expect(() => geometry.copy(source)).toThrow(
+        "A MeshGeometry can't copy another geometry, because it shows its own mesh",
+      );
+    }
+    expect(geometry.attributes.position).toBe(before);
+    expectSame(geometry, mesh, {}, 'after a copy that was refused');
+    const copy = new THREE.BufferGeometry().copy(geometry);
+    expect(copy.drawRange).toEqual(geometry.drawRange);
+    expect(copy.attributes.position.array).toEqual(before.array);
+  });
+
   test('refuses what is no list of names, and no listener', () => {
     using mesh = HalfedgeMesh.cube();
     mesh.attributes.add('vertex', 'uv', { components: 2 });

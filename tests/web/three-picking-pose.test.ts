@@ -108,6 +108,53 @@ describe.each(LAYOUTS)('A SkinnedMesh, %s,', (_, normals) => {
     expect(Math.max(...ours)).toBeGreaterThan(1899);
   });
 
+  test('is picked as its weights are painted', () => {
+    const { mesh, geometry, elbow, faces } = arm(normals);
+    elbow.rotation.z = 0.9;
+    const before = faces(-0.3);
+    expect(before.ours).toEqual(before.theirs);
+    for (let v = 4; v < 80; v++)
+      mesh.attributes.get('vertex', 'skinWeight').set([0, 1, 0, 0], 4 * v);
+    geometry.update();
+    const painted = faces(-0.3);
+    expect(painted.ours).toEqual(painted.theirs);
+    expect(painted.ours).not.toEqual(before.ours);
+    geometry.attributes.skinWeight.array.fill(0.5); // past the mesh
+    geometry.attributes.skinWeight.needsUpdate = true;
+    const equal = faces(-0.1);
+    expect(equal.ours).toEqual(equal.theirs);
+    expect(equal.ours).not.toEqual(faces(-0.3).ours);
+  });
+
+  test('is refused with a sentence while a vertex names a bone that is not there', () => {
+    const { mesh, geometry, object, elbow, picker, faces } = arm(normals);
+    const { ours } = faces();
+    const write = (bones: readonly number[], weights: readonly number[]) => {
+      mesh.attributes.get('vertex', 'skinIndex').set(bones, 28);
+      mesh.attributes.get('vertex', 'skinWeight').set(weights, 28);
+      geometry.update();
+    };
+    const read = (name: string) => [
+      ...mesh.attributes.get('vertex', name as 'skinWeight').subarray(28, 32),
+    ];
+    const [bones, weights] = [read('skinIndex'), read('skinWeight')];
+    write([0, 1, 9, 9], weights); // a weight of 0 may name any bone
+    expect(faces().ours).toEqual(ours);
+    write([0, 1, 9, 9], [0.5, 0, 0, 0.5]);
+    const message =
+      'skinIndex of vertex 7 names bone 9 with the weight 0.5; expected one of the 2 bones of the skeleton.';
+    const down = new THREE.Ray(new THREE.Vector3(0, 0, 5), new THREE.Vector3(0, 0, -1));
+    for (const angle of [0, 0.4, 0.4]) {
+      elbow.rotation.z = angle;
+      expect(() => picker.cast(down)).toThrow(message);
+    }
+    expect(() => new MeshPicker(object as never)).toThrow(message);
+    write(bones, weights);
+    const mended = faces();
+    expect(mended.ours).toEqual(mended.theirs);
+    expect(mended.ours).not.toEqual(ours);
+  });
+
   test('is picked as it was last, once its picker is disposed of', () => {
     const { elbow, picker, faces } = arm(normals);
     elbow.rotation.z = 0.7;

@@ -31,6 +31,41 @@ const HELPERS: [string, number, (mesh: HalfedgeMesh, options?: object) => MeshHe
 
 const drawnBy = (helper: MeshHelper) => helper.children[0] as ReturnType<typeof webgpuLines.make>;
 
+test('Lines for WebGPURenderer are left out under another material, and of shadows', () => {
+  using mesh = HalfedgeMesh.cube();
+  const helper = new HalfedgesHelper(mesh, { lines });
+  const drawn = drawnBy(helper);
+  const [scene, camera] = [new THREE.Scene(), new THREE.Camera()];
+  const renderer = { isWebGPURenderer: true } as unknown as THREE.WebGLRenderer;
+  const group = null as unknown as THREE.Group;
+  const { geometry, material } = drawn;
+  const args = [renderer, scene, camera, geometry, material, group] as const;
+  const shadow = [
+    renderer,
+    drawn,
+    camera,
+    camera,
+    geometry,
+    material,
+    group,
+  ] as unknown as Parameters<typeof drawn.onBeforeShadow>;
+  const count = () => {
+    drawn.onBeforeRender(...args);
+    const segments = geometry.instanceCount;
+    drawn.onAfterRender(...args);
+    return segments;
+  };
+  expect(count()).toBe(helper.segments);
+  scene.overrideMaterial = new NodeMaterial();
+  expect(count()).toBe(0);
+  expect(geometry.instanceCount).toBe(helper.segments);
+  // A shadow is drawn by a material that overrides the own one.
+  drawn.onBeforeShadow(...shadow);
+  expect(count()).toBe(0);
+  drawn.onAfterShadow(...shadow);
+  expect(geometry.instanceCount).toBe(helper.segments);
+});
+
 describe.each(HELPERS)('%s with lines for WebGPURenderer', (_, width, make) => {
   test('draws the segments that it draws for WebGLRenderer, in a material of nodes', () => {
     using mesh = HalfedgeMesh.grid(2, 2);

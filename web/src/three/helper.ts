@@ -1,4 +1,4 @@
-import { Color, type ColorRepresentation, Group } from 'three';
+import { Color, type ColorRepresentation, Group, type Object3D } from 'three';
 import { describe } from '../arguments.js';
 import { refuse } from '../checks.js';
 import type { HalfedgeMesh } from '../mesh.js';
@@ -50,7 +50,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   protected readonly batch = new LineBatch();
   protected readonly glyphs = new HalfedgeGlyphs(this);
   readonly #lines: LineKind;
-  readonly #material: DrawnLines['material'];
+  readonly #drawn: DrawnLines;
 
   /** `color` and `width` are the defaults of the helper. */
   constructor(mesh: HalfedgeMesh, options: HelperOptions, color: ColorRepresentation, width = 1.5) {
@@ -66,7 +66,7 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
       checkLength('options.linewidth', linewidth),
       2,
     );
-    this.#material = drawn.material;
+    this.#drawn = drawn;
     drawn.layers = this.layers; // three.js hands none down to children
     this.add(Object.assign(drawn, { frustumCulled: false, renderOrder: 3, raycast() {} }));
   }
@@ -104,33 +104,36 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   /** Frees its memory on the graphics card. */
   override dispose(): void {
     this.batch.geometry.dispose();
-    this.#material.dispose();
-  }
-
-  /** A group without its lines, for which three.js has no JSON. */
-  override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
-    const group = new Group().copy(this as Group, false);
-    return Object.assign(group, { uuid: this.uuid }).toJSON(...meta);
+    this.#drawn.material.dispose();
   }
 
   /**
-   * Makes a clone and gives it what every object has. Where the original can't draw, such as around a vertex that was
+   * Takes over what every object has, such as its place, and clones of the children that were added to it. The mesh,
+   * the options and the lines stay those of this helper: for a helper like another one, call `clone()` of that one.
+   */
+  override copy(source: Object3D, recursive = true): this {
+    const lines = source instanceof MeshHelper ? source.#drawn : undefined;
+    return copyOnto(this, source, recursive, (child) => child === lines);
+  }
+
+  /** A group with the children that were added to it, without its lines, for which three.js has no JSON. */
+  override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
+    return groupOf(this, (child) => child === this.#drawn).toJSON(...meta);
+  }
+
+  /**
+   * Makes a clone and gives it what every object has, children that were added among it. Where the original can't draw, such as around a vertex that was
    * deleted, the clone draws nothing either: who clones an object above it need not know.
    */
-  protected cloned(make: () => MeshHelper): this {
-    isCloning = true;
-    try {
-      return make().copy(this, false) as this;
-    } finally {
-      isCloning = false;
-    }
+  protected cloned(make: () => MeshHelper, recursive?: boolean): this {
+    return quietly(make).copy(this, recursive) as this;
   }
 
   protected abstract draw(): void;
 
   /** The options as they are now, for a clone. */
   protected get options(): HelperOptions {
-    const { linewidth } = this.#material;
+    const { linewidth } = this.#drawn.material;
     return { color: this.color, linewidth, lines: this.#lines, pixel: this.pixel };
   }
 
@@ -165,6 +168,40 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
 
 /** Whether a helper is being made that is the clone of another one. */
 let isCloning = false;
+
+function quietly<T>(make: () => T): T {
+  isCloning = true;
+  try {
+    return make();
+  } finally {
+    isCloning = false;
+  }
+}
+
+/** Tells what a helper draws from the children that were added to it. */
+type OwnChild = (child: Object3D) => boolean;
+
+/** What `copy` of three.js does, save for children that are what the source draws. */
+export function copyOnto<Helper extends Group>(
+  helper: Helper,
+  source: Object3D,
+  recursive: boolean,
+  isOwn: OwnChild,
+): Helper {
+  Group.prototype.copy.call(helper, source as Group, false);
+  // A list of its own: the source may be an object above the helper, or the helper itself.
+  const others = recursive ? source.children.filter((child) => !isOwn(child)) : [];
+  for (const child of others) helper.add(child.clone());
+  return helper;
+}
+
+/** An ordinary group like a helper, to be written as JSON. */
+export function groupOf(helper: Group, isOwn: OwnChild): Group {
+  const group = new Group().copy(helper, false);
+  // Not added to it: they stay where they are.
+  const children = helper.children.filter((child) => !isOwn(child));
+  return Object.assign(group, { uuid: helper.uuid, children });
+}
 
 /** A colour of its own; that of the helper where none is given. Of words that are none, three.js warns. */
 export function colorOf(argument: string, given: unknown, others: ColorRepresentation): Color {

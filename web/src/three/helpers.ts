@@ -65,10 +65,13 @@ export class HalfedgesHelper extends MeshHelper {
     this.update();
   }
 
-  /** One of its own for the same mesh, with the options that this one has now. */
-  override clone(): this {
+  /** One of its own for the same mesh, with the options that this one has now and clones of the children added to it. */
+  override clone(recursive?: boolean): this {
     const { mesh, options, boundaryColor, faces } = this;
-    return this.cloned(() => new HalfedgesHelper(mesh, { ...options, boundaryColor, faces }));
+    return this.cloned(
+      () => new HalfedgesHelper(mesh, { ...options, boundaryColor, faces }),
+      recursive,
+    );
   }
 
   protected override draw(): void {
@@ -103,9 +106,9 @@ export class BoundaryLoopsHelper extends MeshHelper {
     this.update();
   }
 
-  /** One of its own for the same mesh, with the options that this one has now. */
-  override clone(): this {
-    return this.cloned(() => new BoundaryLoopsHelper(this.mesh, this.options));
+  /** One of its own for the same mesh, with the options that this one has now and clones of the children added to it. */
+  override clone(recursive?: boolean): this {
+    return this.cloned(() => new BoundaryLoopsHelper(this.mesh, this.options), recursive);
   }
 
   protected override draw(): void {
@@ -183,8 +186,8 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
     return halfedges;
   }
 
-  /** One of its own for the same mesh, with the options that this one has now. */
-  override clone(): this {
+  /** One of its own for the same mesh, with the options that this one has now and clones of the children added to it. */
+  override clone(recursive?: boolean): this {
     const { mesh, kind, item, options, direction, steps, currentColor } = this;
     return this.cloned(
       () =>
@@ -194,6 +197,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
           steps,
           currentColor,
         }),
+      recursive,
     );
   }
 
@@ -243,10 +247,10 @@ export class ProblemsHelper extends MeshHelper {
     this.update();
   }
 
-  /** One of its own for the same mesh, with the options that this one has now. */
-  override clone(): this {
+  /** One of its own for the same mesh, with the options that this one has now and clones of the children added to it. */
+  override clone(recursive?: boolean): this {
     const { mesh, options, problems } = this;
-    return this.cloned(() => new ProblemsHelper(mesh, { ...options, problems }));
+    return this.cloned(() => new ProblemsHelper(mesh, { ...options, problems }), recursive);
   }
 
   protected override draw(): void {

@@ -1,4 +1,4 @@
-import { Group, Vector3 } from 'three';
+import { Group, type Object3D, Vector3 } from 'three';
 import { CSS2DObject } from 'three/addons/renderers/CSS2DRenderer.js';
 import { indexOfChoice, refuse } from '../checks.js';
 import { type ItemKind, LETTERS, PLURALS } from '../items.js';
@@ -7,7 +7,7 @@ import { type Given, type OptionNames, takeOptions } from '../options.js';
 import { arrowSizes } from './arrows.js';
 import { checkMesh } from './columns.js';
 import { HalfedgeGlyphs } from './glyphs.js';
-import { checkLength, typicalPixel } from './helper.js';
+import { checkLength, copyOnto, groupOf, typicalPixel } from './helper.js';
 import { quadVertices } from './triangulate.js';
 
 /** Options of {@link IndexLabelsHelper}. */
@@ -52,6 +52,8 @@ export class IndexLabelsHelper extends Group {
   /** The mesh whose items are labelled. */
   readonly mesh: HalfedgeMesh;
   readonly #options: Required<Given<LabelsOptions>>;
+  /** Those that it has made, among its children. */
+  #labels: CSS2DObject[] = [];
 
   constructor(mesh: HalfedgeMesh, options: LabelsOptions = {}) {
     super();
@@ -67,7 +69,7 @@ export class IndexLabelsHelper extends Group {
     };
     // three.js takes labels out of the page only if each is removed by itself.
     this.addEventListener('removed', () => {
-      for (const { element } of this.children as CSS2DObject[]) element.remove();
+      for (const { element } of this.#labels) element.remove();
     });
     this.update();
   }
@@ -76,7 +78,8 @@ export class IndexLabelsHelper extends Group {
   update(): void {
     checkMesh(this.mesh);
     const { kinds, most, className } = this.#options;
-    const labels = this.children as CSS2DObject[];
+    this.#labels = this.#labels.filter(({ parent }) => parent === this); // not those that a page took away
+    const labels = this.#labels;
     let count = 0;
     for (const kind of kinds) {
       for (const index of this.mesh[PLURALS[kind]]()) {
@@ -85,6 +88,7 @@ export class IndexLabelsHelper extends Group {
         if (label === undefined) {
           label = new CSS2DObject(document.createElement('span'));
           label.layers = this.layers; // three.js hands none down to children
+          labels.push(label);
           this.add(label);
         }
         label.element.className = `${className} halfedge-${kind}`;
@@ -93,17 +97,32 @@ export class IndexLabelsHelper extends Group {
         count += 1;
       }
     }
-    this.remove(...labels.slice(count)); // which takes them out of the page
+    this.remove(...labels.splice(count)); // which takes them out of the page
   }
 
   /** Removes all labels from the page. */
   override dispose(): void {
-    this.clear();
+    this.remove(...this.#labels.splice(0));
   }
 
-  /** A helper of its own for the same mesh, with the same options. */
-  override clone(): this {
-    return new IndexLabelsHelper(this.mesh, this.#options).copy(this as Group, false) as this;
+  /** A helper of its own for the same mesh, with the same options and clones of the children added to it. */
+  override clone(recursive?: boolean): this {
+    return new IndexLabelsHelper(this.mesh, this.#options).copy(this, recursive) as this;
+  }
+
+  /**
+   * Takes over what every object has, such as its place, and clones of the children that were added to it. The mesh,
+   * the options and the labels stay those of this helper.
+   */
+  override copy(source: Object3D, recursive = true): this {
+    const labels = new Set<Object3D>(source instanceof IndexLabelsHelper ? source.#labels : []);
+    return copyOnto(this, source, recursive, (child) => labels.has(child));
+  }
+
+  /** A group with the children that were added to it, without its labels, which are of a page. */
+  override toJSON(...meta: Parameters<Group['toJSON']>): ReturnType<Group['toJSON']> {
+    const labels = new Set<Object3D>(this.#labels);
+    return groupOf(this as Group, (child) => labels.has(child)).toJSON(...meta);
   }
 
   /** Vertices and the middles of edges, arrows and faces. */

@@ -1,4 +1,12 @@
-import { type Color, DoubleSide, GreaterDepth, type Material, type Mesh, Vector4 } from 'three';
+import {
+  type Color,
+  DoubleSide,
+  GreaterDepth,
+  type Material,
+  type Mesh,
+  type Scene,
+  Vector4,
+} from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import type { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -150,12 +158,46 @@ export const webglLines: LineKind = {
     const drawn = lines({ geometry }, lineMaterial(linewidth, bias), 0);
     const { onBeforeRender } = drawn;
     drawn.onBeforeRender = (renderer, ...rest) => {
-      if ((renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer) throw cannotDraw();
+      if (isWebGPU(renderer)) throw cannotDraw();
       onBeforeRender.call(drawn, renderer, ...rest);
     };
-    return drawn;
+    return onlyAsLines(drawn);
   },
 };
+
+/**
+ * Leaves lines out of what is drawn by a material that knows nothing of segments: `scene.overrideMaterial`, those of
+ * passes such as ambient occlusion, and those of shadows would draw the quad of a segment, unplaced, at the origin.
+ */
+export function onlyAsLines(drawn: DrawnLines): DrawnLines {
+  const { onBeforeRender, geometry } = drawn;
+  let left: number | undefined;
+  const leaveOut = () => {
+    // WebGPURenderer does so for a shadow, and once more for its material.
+    if (geometry.instanceCount > 0) left = geometry.instanceCount;
+    geometry.instanceCount = 0;
+  };
+  const bringBack = () => {
+    if (left !== undefined && geometry.instanceCount === 0) geometry.instanceCount = left;
+    left = undefined;
+  };
+  drawn.onBeforeRender = (...args) => {
+    onBeforeRender.apply(drawn, args);
+    const { scene, material } = { scene: args[1] as Scene, material: args[4] as LineMaterial };
+    const isOwn = material === drawn.material;
+    // WebGPURenderer tells the material that is overridden, WebGLRenderer the one that is drawn.
+    if (isOwn ? isWebGPU(args[0]) && scene.overrideMaterial : material && !material.isLineMaterial)
+      leaveOut();
+  };
+  return Object.assign(drawn, {
+    onAfterRender: bringBack,
+    onBeforeShadow: leaveOut,
+    onAfterShadow: bringBack,
+  });
+}
+
+const isWebGPU = (renderer: object) =>
+  (renderer as { isWebGPURenderer?: boolean }).isWebGPURenderer === true;
 
 const cannotDraw = () =>
   new TypeError(

@@ -198,6 +198,17 @@ export class MeshGeometry extends BufferGeometry {
     return Object.assign(new MeshGeometry(this.mesh, this.#options), { name, userData }) as this;
   }
 
+  /**
+   * Always throws: the buffers of another geometry are not those of its mesh.
+   *
+   * @throws TypeError
+   */
+  override copy(_source: BufferGeometry): never {
+    throw new TypeError(
+      "A MeshGeometry can't copy another geometry, because it shows its own mesh; expected clone() or new MeshGeometry(mesh), or copy() of an ordinary BufferGeometry.",
+    );
+  }
+
   /** The mesh as it is now, as an ordinary geometry without gaps: three.js's loaders know no other kind. */
   override toJSON(): ReturnType<BufferGeometry['toJSON']> {
     const { geometry } = toBufferGeometry(this.mesh, { ...this.#options, groups: false });

@@ -21,7 +21,7 @@ import {
   viewport,
 } from 'three/tsl';
 import { Mesh, type Node, NodeMaterial } from 'three/webgpu';
-import { LIFT_PX, LINE_SIDE, type LineKind, offsetBy } from './lines.js';
+import { LIFT_PX, LINE_SIDE, type LineKind, offsetBy, onlyAsLines } from './lines.js';
 
 /**
  * The lines of helpers for WebGPURenderer, with WebGPU and with its WebGL 2: as wide, and as near, as those for
@@ -32,7 +32,8 @@ import { LIFT_PX, LINE_SIDE, type LineKind, offsetBy } from './lines.js';
  * ```
  */
 export const webgpuLines: LineKind = {
-  make: (geometry, linewidth, bias) => new Mesh(geometry, new LineNodeMaterial(linewidth, bias)),
+  make: (geometry, linewidth, bias) =>
+    onlyAsLines(new Mesh(geometry, new LineNodeMaterial(linewidth, bias))),
 };
 
 /** Fat lines in CSS pixels, coloured by their segments. All share a program. */
