@@ -183,11 +183,13 @@ export function onlyAsLines(drawn: DrawnLines): DrawnLines {
   };
   drawn.onBeforeRender = (...args) => {
     onBeforeRender.apply(drawn, args);
-    const { scene, material } = { scene: args[1] as Scene, material: args[4] as LineMaterial };
-    const isOwn = material === drawn.material;
+    const [renderer, scene, , , material] = args as unknown as [object, Scene, ...LineMaterial[]];
     // WebGPURenderer tells the material that is overridden, WebGLRenderer the one that is drawn.
-    if (isOwn ? isWebGPU(args[0]) && scene.overrideMaterial : material && !material.isLineMaterial)
-      leaveOut();
+    const isOverridden =
+      material === drawn.material
+        ? isWebGPU(renderer) && Boolean(scene.overrideMaterial)
+        : material !== undefined && !material.isLineMaterial;
+    if (isOverridden) leaveOut();
   };
   return Object.assign(drawn, {
     onAfterRender: bringBack,
