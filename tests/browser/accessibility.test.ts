@@ -98,6 +98,22 @@ function dashesAtLeft(page: Page, picture: Buffer): Promise<number> {
   );
 }
 
+test('Lesser words are as strong as others where the system asks for more contrast', async () => {
+  const { page } = await ExplorerPage.open({ link: 'sample=cube&select=v3', mesh: 'Cube' });
+  const muted = () =>
+    page.evaluate(() => {
+      const probe = document.body.appendChild(document.createElement('i'));
+      const colorOf = (name: string) => {
+        probe.style.color = `var(--${name})`;
+        return getComputedStyle(probe).color;
+      };
+      return colorOf('muted') === colorOf('text') && colorOf('line-strong') === colorOf('text');
+    });
+  expect(await muted()).toBe(false);
+  await page.emulateMedia({ contrast: 'more' });
+  expect(await muted()).toBe(true);
+});
+
 test('What is chosen can be seen in the colours of the system, where those are forced', async () => {
   const explorer = await ExplorerPage.open({ link: 'sample=cube&select=v3', mesh: 'Cube' });
   const { page } = explorer;

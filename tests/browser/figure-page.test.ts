@@ -249,6 +249,31 @@ describe('A figure in its page', () => {
     expect(looks).toEqual({ names: 'none', isLit: true });
   });
 
+  test.each(['light', 'dark'])(
+    'is as strong as its text where more contrast is asked for, %s',
+    async (theme) => {
+      const page = await figures(
+        `<halfedge-figure src="shape:cube" theme="${theme}" controls caption="A cube"></halfedge-figure>`,
+      );
+      await page.ready();
+      const strengths = () =>
+        page.figure((figure) => {
+          const caption = figure.shadowRoot?.querySelector('figcaption') as HTMLElement;
+          const { color } = getComputedStyle(figure);
+          return {
+            captionIsText: getComputedStyle(caption).color === color,
+            line: getComputedStyle(figure).getPropertyValue('--line'),
+          };
+        });
+      const before = await strengths();
+      await page.page.emulateMedia({ contrast: 'more' });
+      const after = await strengths();
+      expect(before.captionIsText).toBe(false);
+      expect(after.captionIsText).toBe(true);
+      expect(after.line).not.toBe(before.line);
+    },
+  );
+
   test('lets the wheel scroll the page until it has the focus', async () => {
     const page = await figures(`${ONE_RING}<div style="height: 4000px"></div>`);
     await page.ready();

@@ -46,7 +46,7 @@ export class Tab {
     let tab = left.get(kind)?.pop();
     if (tab) {
       await tab.page.setViewportSize(viewport);
-      await tab.page.emulateMedia({ ...media, media: null, forcedColors: null });
+      await tab.page.emulateMedia({ ...media, media: null, forcedColors: null, contrast: null });
     } else {
       const context = await (await connect()).newContext({
         viewport,

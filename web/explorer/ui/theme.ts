@@ -1,4 +1,11 @@
-import { DARK, declarations, LABEL_STYLES, LIGHT, SLIDER_STYLES } from 'halfedge/scene';
+import {
+  DARK,
+  declarations,
+  LABEL_STYLES,
+  LIGHT,
+  MORE_CONTRAST,
+  SLIDER_STYLES,
+} from 'halfedge/scene';
 import { Signal } from '../app/signal.js';
 
 const KEY = 'halfedge-explorer-theme';
@@ -9,6 +16,7 @@ export function addPictureStyles(): void {
   styles.textContent = `
     :root { color-scheme: light; ${declarations(LIGHT)} }
     :root[data-theme="dark"] { color-scheme: dark; ${declarations(DARK)} }
+    @media (prefers-contrast: more) { :root { ${MORE_CONTRAST} } }
     ${LABEL_STYLES}${SLIDER_STYLES}`;
   document.head.prepend(styles);
 }

@@ -1,5 +1,5 @@
 import { css, unsafeCSS } from 'lit';
-import { DARK, declarations, LIGHT } from '../scene/colors.js';
+import { DARK, declarations, LIGHT, MORE_CONTRAST } from '../scene/colors.js';
 
 const light = unsafeCSS(declarations(LIGHT, 'halfedge'));
 const dark = unsafeCSS(declarations(DARK, 'halfedge'));
@@ -29,6 +29,12 @@ export const basicStyles = css`
   :host([theme="dark"]) {
     ${dark}
     color-scheme: dark;
+  }
+
+  @media (prefers-contrast: more) {
+    :host {
+      ${unsafeCSS(MORE_CONTRAST)}
+    }
   }
 
   :host([hidden]) {

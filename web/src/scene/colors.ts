@@ -88,3 +88,9 @@ export function declarations(colors: Readonly<Record<string, string>>, prefix = 
     })
     .join('\n');
 }
+
+/** For a style sheet, where the system asks for more contrast: lines and lesser words nearly as strong as text. */
+export const MORE_CONTRAST = `
+  --muted: var(--text) !important;
+  --line: color-mix(in srgb, var(--text) 60%, transparent) !important;
+  --line-strong: var(--text) !important;`;

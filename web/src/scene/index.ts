@@ -2,7 +2,7 @@
 // peer dependencies of this entry.
 
 export type { ChangedEdge, FormerVertex, SurfaceChange } from './change.js';
-export { DARK, declarations, LIGHT } from './colors.js';
+export { DARK, declarations, LIGHT, MORE_CONTRAST } from './colors.js';
 export type { Mark } from './highlights.js';
 export { FILLED_ICONS, ICONS, type IconName } from './icons.js';
 export { LABEL_STYLES } from './label-styles.js';
