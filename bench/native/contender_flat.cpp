@@ -138,6 +138,7 @@ class Flat final : public Contender {
 
   void smooth() override {
     for (std::size_t v = 0; v < vertex_halfedge_.size(); ++v) {
+      if (face_[vertex_halfedge_[v]] == kNone) continue;
       float sum[3] = {};
       float valence = 0;
       std::uint32_t h = vertex_halfedge_[v];
