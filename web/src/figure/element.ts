@@ -8,17 +8,13 @@ import type { Edit } from '../teaching/motion.js';
 import { FigureAttributes, type FigureStateName } from './attributes.js';
 import { tell } from './events.js';
 import { actOnKey, KEYS, keepUsedKey } from './keys.js';
+import { Loading, sightObserver } from './loading.js';
 import { FigureModel } from './model.js';
 import { Poster } from './poster.js';
-import { openFaces, openSource } from './source.js';
-import { started } from './start.js';
 import { WalkStory } from './story.js';
 import { figureStyles } from './styles.js';
 import { type Controls, codeListing, icon, playerBar } from './template.js';
 import { FigureView } from './view.js';
-
-/** How far outside of the window a figure begins to load. */
-const NEAR = '300px';
 
 const LOST =
   'A program has disposed of the mesh, which belongs to the figure: set src or bytes to show another one.';
@@ -44,18 +40,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   /** The line of code that was at work when it was last scrolled to. */
   #line: Element | null = null;
   readonly #drawing = new Poster(() => this.requestUpdate());
-  #abort = new AbortController();
-  /**
-   * The last entry tells how it is now: while the page was busy, there may have been several. jsdom, where
-   * components are tested, has neither this nor the next. It shows nothing: all is in sight there.
-   */
-  readonly #watcher =
-    typeof IntersectionObserver === 'undefined'
-      ? null
-      : new IntersectionObserver(
-          (entries) => this.#seen(entries[entries.length - 1].isIntersecting),
-          { rootMargin: NEAR },
-        );
+  readonly #loading = new Loading(this.#model, {
+    source: () => this.source,
+    isBuilt: () => this.build,
+    opened: (signal) => this.#open(signal),
+    failed: (error) => this.#fail(error, 'failed'),
+  });
+  /** Null in jsdom, which doesn't have `matchMedia` either. */
+  readonly #watcher = sightObserver((seen) => this.#seen(seen));
   readonly #dark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
   readonly #retheme = () => {
     if (!this.#isLost()) this.#view?.applyTheme();
@@ -289,27 +281,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   async #load(): Promise<void> {
-    this.#abort.abort();
-    const abort = new AbortController();
-    this.#abort = abort;
     this.state = 'loading';
     this.failure = this.#walk = null;
-    try {
-      await started();
-      const { source } = this;
-      const { signal } = abort;
-      if (this.build) {
-        const list = await openFaces(source, signal);
-        if (!signal.aborted) this.#model.takeList(list);
-      } else {
-        const mesh = await openSource(source, signal);
-        if (signal.aborted) mesh.dispose();
-        else this.#model.take(mesh);
-      }
-      if (!signal.aborted) await this.#open(signal);
-    } catch (error) {
-      if (!abort.signal.aborted) this.#fail(error, 'failed');
-    }
+    await this.#loading.load();
   }
 
   async #open(signal: AbortSignal): Promise<void> {
@@ -392,7 +366,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   }
 
   #close(): void {
-    this.#abort.abort();
+    this.#loading.giveUp();
     this.#view?.dispose();
     this.#view = this.#walk = null;
     this.#drawing.forget();

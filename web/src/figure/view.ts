@@ -1,6 +1,6 @@
 import { Vector3 } from 'three';
 import type { HalfedgeMesh } from '../api.js';
-import { type Anchors, addWitness, type Overlay, overlayOf } from '../scene/marks.js';
+import { type Anchors, type Overlay, OverlayDrawing } from '../scene/marks.js';
 import { type Palette, readPalette, samePalette } from '../scene/palette.js';
 import { type Captions, MeshPicture } from '../scene/picture.js';
 import { listenToPointer } from '../scene/pointer.js';
@@ -181,21 +181,17 @@ export class FigureView {
   #overlay(anchors: Anchors): Overlay {
     const { mesh, selected, hovered, story, overlays } = this.#state();
     if (!mesh) return { marks: [], labels: [] };
-    const overlay = overlayOf(
-      {
-        mesh,
-        selected,
-        hovered,
-        visits: story?.visits ?? [],
-        links: story === null && (overlays.has('links') || overlays.has('all-links')),
-        numbers: false,
-        witness: story?.witness ?? null,
-        first: null,
-      },
-      this.#palette,
-      anchors,
-    );
-    addWitness(overlay, story?.missing ?? [], this.#palette, anchors);
+    const overlay = new OverlayDrawing(this.#palette, anchors).add({
+      mesh,
+      selected,
+      hovered,
+      visits: story?.visits ?? [],
+      links: story === null && (overlays.has('links') || overlays.has('all-links')),
+      numbers: false,
+      witness: story?.witness ?? null,
+      first: null,
+    });
+    overlay.addWitness(story?.missing ?? []);
     const { marks, labels } = overlay;
     if (!overlays.has('vertices')) return overlay;
     return { marks: [...vertexDiscs(mesh, this.#palette.arrow), ...marks], labels };

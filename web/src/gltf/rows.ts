@@ -20,62 +20,30 @@ export function packRows(
   document: GltfDocument,
   binary: Uint8Array,
 ): { document: GltfDocument; binary: Uint8Array } {
-  const bufferViews = [...document.bufferViews];
-  const copies: (() => void)[] = [];
-  let size = binary.length;
-  let packed = binary;
-
-  /** Where they lie side by side; `rows`, if they do already or are compressed. */
-  function pack<T extends Rows>(rows: T, count: number, bytes: number): T {
-    const { bufferView, byteOffset = 0 } = rows;
-    const view = bufferView === undefined ? undefined : bufferViews[bufferView];
-    const stride = view?.byteStride ?? bytes;
-    const isCompressed = Object.keys(view?.extensions ?? {}).length > 0;
-    if (view === undefined || stride === bytes || isCompressed) return rows;
-    const from = (view.byteOffset ?? 0) + byteOffset;
-    const to = size;
-    size += Math.ceil((count * bytes) / 8) * 8;
-    copies.push(() => {
-      for (let row = 0; row < count; row++) {
-        const begin = from + row * stride;
-        packed.set(binary.subarray(begin, begin + bytes), to + row * bytes);
-      }
-    });
-    const own: GltfView = { buffer: 0, byteOffset: to, byteLength: count * bytes };
-    return { ...rows, bufferView: bufferViews.push(own) - 1, byteOffset: 0 };
-  }
-
+  const packing = new Packing(document.bufferViews, binary.length);
   const primitives = document.meshes.flatMap((mesh) => mesh.primitives);
   const ofIndices = new Set(primitives.map(({ indices }) => indices));
   const accessors = document.accessors.map((accessor, i): GltfAccessor => {
-    const { bufferView, byteOffset = 0, count, sparse } = accessor;
+    const { count, sparse } = accessor;
     const bytes = rowSize(accessor);
-    const stride = bufferView === undefined ? bytes : (bufferViews[bufferView].byteStride ?? bytes);
-    const reachesOver = (byteOffset % stride) + bytes > stride;
     if (sparse === undefined) {
-      return ofIndices.has(i) || reachesOver ? pack(accessor, count, bytes) : accessor;
+      const isPacked = ofIndices.has(i) || packing.reachesOver(accessor, bytes);
+      return isPacked ? packing.pack(accessor, count, bytes) : accessor;
     }
     const { indices, values } = sparse;
     return {
-      ...pack(accessor, count, bytes),
+      ...packing.pack(accessor, count, bytes),
       sparse: {
         ...sparse,
-        indices: pack(indices, sparse.count, numberSize(indices)),
-        values: pack(values, sparse.count, bytes),
+        indices: packing.pack(indices, sparse.count, numberSize(indices)),
+        values: packing.pack(values, sparse.count, bytes),
       },
     };
   });
-  if (copies.length === 0) return { document, binary };
-  if (size > MOST_BYTES) {
-    throw fileError(
-      'too-large',
-      `glTF: rows that have to be laid side by side need ${size} bytes, expected at most ${MOST_BYTES}.`,
-    );
-  }
-  packed = newArray('the buffers', Uint8Array, size);
-  packed.set(binary);
-  for (const copy of copies) copy();
-  const buffers = [{ byteLength: size }];
+  if (packing.isEmpty) return { document, binary };
+  const { bufferViews } = packing;
+  const packed = packing.copy(binary);
+  const buffers = [{ byteLength: packed.length }];
   return { document: { ...document, accessors, bufferViews, buffers }, binary: packed };
 }
 
@@ -83,4 +51,73 @@ export function packRows(
 interface Rows {
   readonly bufferView?: number;
   readonly byteOffset?: number;
+}
+
+/** Rows of a buffer, and where they are to lie side by side behind its bytes. */
+interface Move {
+  readonly from: number;
+  readonly stride: number;
+  readonly to: number;
+  readonly count: number;
+  /** Of a row. */
+  readonly bytes: number;
+}
+
+/** Finds room for rows behind the bytes of the one buffer, and copies them there once all have theirs. */
+class Packing {
+  /** Those of the document, and one for each that was packed. */
+  readonly bufferViews: GltfView[];
+  readonly #moves: Move[] = [];
+  #size: number;
+
+  constructor(bufferViews: readonly GltfView[], size: number) {
+    this.bufferViews = [...bufferViews];
+    this.#size = size;
+  }
+
+  /** Whether nothing has to be copied. */
+  get isEmpty(): boolean {
+    return this.#moves.length === 0;
+  }
+
+  /** Whether a row ends beyond the stride that it begins in. */
+  reachesOver({ bufferView, byteOffset = 0 }: Rows, bytes: number): boolean {
+    const stride =
+      bufferView === undefined ? bytes : (this.bufferViews[bufferView].byteStride ?? bytes);
+    return (byteOffset % stride) + bytes > stride;
+  }
+
+  /** Where they lie side by side; `rows`, if they do already or are compressed. */
+  pack<T extends Rows>(rows: T, count: number, bytes: number): T {
+    const { bufferView, byteOffset = 0 } = rows;
+    const view = bufferView === undefined ? undefined : this.bufferViews[bufferView];
+    const stride = view?.byteStride ?? bytes;
+    const isCompressed = Object.keys(view?.extensions ?? {}).length > 0;
+    if (view === undefined || stride === bytes || isCompressed) return rows;
+    const from = (view.byteOffset ?? 0) + byteOffset;
+    const to = this.#size;
+    this.#size += Math.ceil((count * bytes) / 8) * 8;
+    this.#moves.push({ from, stride, to, count, bytes });
+    const own: GltfView = { buffer: 0, byteOffset: to, byteLength: count * bytes };
+    return { ...rows, bufferView: this.bufferViews.push(own) - 1, byteOffset: 0 };
+  }
+
+  /** The bytes with the packed rows behind them. */
+  copy(binary: Uint8Array): Uint8Array {
+    if (this.#size > MOST_BYTES) {
+      throw fileError(
+        'too-large',
+        `glTF: rows that have to be laid side by side need ${this.#size} bytes, expected at most ${MOST_BYTES}.`,
+      );
+    }
+    const packed = newArray('the buffers', Uint8Array, this.#size);
+    packed.set(binary);
+    for (const { from, stride, to, count, bytes } of this.#moves) {
+      for (let row = 0; row < count; row++) {
+        const begin = from + row * stride;
+        packed.set(binary.subarray(begin, begin + bytes), to + row * bytes);
+      }
+    }
+    return packed;
+  }
 }

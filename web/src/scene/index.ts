@@ -1,6 +1,7 @@
 // The picture that the explorer and `halfedge/figure` show of a mesh. three.js and three-mesh-bvh are
 // peer dependencies of this entry.
 
+export type { PictureFrame } from './capture.js';
 export type { ChangedEdge, FormerVertex, SurfaceChange } from './change.js';
 export { DARK, declarations, LIGHT, MORE_CONTRAST } from './colors.js';
 export type { Mark } from './highlights.js';

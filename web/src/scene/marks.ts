@@ -42,117 +42,6 @@ export interface Anchors {
   line(item: Item): Vector3[] | undefined;
 }
 
-/** Marks and labels for the selection, its links, the visited trail and what is under the pointer. */
-export function overlayOf(shows: Shows, palette: Palette, anchors: Anchors): Overlay {
-  const overlay: Overlay = { marks: [], labels: [] };
-  const { mesh, selected, hovered, visits, witness, first, links = true, numbers = true } = shows;
-  if (selected) {
-    // A witness, and the first of two, have labels of their own.
-    const hasOther = [...(witness ?? []), first].some((item) => sameItem(item, selected));
-    addSelected(overlay, palette, anchors, selected, !hasOther);
-    if (links && visits.length === 0 && !witness && !first) {
-      addLinks(overlay, mesh, palette, anchors, selected, numbers);
-    }
-  }
-  // A refusal has the picture to itself: what its sentence names, and nothing else.
-  if (visits.length > 0 && !witness) addTrail(overlay, visits, palette, anchors);
-  if (witness) addWitness(overlay, witness, palette, anchors);
-  if (first) addFirst(overlay, first, palette, anchors);
-  if (hovered && !sameItem(hovered, selected)) {
-    overlay.marks.push({ item: hovered, color: palette.ink, weight: 'faint' });
-    overlay.labels.push({
-      text: itemName(hovered),
-      look: 'hover',
-      point: anchors.point(hovered),
-      side: anchors.side(hovered),
-      lift: hovered.kind === 'face' ? 0 : 20,
-    });
-  }
-  return overlay;
-}
-
-function addSelected(
-  { marks, labels }: Overlay,
-  palette: Palette,
-  anchors: Anchors,
-  selected: Item,
-  hasLabel: boolean,
-): void {
-  marks.push({ item: selected, color: palette.self, weight: 'strong' });
-  if (!hasLabel) return;
-  labels.push({
-    text: itemName(selected),
-    look: 'self',
-    point: anchors.point(selected),
-    side: anchors.side(selected),
-    line: anchors.line(selected),
-    lift: selected.kind === 'face' ? 0 : 22,
-    yields: true,
-  });
-}
-
-/** The items that make an operation impossible, or that a walk has missed, each with its name. */
-export function addWitness(
-  { marks, labels }: Overlay,
-  witness: readonly Item[],
-  palette: Palette,
-  anchors: Anchors,
-): void {
-  for (const item of witness) {
-    marks.push({ item, color: palette.opposite, weight: 'strong' });
-    labels.unshift({
-      text: `✕ ${itemName(item)}`,
-      look: 'witness',
-      point: anchors.point(item),
-      side: anchors.side(item),
-      lift: item.kind === 'face' ? 0 : 22,
-    });
-  }
-}
-
-/** The item from which an operation goes that waits for its second one. */
-function addFirst(
-  { marks, labels }: Overlay,
-  first: Item,
-  palette: Palette,
-  anchors: Anchors,
-): void {
-  marks.push({ item: first, color: palette.next, weight: 'strong' });
-  labels.unshift({
-    text: `from ${itemName(first)}`,
-    look: 'first',
-    point: anchors.point(first),
-    side: anchors.side(first),
-    lift: 22,
-  });
-}
-
-/** The visited items with their ordinals and the halfedges that led to them; the current strong. */
-function addTrail(
-  { marks, labels }: Overlay,
-  visits: readonly Visit[],
-  palette: Palette,
-  anchors: Anchors,
-): void {
-  const current = visits.at(-1);
-  if (!current) return;
-  for (const visit of visits.slice(-TRAIL_CAP)) {
-    const weight = visit === current ? 'strong' : 'fine';
-    const carrier: Item = { kind: 'halfedge', index: visit.cursor };
-    const led = visit.cursor >= 0 && !sameItem(carrier, visit.item);
-    if (led) marks.push({ item: carrier, color: palette.next, weight });
-    marks.push({ item: visit.item, color: palette.next, weight });
-  }
-  const numbers: Label[] = [];
-  for (let i = visits.length - 1; i >= 0 && i >= visits.length - ORDINAL_CAP; i--) {
-    const { item } = visits[i];
-    const look = visits[i] === current ? 'current' : 'ordinal';
-    numbers.push({ text: `${i + 1}`, look, point: anchors.point(item), lift: 0 });
-  }
-  // Before the name of the selected item, which goes aside.
-  labels.unshift(...numbers);
-}
-
 /** The colour of the palette that a link has. */
 export const ROLE_COLORS: Record<LinkRole, 'next' | 'opposite' | 'vertex' | 'self'> = {
   next: 'next',
@@ -164,37 +53,147 @@ export const ROLE_COLORS: Record<LinkRole, 'next' | 'opposite' | 'vertex' | 'sel
   face: 'self',
 };
 
-/** The items that the links of the selected one lead to, with their numbers. */
-function addLinks(
-  { marks, labels }: Overlay,
-  mesh: HalfedgeMesh,
-  palette: Palette,
-  anchors: Anchors,
-  selected: Item,
-  numbers: boolean,
-): void {
-  const roomy: Label[] = [];
-  for (const { number, target, role } of linksOf(mesh, selected)) {
-    if (!target) continue;
-    if (role === 'face') {
-      marks.push({ item: target, color: palette.self, weight: 'fine' });
-    } else if (role !== 'edge' && !(role === 'vertex' && number === undefined)) {
-      const color = palette[ROLE_COLORS[role]];
-      marks.push({ item: target, color, weight: 'fine', dashed: role === 'prev' });
+/** Marks and labels for the selection, its links, the visited trail and what is under the pointer. */
+export function overlayOf(shows: Shows, palette: Palette, anchors: Anchors): Overlay {
+  const { marks, labels } = new OverlayDrawing(palette, anchors).add(shows);
+  return { marks, labels };
+}
+
+/** An overlay while it is put together, in the colours of a palette, with labels where the anchors are. */
+export class OverlayDrawing implements Overlay {
+  readonly marks: Mark[] = [];
+  readonly labels: Label[] = [];
+  readonly #palette: Palette;
+  readonly #anchors: Anchors;
+
+  constructor(palette: Palette, anchors: Anchors) {
+    this.#palette = palette;
+    this.#anchors = anchors;
+  }
+
+  /** Adds all that is to be shown. */
+  add({
+    mesh,
+    selected,
+    hovered,
+    visits,
+    witness,
+    first,
+    links = true,
+    numbers = true,
+  }: Shows): this {
+    if (selected) {
+      // A witness, and the first of two, have labels of their own.
+      const hasOther = [...(witness ?? []), first].some((item) => sameItem(item, selected));
+      this.#addSelected(selected, !hasOther);
+      if (links && visits.length === 0 && !witness && !first) {
+        this.#addLinks(mesh, selected, numbers);
+      }
     }
-    if (numbers && number !== undefined) {
-      // A face has room for its number, so it comes after those that have little.
-      const group = role === 'face' ? roomy : labels;
-      group.push({
-        text: `${number}`,
-        look: 'link',
-        role,
-        point: anchors.point(target),
-        line: anchors.line(target),
-        lift: role === 'vertex' ? 18 : 0,
-        yields: true,
+    // A refusal has the picture to itself: what its sentence names, and nothing else.
+    if (visits.length > 0 && !witness) this.#addTrail(visits);
+    if (witness) this.addWitness(witness);
+    if (first) this.#addFirst(first);
+    if (hovered && !sameItem(hovered, selected)) this.#addHovered(hovered);
+    return this;
+  }
+
+  /** Adds the items that make an operation impossible, or that a walk has missed, each with its name. */
+  addWitness(witness: readonly Item[]): void {
+    for (const item of witness) {
+      this.marks.push({ item, color: this.#palette.opposite, weight: 'strong' });
+      this.labels.unshift({
+        text: `✕ ${itemName(item)}`,
+        look: 'witness',
+        point: this.#anchors.point(item),
+        side: this.#anchors.side(item),
+        lift: item.kind === 'face' ? 0 : 22,
       });
     }
   }
-  labels.push(...roomy);
+
+  #addSelected(selected: Item, hasLabel: boolean): void {
+    this.marks.push({ item: selected, color: this.#palette.self, weight: 'strong' });
+    if (!hasLabel) return;
+    this.labels.push({
+      text: itemName(selected),
+      look: 'self',
+      point: this.#anchors.point(selected),
+      side: this.#anchors.side(selected),
+      line: this.#anchors.line(selected),
+      lift: selected.kind === 'face' ? 0 : 22,
+      yields: true,
+    });
+  }
+
+  #addHovered(hovered: Item): void {
+    this.marks.push({ item: hovered, color: this.#palette.ink, weight: 'faint' });
+    this.labels.push({
+      text: itemName(hovered),
+      look: 'hover',
+      point: this.#anchors.point(hovered),
+      side: this.#anchors.side(hovered),
+      lift: hovered.kind === 'face' ? 0 : 20,
+    });
+  }
+
+  /** The item from which an operation goes that waits for its second one. */
+  #addFirst(first: Item): void {
+    this.marks.push({ item: first, color: this.#palette.next, weight: 'strong' });
+    this.labels.unshift({
+      text: `from ${itemName(first)}`,
+      look: 'first',
+      point: this.#anchors.point(first),
+      side: this.#anchors.side(first),
+      lift: 22,
+    });
+  }
+
+  /** The visited items with their ordinals and the halfedges that led to them; the current strong. */
+  #addTrail(visits: readonly Visit[]): void {
+    const current = visits.at(-1);
+    for (const visit of visits.slice(-TRAIL_CAP)) {
+      const weight = visit === current ? 'strong' : 'fine';
+      const carrier: Item = { kind: 'halfedge', index: visit.cursor };
+      const led = visit.cursor >= 0 && !sameItem(carrier, visit.item);
+      if (led) this.marks.push({ item: carrier, color: this.#palette.next, weight });
+      this.marks.push({ item: visit.item, color: this.#palette.next, weight });
+    }
+    const numbers: Label[] = [];
+    for (let i = visits.length - 1; i >= 0 && i >= visits.length - ORDINAL_CAP; i--) {
+      const { item } = visits[i];
+      const look = visits[i] === current ? 'current' : 'ordinal';
+      numbers.push({ text: `${i + 1}`, look, point: this.#anchors.point(item), lift: 0 });
+    }
+    // Before the name of the selected item, which goes aside.
+    this.labels.unshift(...numbers);
+  }
+
+  /** The items that the links of the selected one lead to, with their numbers. */
+  #addLinks(mesh: HalfedgeMesh, selected: Item, numbers: boolean): void {
+    const roomy: Label[] = [];
+    for (const { number, target, role } of linksOf(mesh, selected)) {
+      if (!target) continue;
+      if (role === 'face') {
+        this.marks.push({ item: target, color: this.#palette.self, weight: 'fine' });
+      } else if (role !== 'edge' && !(role === 'vertex' && number === undefined)) {
+        const color = this.#palette[ROLE_COLORS[role]];
+        this.marks.push({ item: target, color, weight: 'fine', dashed: role === 'prev' });
+      }
+      if (numbers && number !== undefined) {
+        // A face has room for its number, so it comes after those that have little.
+        const group = role === 'face' ? roomy : this.labels;
+        group.push({
+          text: `${number}`,
+          look: 'link',
+          role,
+          point: this.#anchors.point(target),
+          line: this.#anchors.line(target),
+          lift: role === 'vertex' ? 18 : 0,
+          yields: true,
+        });
+      }
+    }
+    this.labels.push(...roomy);
+  }
 }

@@ -132,3 +132,15 @@ export class Discs {
     this.#capacity = capacity;
   }
 }
+
+/** Discs know their size in pixels of the canvas: sets how many there are to a CSS pixel. Returns the ratio before. */
+export function setPointRatio(scene: Scene, ratio: number): number {
+  let before = ratio;
+  scene.traverse((object) => {
+    const { uniforms } = (object as { material?: ShaderMaterial }).material ?? {};
+    if (!uniforms?.pixelRatio) return;
+    before = uniforms.pixelRatio.value;
+    uniforms.pixelRatio.value = ratio;
+  });
+  return before;
+}

@@ -7,14 +7,16 @@ import {
   PerspectiveCamera,
   type Quaternion,
   Scene,
-  type ShaderMaterial,
   Vector2,
   Vector3,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { PickView } from '../three/projection.js';
+import { drawCapture, newCapture, type PictureFrame } from './capture.js';
 import { Flight, type Pose } from './flight.js';
+import { FrameLoop } from './frame-loop.js';
 import { type Framing, framingOf, type Slopes } from './framing.js';
+import { setPointRatio } from './points.js';
 import { prefersReducedMotion } from './reduced-motion.js';
 import { pixelRatio, type Screen } from './screen.js';
 import { UP, type UpAxis, uprightOf } from './up.js';
@@ -47,8 +49,6 @@ const SLOPE = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
 const SHARE = 0.86;
 /** So far from a card, or from the edge, an item with its mark is in sight. */
 const MARGIN = 12;
-/** Pixels of an exported picture to the CSS pixel. */
-const CAPTURE_RATIO = 2;
 
 /**
  * Canvas, camera and orbit controls. Nothing runs while nothing changes: a frame is drawn when
@@ -62,10 +62,11 @@ export class Stage {
   isOver: () => boolean = () => false;
   readonly #screen: Screen;
   readonly #observer = new ResizeObserver(() => this.#resize());
+  readonly #loop = new FrameLoop({
+    isOver: () => this.isOver(),
+    draw: (now) => this.#draw(now),
+  });
   readonly #listeners: (() => void)[] = [];
-  readonly #woken: (() => void)[] = [];
-  readonly #rested: (() => void)[] = [];
-  readonly #awaiting: (() => void)[] = [];
   readonly #ended = new AbortController();
   readonly #hemisphere = new HemisphereLight();
   readonly #key = new DirectionalLight();
@@ -76,12 +77,9 @@ export class Stage {
   #fitted: Float32Array | null = null;
   /** See `#refit`. */
   #unit = 0;
-  #frame = 0;
   #flight: Flight | null = null;
   #held = false;
   #motion: ((now: number) => boolean) | null = null;
-  #asleep = false;
-  #missed = false;
 
   constructor(screen: Screen) {
     const { canvas } = screen;
@@ -111,7 +109,7 @@ export class Stage {
     const follow = () => {
       // Paper has finer pixels, too, and shows what was drawn for the window.
       if (window.devicePixelRatio !== devicePixelRatio) {
-        this.#setPointRatio(pixelRatio());
+        setPointRatio(this.scene, pixelRatio());
         this.#resize();
       }
       this.#followRatio();
@@ -171,17 +169,13 @@ export class Stage {
 
   /** Whether nobody sees the picture: then no frame is drawn, until it is seen again. */
   set asleep(asleep: boolean) {
-    this.#asleep = asleep;
-    if (asleep || !this.#missed) return;
-    this.#missed = false;
-    this.invalidate();
+    this.#loop.asleep = asleep;
   }
 
   /** Frees what it has on the graphics card, and lets go of the canvas. */
   dispose(): void {
-    this.#asleep = true;
     this.#ended.abort();
-    cancelAnimationFrame(this.#frame);
+    this.#loop.stop();
     this.#observer.disconnect();
     this.controls.dispose();
     this.#free();
@@ -204,13 +198,12 @@ export class Stage {
 
   /** Calls `listener` when the picture begins to change, and when it has come to rest. */
   onChange(begins: () => void, rests: () => void): void {
-    this.#woken.push(begins);
-    this.#rested.push(rests);
+    this.#loop.onChange(begins, rests);
   }
 
   /** Fulfilled when the next frame has been drawn, and the browser asks for another one. */
   drawn(): Promise<void> {
-    return new Promise((resolve) => this.#awaiting.push(resolve));
+    return this.#loop.drawn();
   }
 
   /** Calls `step` before each frame as long as it says that it goes on; instead of one before. */
@@ -221,20 +214,12 @@ export class Stage {
 
   /** Asks for one more frame. */
   invalidate(): void {
-    if (this.#asleep) {
-      this.#missed = true;
-      return;
-    }
-    if (this.#frame !== 0) return;
-    this.#frame = requestAnimationFrame((now) => this.#draw(now));
-    for (const listener of this.#woken) listener();
+    this.#loop.request();
   }
 
   /** Draws at once, also where nobody sees the picture: before it is printed. */
   drawNow(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#missed = false;
-    this.#draw(performance.now());
+    this.#loop.drawNow();
   }
 
   /** Shows the objects of one layer. */
@@ -249,7 +234,7 @@ export class Stage {
   }
 
   /** The part of the canvas that no panel covers. */
-  get freeFrame(): { x: number; y: number; width: number; height: number } {
+  get freeFrame(): PictureFrame {
     const { left, right, bottom } = this.#insets;
     // Beside a panel the picture reaches down to the edge of the window.
     const height = this.size.y - (right > 0 ? 0 : bottom);
@@ -257,46 +242,14 @@ export class Stage {
   }
 
   /** A part of the picture, two pixels to the CSS pixel, on the colour of the page. Throws while nothing can be drawn. */
-  capture(
-    frame: { x: number; y: number; width: number; height: number },
-    without: ReadonlySet<Object3D> = new Set(),
-  ): HTMLCanvasElement {
-    const { canvas, isLost } = this.#screen;
-    if (isLost) {
-      throw new Error('The browser has taken the graphics card away: wait until it is back.');
-    }
-    const taken = document.createElement('canvas');
-    taken.width = Math.round(CAPTURE_RATIO * frame.width);
-    taken.height = Math.round(CAPTURE_RATIO * frame.height);
-    const context = taken.getContext('2d');
-    if (!context) throw new Error('The browser has no room for a picture of that size.');
-    for (const object of without) object.visible = false;
-    this.#screen.resize(this.size.x, this.size.y, CAPTURE_RATIO);
-    const sized = this.#setPointRatio(CAPTURE_RATIO);
+  capture(frame: PictureFrame, without: ReadonlySet<Object3D> = new Set()): HTMLCanvasElement {
+    const taken = newCapture(this.#screen, frame);
     try {
-      this.#screen.render(this.scene, this.camera);
-      context.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--page');
-      context.fillRect(0, 0, taken.width, taken.height);
-      const [x, y] = [CAPTURE_RATIO * frame.x, CAPTURE_RATIO * frame.y];
-      context.drawImage(canvas, x, y, taken.width, taken.height, 0, 0, taken.width, taken.height);
+      drawCapture(taken, this.#screen, this, frame, without);
     } finally {
-      for (const object of without) object.visible = true;
-      this.#setPointRatio(sized);
       this.#resize();
     }
     return taken;
-  }
-
-  /** Discs know their size in pixels of the canvas. Returns the ratio before. */
-  #setPointRatio(ratio: number): number {
-    let before = ratio;
-    this.scene.traverse((object) => {
-      const { uniforms } = (object as { material?: ShaderMaterial }).material ?? {};
-      if (!uniforms?.pixelRatio) return;
-      before = uniforms.pixelRatio.value;
-      uniforms.pixelRatio.value = ratio;
-    });
-    return before;
   }
 
   setLight(sky: Color, ground: Color, ambient: number, key: number): void {
@@ -503,16 +456,11 @@ export class Stage {
 
   #resize(): void {
     this.#fit();
-    // A resized canvas is blank until it is drawn again: do not wait for the next frame.
-    if (this.#frame !== 0) cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
-    if (this.#asleep) this.#missed = true;
-    else this.#draw(performance.now());
+    this.#loop.redraw(); // a resized canvas is blank until then
   }
 
-  #draw(now: number): void {
-    this.#frame = 0;
-    if (this.isOver()) return;
+  /** Whether another frame has to follow. */
+  #draw(now: number): boolean {
     const seat = { target: this.controls.target, position: this.camera.position };
     const flying = this.#flight?.at(now, seat) ?? false;
     if (!flying) this.#flight = null;
@@ -526,8 +474,6 @@ export class Stage {
     this.camera.updateMatrixWorld();
     for (const listener of this.#listeners) listener();
     this.#screen.render(this.scene, this.camera);
-    for (const resolve of this.#awaiting.splice(0)) requestAnimationFrame(() => resolve());
-    if (flying || animated || moving) this.invalidate();
-    else for (const listener of this.#rested) listener();
+    return flying || animated || moving;
   }
 }

@@ -1,8 +1,8 @@
 import type { Ray } from 'three';
-import type { SerializedBVH } from 'three-mesh-bvh';
 import { checkCallback } from '../checks.js';
-import { connect, type WorkerLike } from '../connection.js';
+import type { WorkerLike } from '../connection.js';
 import { checkOptions, type OptionNames } from '../options.js';
+import { TreeGrowth } from './tree-growth.js';
 import {
   distanceToTriangle,
   type TriangleHit,
@@ -54,15 +54,13 @@ export class FaceTree {
   #tree: TriangleTree;
   /** By face that changed since: nine coordinates of each of its triangles. */
   readonly #loose = new Map<number, Float32Array>();
-  /** The one that is growing, and the faces that have changed since it began to. */
-  #young: { readonly tree: TriangleTree; readonly changed: Set<number>; isBehind: boolean } | null =
-    null;
+  /** The one that is growing. */
+  #young: TreeGrowth | null = null;
   #shown: ShownFaces;
   /** Whether most faces have changed since the tree was as they are: the next ray takes them up. */
   #isBehind = false;
   /** How often the tree has followed its triangles since it was grown. */
   #moves = 0;
-  #stopWorker = () => {};
   #ready: Promise<void> = Promise.resolve();
 
   constructor(shown: ShownFaces, options: FaceTreeOptions = {}) {
@@ -133,7 +131,7 @@ export class FaceTree {
   /** Ends the worker, if one is running. None is started any more, and faces stay where rays last saw them. */
   dispose(): void {
     this.#isBehind = false;
-    this.#stopWorker();
+    this.#young?.giveUp();
   }
 
   #fallBehind(): void {
@@ -158,55 +156,13 @@ export class FaceTree {
   }
 
   #grow(tree: TriangleTree): void {
-    this.#stopWorker();
+    this.#young?.giveUp();
     this.#moves = 0;
-    this.#young = { tree, changed: new Set(), isBehind: false };
+    const young = new TreeGrowth(tree, () => this.#settle());
+    this.#young = young;
     const worker = tree.size > SMALL ? this.#makeWorker() : null;
-    if (worker === null) {
-      tree.grow();
-      this.#settle();
-      return;
-    }
-    this.#ready = new Promise((resolve) => {
-      let isEnded = false;
-      const end = (use: () => void) => {
-        if (isEnded) return; // a worker of Node tells of its end, too
-        isEnded = true;
-        this.#stopWorker = () => {};
-        thread.terminate();
-        use();
-        resolve();
-      };
-      this.#stopWorker = () => end(() => {});
-      const growHere = () => {
-        tree.grow();
-        this.#settle();
-      };
-      const thread = connect(worker, {
-        message: (data) =>
-          end(() => {
-            try {
-              tree.adopt(data as SerializedBVH);
-            } catch {
-              return growHere(); // it has another release of three-mesh-bvh, or another script
-            }
-            this.#settle();
-          }),
-        // From some sites no worker can be started that imports three.js.
-        failure: () => end(growHere),
-      });
-      thread.keepAlive(true);
-      const post = () => {
-        if (this.#young?.tree !== tree) return; // given up in the meantime
-        const seed = tree.seed;
-        thread.post(seed, [seed.points.buffer, seed.vertices.buffer]);
-      };
-      const fail = () => {
-        if (this.#young?.tree === tree) end(growHere);
-      };
-      if (this.#begin) void this.#begin().then(post, fail);
-      else post();
-    });
+    if (worker === null) young.growHere();
+    else this.#ready = young.growBy(worker, this.#begin);
   }
 
   /** The tree that has grown takes the place of the one before; loose are the faces that changed since. */
