@@ -274,6 +274,55 @@ describe('A figure in its page', () => {
     },
   );
 
+  test('is tried again, by its button and when the network comes back, where it could not be reached', async () => {
+    const page = await figures(
+      '<halfedge-figure loading="eager" src="mesh.off" select="v0"></halfedge-figure>',
+    );
+    const tetrahedron =
+      'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
+    const answer = { status: 503, body: '' };
+    await page.page.route('**/mesh.off', (route) => route.fulfill(answer));
+    const state = (expected: string) =>
+      page.page.waitForSelector(`halfedge-figure[state=${expected}]`, { state: 'attached' });
+    const told = () =>
+      page.figure(({ shadowRoot }) => shadowRoot?.querySelector('.error')?.textContent);
+    const reload = (outcome: string) =>
+      page
+        .figure((figure) =>
+          figure.reload().then(
+            () => '',
+            ({ message }) => message as string,
+          ),
+        )
+        .then((message) => expect(message).toContain(outcome));
+    await reload('mesh.off could not be fetched: the server answered 503.');
+    expect(await told()).toContain('the server answered 503');
+    // It may fail again, and can be tried again.
+    await page.page.click('halfedge-figure [part~=again]');
+    await state('failed');
+    Object.assign(answer, { status: 200, body: tetrahedron });
+    await page.page.click('halfedge-figure [part~=again]');
+    await state('ready');
+    expect(await told()).toBeUndefined();
+    expect(
+      await page.figure(({ mesh, shadowRoot }) => [
+        mesh?.faceCount,
+        shadowRoot?.activeElement?.tagName,
+      ]),
+    ).toEqual([4, 'CANVAS']);
+    await page.page.evaluate(() => dispatchEvent(new Event('online')));
+    await state('ready'); // which has nothing to try again
+    answer.status = 404;
+    await reload('the server answered 404');
+    answer.status = 200;
+    await page.page.evaluate(() => dispatchEvent(new Event('online')));
+    await state('ready');
+    // What is wrong in the file stays so.
+    answer.body = 'OFF\n4 x 0\n';
+    await reload('Line 2');
+    expect(await page.page.$('halfedge-figure [part~=again]')).toBeNull();
+  });
+
   test('lets the wheel scroll the page until it has the focus', async () => {
     const page = await figures(`${ONE_RING}<div style="height: 4000px"></div>`);
     await page.ready();

@@ -44,8 +44,13 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     source: () => this.source,
     isBuilt: () => this.build,
     opened: (signal) => this.#open(signal),
-    failed: (error) => this.#fail(error, 'failed'),
+    failed: (error, isUnreached) => {
+      this.#isUnreached = isUnreached;
+      this.#fail(error, 'failed');
+    },
   });
+  /** Whether it failed for want of a file or of the network: then it can be tried again. */
+  #isUnreached = false;
   /** Null in jsdom, which doesn't have `matchMedia` either. */
   readonly #watcher = sightObserver((seen) => this.#seen(seen));
   readonly #dark = globalThis.matchMedia?.('(prefers-color-scheme: dark)');
@@ -58,6 +63,9 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     this.#recolouring = requestAnimationFrame(this.#retheme);
   };
   #recolouring = 0;
+  readonly #online = () => {
+    if (this.#isUnreached) void this.#load();
+  };
 
   constructor() {
     super();
@@ -98,6 +106,12 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     } while (this.state === 'waiting' && this.isConnected); // it was moved meanwhile
     if (this.#model.mesh && this.state !== 'failed') return this.#model.mesh;
     throw new Error(this.failure ?? 'The figure is not in a page.');
+  }
+
+  /** Loads the mesh anew, such as where it could not be reached, and resolves once it is on show. */
+  reload(): Promise<HalfedgeMesh> {
+    if (this.isConnected) void this.#load();
+    return this.ready();
   }
 
   /** Plays on; from the beginning, where the end is reached. */
@@ -162,6 +176,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     super.connectedCallback();
     this.state = 'waiting'; // whatever a copied attribute says
     this.#dark?.addEventListener('change', this.#retheme);
+    window.addEventListener('online', this.#online);
     this.#watcher?.observe(this);
     if (this.loading === 'eager' || this.#watcher === null) void this.#load();
   }
@@ -169,6 +184,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#dark?.removeEventListener('change', this.#retheme);
+    window.removeEventListener('online', this.#online);
     this.#watcher?.disconnect();
     this.#close();
     this.state = 'waiting';
@@ -229,11 +245,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
           ></canvas>
           <div class="labels" part="labels" aria-hidden="true"></div>
           ${this.#poster()}
-          ${
-            this.failure === null
-              ? nothing
-              : html`<p class="error" part="error" role="alert" lang="en" dir="auto">${icon('warning')}${this.failure}</p>`
-          }
+          ${this.#error()}
           <button type="button" class="home" part="button home" lang="en" title="Show it whole" aria-label="Show it whole" @click=${this.fit}>
             ${icon('focus')}
           </button>
@@ -273,6 +285,14 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     </div>`;
   }
 
+  #error(): TemplateResult | typeof nothing {
+    if (this.failure === null) return nothing;
+    const again = html`<button type="button" part="button again" lang="en" @click=${this.#again}>Try again</button>`;
+    return html`<p class="error" part="error" role="alert" lang="en" dir="auto">
+      ${icon('warning')}<span>${this.failure}</span>${this.#isUnreached ? again : nothing}
+    </p>`;
+  }
+
   #sentence(visible: boolean): TemplateResult {
     const { story } = this.#model;
     const refused = story?.refusal ? icon('refused') : nothing;
@@ -280,9 +300,15 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
     return html`<p class=${look} part="sentence" aria-live="polite" lang=${this.#lang} dir="auto">${refused}<span>${this.#model.words}</span></p>`;
   }
 
+  #again(): void {
+    this.renderRoot.querySelector('canvas')?.focus(); // the button goes
+    void this.#load();
+  }
+
   async #load(): Promise<void> {
     this.state = 'loading';
     this.failure = this.#walk = null;
+    this.#isUnreached = false;
     await this.#loading.load();
   }
 

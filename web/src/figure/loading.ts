@@ -1,5 +1,5 @@
 import type { FigureModel } from './model.js';
-import { openFaces, openSource, type Source } from './source.js';
+import { openFaces, openSource, type Source, Unreached } from './source.js';
 import { started } from './start.js';
 
 /** How far outside of the window a figure begins to load. */
@@ -13,7 +13,8 @@ export interface Loaded {
   isBuilt(): boolean;
   /** The model has what the source is; `signal` tells when another one is loaded instead. */
   opened(signal: AbortSignal): Promise<void>;
-  failed(error: unknown): void;
+  /** Nothing came of it; `isUnreached`: for want of a file or of the network, which may come back. */
+  failed(error: unknown, isUnreached: boolean): void;
 }
 
 /** Loads the mesh of a figure into its model; once another one is loaded, the one before is given up. */
@@ -36,12 +37,14 @@ export class Loading {
     this.giveUp();
     this.#abort = new AbortController();
     const { signal } = this.#abort;
+    let hasStarted = false;
     try {
       await started();
+      hasStarted = true;
       await this.#take(signal);
       if (!signal.aborted) await this.#figure.opened(signal);
     } catch (error) {
-      if (!signal.aborted) this.#figure.failed(error);
+      if (!signal.aborted) this.#figure.failed(error, !hasStarted || error instanceof Unreached);
     }
   }
 

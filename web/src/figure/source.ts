@@ -27,6 +27,11 @@ const NUMBERS: Partial<Record<(typeof SHAPES)[number], number>> = {
   icoSphere: 1,
 };
 
+/** What could not be reached, for now: it may be later. */
+export class Unreached extends Error {
+  override readonly name = 'Unreached';
+}
+
 /** The mesh of a figure. Throws a sentence where there is none. */
 export async function openSource(
   { src, text, bytes }: Source,
@@ -119,10 +124,10 @@ async function fetchContent(address: URL, signal: AbortSignal): Promise<ArrayBuf
     response = await fetch(address, { signal });
   } catch (cause) {
     signal.throwIfAborted();
-    throw new Error(`${address.href} could not be fetched.`, { cause });
+    throw new Unreached(`${address.href} could not be fetched.`, { cause });
   }
   if (!response.ok) {
-    throw new Error(
+    throw new Unreached(
       `${address.href} could not be fetched: the server answered ${response.status}.`,
     );
   }

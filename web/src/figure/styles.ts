@@ -105,8 +105,9 @@ const parts = css`
     bottom: 10px;
     left: 10px;
     display: grid;
-    grid-template-columns: auto 1fr;
+    grid-template-columns: auto 1fr auto;
     gap: 8px;
+    align-items: start;
     margin: 0;
     padding: 9px 12px;
     border: 1px solid color-mix(in srgb, var(--danger) 35%, var(--line));
@@ -114,6 +115,12 @@ const parts = css`
     background: var(--raised);
     font-size: 13px;
     overflow-wrap: anywhere;
+  }
+
+  .error button {
+    width: auto;
+    height: auto;
+    padding: 3px 10px;
   }
 
   .error .icon,
