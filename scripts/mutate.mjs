@@ -37,7 +37,7 @@ function readOptions() {
     },
   });
   const number = (name) => {
-    const value = Number(values[name] ?? Number.POSITIVE_INFINITY);
+    const value = Number(values[name] ?? Infinity);
     if (value > 0) return value;
     throw new Failure(`--${name} is ${values[name]}, expected a positive number.`);
   };
