@@ -37,7 +37,7 @@ function readOptions() {
     },
   });
   const number = (name) => {
-    const value = Number(values[name] ?? Number.POSITIVE_INFINITY);
+    const value = Number(values[name] ?? Infinity);
     if (value > 0) return value;
     throw new Failure(`--${name} is ${values[name]}, expected a positive number.`);
   };
@@ -91,18 +91,66 @@ function printTable(rows) {
   return sum;
 }
 
+/** All mutants of the sources that are to be tried. */
+function chosenMutants(sources, { limit, seed }) {
+  return [...sources].flatMap(([file, text]) =>
+    sample(findMutants(text), limit, seed).map((mutant) => ({ file, ...mutant })),
+  );
+}
+
+const describe = (mutant) => `${mutant.file}:${mutant.line}: ${mutant.kind}: ${mutant.text}`;
+
+/** Gives each mutant its outcome, until Ctrl-C: then those underway are the last. */
+async function tryAll(mutants, sources, { jobs, minutes }) {
+  const explained = JSON.parse(readFileSync(join(root, 'scripts/mutate/explained.json'), 'utf8'));
+  const laboratory = new Laboratory(jobs);
+  await laboratory.prepare(new Set(mutants.map(({ file }) => file)), console.log);
+  console.log(`${mutants.length} mutants of ${sources.size} files (${minutes()})`);
+  let tried = 0;
+  let isStopped = false;
+  process.once('SIGINT', () => {
+    isStopped = true;
+    console.log('stopping after those underway');
+  });
+  await inParallel(mutants, jobs, async (mutant, worker) => {
+    if (isStopped) return;
+    const text = applied(sources.get(mutant.file), mutant);
+    Object.assign(mutant, await laboratory.try(mutant.file, text, worker));
+    if (mutant.outcome === 'survived') explain(mutant, explained);
+    ++tried;
+    if (mutant.outcome === 'survived') console.log(`survived: ${describe(mutant)}`);
+    if (tried % 25 === 0) console.log(`${tried} of ${mutants.length} (${minutes()})`);
+  });
+}
+
+/** Notes the reason of a survivor that no test can notice. */
+function explain(mutant, explained) {
+  const entry = explained.find(
+    ({ file, kind, text }) => mutant.file === file && mutant.kind === kind && mutant.text === text,
+  );
+  if (entry) Object.assign(mutant, { outcome: 'explained', reason: entry.reason });
+}
+
+/** How many of each outcome there are, by file; those that don't compile aren't counted. */
+function tally(files, done) {
+  const rows = new Map(
+    files.map((file) => [file, { mutants: 0, noticed: 0, timeouts: 0, explained: 0, survived: 0 }]),
+  );
+  for (const { file, outcome } of done) {
+    if (outcome === 'invalid') continue;
+    const row = rows.get(file);
+    row.mutants += 1;
+    row.timeouts += outcome === 'timeout' ? 1 : 0;
+    row[outcome === 'timeout' ? 'noticed' : outcome] += 1;
+  }
+  return rows;
+}
+
 await asProgram(async () => {
   const options = readOptions();
   const files = chosenFiles(options.files);
-  const explained = JSON.parse(readFileSync(join(root, 'scripts/mutate/explained.json'), 'utf8'));
   const sources = new Map(files.map((file) => [file, readFileSync(join(root, file), 'utf8')]));
-  const mutants = files.flatMap((file) =>
-    sample(findMutants(sources.get(file)), options.limit, options.seed).map((mutant) => ({
-      file,
-      ...mutant,
-    })),
-  );
-  const describe = (mutant) => `${mutant.file}:${mutant.line}: ${mutant.kind}: ${mutant.text}`;
+  const mutants = chosenMutants(sources, options);
   if (options.list) {
     for (const mutant of mutants) console.log(describe(mutant));
     return;
@@ -111,50 +159,17 @@ await asProgram(async () => {
 
   const start = performance.now();
   const minutes = () => `${((performance.now() - start) / 60000).toFixed(1)} min`;
-  const laboratory = new Laboratory(options.jobs);
-  await laboratory.prepare(new Set(mutants.map(({ file }) => file)), console.log);
-  console.log(`${mutants.length} mutants of ${files.length} files (${minutes()})`);
-  let tried = 0;
-  let isStopped = false;
-  process.once('SIGINT', () => {
-    isStopped = true;
-    console.log('stopping after those underway');
-  });
-  await inParallel(mutants, options.jobs, async (mutant, worker) => {
-    if (isStopped) return;
-    const text = applied(sources.get(mutant.file), mutant);
-    Object.assign(mutant, await laboratory.try(mutant.file, text, worker));
-    const matches = ({ file, kind, text }) =>
-      mutant.file === file && mutant.kind === kind && mutant.text === text;
-    const entry = explained.find(matches);
-    if (mutant.outcome === 'survived' && entry) {
-      mutant.outcome = 'explained';
-      mutant.reason = entry.reason;
-    }
-    ++tried;
-    if (mutant.outcome === 'survived') console.log(`survived: ${describe(mutant)}`);
-    if (tried % 25 === 0) console.log(`${tried} of ${mutants.length} (${minutes()})`);
-  });
+  await tryAll(mutants, sources, { jobs: options.jobs, minutes });
 
-  const rows = new Map(
-    files.map((file) => [file, { mutants: 0, noticed: 0, timeouts: 0, explained: 0, survived: 0 }]),
-  );
   const done = mutants.filter(({ outcome }) => outcome !== undefined);
-  for (const { file, outcome } of done) {
-    if (outcome === 'invalid') continue;
-    const row = rows.get(file);
-    row.mutants += 1;
-    row.timeouts += outcome === 'timeout' ? 1 : 0;
-    row[outcome === 'timeout' ? 'noticed' : outcome] += 1;
-  }
-  const sum = printTable(rows);
+  const sum = printTable(tally(files, done));
   mkdirSync(join(root, 'build/reports'), { recursive: true });
   writeFileSync(join(root, 'build/reports/mutate.json'), JSON.stringify(done, undefined, 1));
   const invalid = done.length - sum.mutants;
   console.log(
     `\n${invalid} more did not compile. It took ${minutes()}; build/reports/mutate.json has all.`,
   );
-  for (const mutant of mutants) {
+  for (const mutant of done) {
     if (mutant.outcome === 'survived') console.log(`survived: ${describe(mutant)}`);
   }
   if (sum.survived > 0) throw new Failure(`${sum.survived} mutants were not noticed.`);

@@ -99,7 +99,7 @@ export async function runOperations({ HalfedgeMesh }, { sizes = [320], rounds = 
     const times = {};
     const note = (who, begin, count) => {
       const time = (1e6 * (performance.now() - begin)) / count;
-      times[who] = Math.min(times[who] ?? Number.POSITIVE_INFINITY, time);
+      times[who] = Math.min(times[who] ?? Infinity, time);
     };
     for (let round = 0; round < rounds; round++) {
       for (const history of [false, true]) {

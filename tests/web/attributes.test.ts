@@ -284,7 +284,7 @@ describe('An attribute', () => {
     expectRefused(() => attributes.add('vertex', 'a'), 'attribute-exists');
     expectRefused(() => attributes.add('vertex', ''), 'bad-attribute');
     attributes.add('face', 'a');
-    attributes.add('edge', 'n', { type: 'int32', default: Number.POSITIVE_INFINITY });
+    attributes.add('edge', 'n', { type: 'int32', default: Infinity });
     expect(attributes.get('edge', 'n')[0]).toBe(2 ** 31 - 1);
     for (const [call, type, message] of [
       [() => attributes.add('faces' as never, 'b'), RangeError, 'kind is "faces"; expected'],

@@ -146,7 +146,7 @@ describe('Whatever the operation', () => {
     const before = stateOf(mesh);
     const bad: [unknown, ErrorConstructor, string][] = [
       [[0, Number.NaN, 0], RangeError, 'position[1] is NaN; expected a finite number'],
-      [[Number.POSITIVE_INFINITY, 0, 0], RangeError, 'position[0] is Infinity'],
+      [[Infinity, 0, 0], RangeError, 'position[0] is Infinity'],
       [[0, 0, 1e39], RangeError, 'position[2] is 1e+39; expected a finite number that fits'],
       [[0, 0], RangeError, 'position is an array of 2 elements; expected three numbers'],
       [[0, 0, '0'], TypeError, 'position[2] is "0"'],

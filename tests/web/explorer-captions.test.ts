@@ -64,7 +64,7 @@ describe('The attributes of an item', () => {
     expect(positionOf(2)).toEqual(['(1, 1, 0)']);
     mesh.setPosition(2, [1 / 3, 2 / 3, -0]);
     expect(positionOf(2)).toEqual(['(0.333, 0.667, 0)']);
-    mesh.positions.set([1, Number.POSITIVE_INFINITY, Number.NaN]);
+    mesh.positions.set([1, Infinity, Number.NaN]);
     expect(positionOf(0)).toEqual(['(1, Infinity, NaN)']);
   });
 

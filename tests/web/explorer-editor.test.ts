@@ -34,7 +34,7 @@ test('An operation does not wait for a second item where the file is shown as it
   explorer.showFile(true);
   expect(explorer.showsFile.value).toBe(true);
   expect(explorer.editor.pending.value).toBeNull();
-  explorer.pause();
+  explorer.walker.pause();
   mesh.dispose();
 });
 
@@ -60,7 +60,7 @@ describe('An operation that runs out of memory', () => {
     );
     editor.undo();
     expect(mesh.faceCount).toBe(isKept ? 6 : 5);
-    explorer.pause();
+    explorer.walker.pause();
     mesh.dispose();
   });
 });
@@ -80,7 +80,7 @@ test('A mesh that history has no room for leaves the one on show, and no memory 
   expect(explorer.document.value?.mesh).toBe(shown);
   expect(explorer.selected.value).toEqual({ kind: 'face', index: 3 });
   expect(bytesInUse()).toBe(before);
-  explorer.pause();
+  explorer.walker.pause();
   shown.dispose();
 });
 
@@ -101,7 +101,7 @@ test('Steps that are forgotten stay edits that no file has, until one is saved',
   expect([editor.past.value.undoCount, editor.isUnsaved]).toEqual([0, true]);
   editor.markSaved();
   expect(editor.isUnsaved).toBe(false);
-  explorer.pause();
+  explorer.walker.pause();
   mesh.dispose();
 });
 
@@ -116,7 +116,7 @@ describe('A mesh that was made of another one', () => {
       editor.run(operation as Operation);
     };
     const end = () => {
-      explorer.pause();
+      explorer.walker.pause();
       explorer.document.value?.mesh.dispose();
     };
     return { explorer, editor, run, end };

@@ -89,14 +89,14 @@ describe('a link', () => {
     explorer.openMesh('cube', HalfedgeMesh.cube());
     const plain = share.linkOf(explorer, sight);
     expect(plain).not.toContain('speed=');
-    const { value: usual } = explorer.speed;
-    explorer.speed.value = 4;
+    const { value: usual } = explorer.walker.speed;
+    explorer.walker.speed.value = 4;
     const link = share.linkOf(explorer, sight);
     expect(link).toContain('&speed=4&');
     await share.follow(plain, explorer, sight);
-    expect(explorer.speed.value).toBe(usual);
+    expect(explorer.walker.speed.value).toBe(usual);
     await share.follow(link, explorer, sight);
-    expect(explorer.speed.value).toBe(4);
+    expect(explorer.walker.speed.value).toBe(4);
     const wrong = link.replace('speed=4', 'speed=3');
     await expect(share.follow(wrong, explorer, sight)).rejects.toThrow(
       'It has speed=3; expected one of 0.5, 1, 1.5, 2.5, 4, 8.',

@@ -252,7 +252,7 @@ describe('fromSoup', () => {
   });
 
   test('leaves out what has no finite position, and isolated vertices if asked', () => {
-    const positions = [...CORNERS, Number.NaN, 0, 0, 5, 5, 5, Number.POSITIVE_INFINITY, 0, 0];
+    const positions = [...CORNERS, Number.NaN, 0, 0, 5, 5, 5, Infinity, 0, 0];
     const faces = [...TETRAHEDRON, [0, 1, 4]];
     const { mesh, report } = HalfedgeMesh.fromSoup(positions, faces);
     expect(Array.from(report.vertexMap)).toEqual([0, 1, 2, 3, -1, 4, -1]);

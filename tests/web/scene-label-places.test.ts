@@ -8,7 +8,7 @@ function nearest(place: Place, traces: readonly Trace[]): Trace {
   const distances = traces.map((trace) => {
     const [a, b] = [trace[0], trace[trace.length - 1]];
     const steps = Math.max(1, Math.ceil(Math.hypot(b.x - a.x, b.y - a.y)));
-    let least = Number.POSITIVE_INFINITY;
+    let least = Infinity;
     for (let i = 0; i <= steps; i++) {
       const [x, y] = [a.x + (i / steps) * (b.x - a.x), a.y + (i / steps) * (b.y - a.y)];
       least = Math.min(least, Math.hypot(place.x - x, place.y - y));

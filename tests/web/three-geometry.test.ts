@@ -264,7 +264,7 @@ describe('fromBufferGeometry', () => {
     const { mesh, maps } = fromBufferGeometry(geometry, { dropIsolated: true });
     expect([mesh.vertexCount, mesh.faceCount]).toEqual([3, 1]);
     expect([...maps.vertices]).toEqual([0, -1, 1, 2]);
-    const whole = square((g) => g.setDrawRange(0, Number.POSITIVE_INFINITY));
+    const whole = square((g) => g.setDrawRange(0, Infinity));
     expect(fromBufferGeometry(whole).mesh.faceCount).toBe(2);
   });
 

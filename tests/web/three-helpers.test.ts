@@ -212,7 +212,7 @@ describe('HalfedgesHelper', () => {
   test('refuses at an update what was set wrongly, and goes on once it is right', () => {
     const mesh = HalfedgeMesh.grid(2, 2);
     const arrows = new HalfedgesHelper(mesh);
-    for (const pixel of [Number.NaN, -1, 0, Number.POSITIVE_INFINITY, '1' as never]) {
+    for (const pixel of [Number.NaN, -1, 0, Infinity, '1' as never]) {
       arrows.pixel = pixel;
       expect(() => arrows.update()).toThrow(/^pixel is .+; expected a positive number\.$/);
       expect(drawnBy(arrows)).toBe(0);
@@ -273,7 +273,7 @@ test('CirculatorHelper shows the halfedges of a lap, or of some steps, the last 
   expect(helper.trace()).toHaveLength(2);
   expect(colorsOf(helper).map((color) => color === 0xff0000)).toEqual([false, false, true, true]);
   helper.item = 5;
-  helper.steps = Number.POSITIVE_INFINITY;
+  helper.steps = Infinity;
   expect(helper.trace()).toEqual(mesh.vertexOutgoingHalfedges(5, 'cw').toArray());
 });
 

@@ -157,7 +157,7 @@ describe('write', () => {
       const one = "Wrote 1 vertex whose position isn't finite: readers leave it out.";
       expect(notesOf(format)).toEqual([one]);
     }
-    made.positions.fill(Number.POSITIVE_INFINITY, 0, 4);
+    made.positions.fill(Infinity, 0, 4);
     expect(notesOf('ply')).toEqual([
       "Wrote 3 vertices whose positions aren't finite: readers leave them out.",
     ]);

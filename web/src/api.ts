@@ -12,9 +12,9 @@ export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './buil
 export type { CirculateOptions, CirculatorCentre, CirculatorKind } from './circulation.js';
 export type { Circulator } from './circulator.js';
 export type { CompactMaps, DeleteOptions, VertexOrder } from './construction.js';
-export { DirectedEdgesMesh } from './directed-edges.js';
-export type { DirectedEdgesViews } from './directed-edges-navigation.js';
-export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges-orbit.js';
+export { DirectedEdgesMesh } from './directed-edges/mesh.js';
+export type { DirectedEdgesViews } from './directed-edges/navigation.js';
+export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges/orbit.js';
 export type { Position, Refusal } from './edit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export type { CollapseOptions, SplitVertexOptions } from './euler.js';

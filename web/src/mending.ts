@@ -223,10 +223,7 @@ export abstract class Mending extends Modelling {
    */
   fillHoles(options: FillOptions = {}): MendReport {
     linksOf(this).checkAlive();
-    const { maxEdges = Number.POSITIVE_INFINITY, maxAngle = 160 } = checkOptions(
-      options,
-      FILL_OPTIONS,
-    );
+    const { maxEdges = Infinity, maxAngle = 160 } = checkOptions(options, FILL_OPTIONS);
     checkItems('options.maxEdges', maxEdges);
     if (!(typeof maxAngle === 'number' && maxAngle >= 0 && maxAngle <= 180)) {
       refuse('options.maxAngle', maxAngle, 'a number of degrees from 0 to 180', 'number');
@@ -263,7 +260,7 @@ function checkFrom0(argument: string, value: unknown): void {
 
 /** Throws unless it is a number of items, or Infinity for all. */
 function checkItems(argument: string, value: unknown): void {
-  const isCount = value === Number.POSITIVE_INFINITY || Number.isInteger(value);
+  const isCount = value === Infinity || Number.isInteger(value);
   if (!(isCount && (value as number) >= 0)) {
     refuse(argument, value, 'an integer from 0, or Infinity', 'number');
   }

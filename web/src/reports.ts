@@ -2,6 +2,9 @@ import type { RawFailure, RawProblem } from './core.mjs';
 import { counted } from './counted.js';
 import { HalfedgeError, NO_WITNESS, type Problem, type Witness } from './errors.js';
 
+/** What the core lists of each code of a repair at most. */
+export const LISTED = 100;
+
 /** The result of a call into the core; throws what it failed of. */
 export function unwrap<T extends object>(raw: T | RawFailure): T {
   if (!('problems' in raw)) return raw;

@@ -14,13 +14,8 @@ import { checkOptions, type OptionNames, takeOptions } from './options.js';
 import { owned, transferable } from './ownership.js';
 import { checkParseOptions, PARSE_OPTIONS, type ParseOptions, type ParseReport } from './parse.js';
 import { cancelled, checkSignal, type ProgressOptions } from './progress.js';
-import {
-  type RepairReport,
-  SOUP_OPTIONS,
-  type SoupOptions,
-  soupArrays,
-  soupOptions,
-} from './repair.js';
+import { type RepairReport, SOUP_OPTIONS, type SoupOptions, soupOptions } from './repair.js';
+import { soupArrays } from './soup-arrays.js';
 import { startThread, type Thread, type WorkerLike } from './thread.js';
 import { linksOfBytes } from './transfer.js';
 import { canBeSent, fromSent, isBlob, isReply, type Job, type Reply } from './worker-messages.js';

@@ -121,7 +121,7 @@ const area = (polygon: Polygon) =>
 
 /** The least distance from a corner to an edge that it is not on. */
 function clearance(polygon: Polygon): number {
-  let least = Number.POSITIVE_INFINITY;
+  let least = Infinity;
   for (const [a, b] of edgesOf(polygon)) {
     for (const p of polygon) {
       if (p !== a && p !== b) least = Math.min(least, distance(p, a, b));

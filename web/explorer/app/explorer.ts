@@ -1,17 +1,11 @@
-import type { AttributeNames, Direction, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
+import type { AttributeNames, HalfedgeMesh, ParseStage, Problem } from 'halfedge';
 import type { UpAxis } from 'halfedge/scene';
 import {
-  type Circulator,
-  CirculatorPlayer,
-  type DialectId,
-  dialectOf,
   type Item,
   isLive,
   itemName,
   itemSlots,
   linksOf,
-  type QueryGroup,
-  queriesFor,
   sameItem,
   type WalkKey,
 } from 'halfedge/teaching';
@@ -29,14 +23,9 @@ import {
 } from './documents.js';
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts, type Problems } from './facts.js';
-import { Signal, together } from './signal.js';
+import { Signal } from './signal.js';
 import type { Tab } from './tabs.js';
-
-/** Steps a second, as they are offered. */
-export const SPEEDS = [0.5, 1, 1.5, 2.5, 4, 8] as const;
-
-/** The position of the one that a new page has. */
-export const DEFAULT_SPEED = 2;
+import { Walker } from './walker.js';
 
 /** What the meshes that undo leads back to may have: about 256 MiB. */
 const KEPT_HALFEDGES = 12_000_000;
@@ -47,23 +36,10 @@ export const LARGE = 200_000;
 /** Where the vertices lie takes longer to check than all else: it is done when edits pause, in milliseconds. */
 const PAUSE = 300;
 
-/** A circulator as the user chose it: one of the offered groups, one of its circulators. */
-export interface Choice {
-  readonly group: number;
-  readonly circulator: Circulator;
-}
-
 /** How much of a stage of opening is done, from 0 to 1. */
 export interface Progress {
   readonly fraction: number;
   readonly stage: ParseStage;
-}
-
-/** The player as it stands; a new object after every step. */
-export interface Play {
-  readonly player: CirculatorPlayer;
-  readonly position: number;
-  readonly playing: boolean;
 }
 
 /** The state of the page, and everything that can be done to it. Knows nothing of the DOM. */
@@ -76,14 +52,6 @@ export class Explorer {
   readonly hovered = new Signal<Item | null>(null);
   readonly tab = new Signal<Tab>('circulate');
   readonly pickMode = new Signal<PickMode>('auto');
-  readonly groups = new Signal<readonly QueryGroup[]>([]);
-  readonly choice = new Signal<Choice | null>(null);
-  readonly direction = new Signal<Direction>('ccw');
-  /** Whose names the code and the links have. */
-  readonly dialect = new Signal<DialectId>('halfedge');
-  readonly play = new Signal<Play | null>(null);
-  /** A position among `SPEEDS`. */
-  readonly speed = new Signal<number>(DEFAULT_SPEED);
   /** What is being opened, while it is. */
   readonly busy = new Signal<string | null>(null);
   /** How far it is, where that is known. */
@@ -103,14 +71,13 @@ export class Explorer {
   readonly up = new Signal<UpAxis>('y');
   /** A remark on the last key or entry that led nowhere; read out by screen readers. */
   readonly remark = new Signal('');
+  readonly walker = new Walker();
   readonly editor: Editor;
 
   /** What was chosen for a mesh, or for the one that it was made of. */
   readonly #ups = new WeakMap<HalfedgeMesh, UpAxis>();
   /** What was chosen for a file last: files don't tell, and those of one program have the same. */
   #upOfFiles: UpAxis = 'y';
-  readonly #preferred = new Map<string, { group: number; name: string }>();
-  #timer: ReturnType<typeof setTimeout> | undefined;
   #measuring: ReturnType<typeof setTimeout> | undefined;
   #abort = new AbortController();
 
@@ -123,7 +90,7 @@ export class Explorer {
     this.#abort.abort();
     const abort = new AbortController();
     this.#abort = abort;
-    this.pause();
+    this.walker.pause();
     this.failure.value = null;
     this.progress.value = null;
     this.busy.value = source.name;
@@ -182,7 +149,7 @@ export class Explorer {
   /** Shows a mesh that has stayed. */
   bringBack(kept: MeshDocument, selected: Item | null): void {
     this.cancel();
-    this.pause();
+    this.walker.pause();
     this.#put(kept);
     this.select(selected);
   }
@@ -194,7 +161,7 @@ export class Explorer {
     madeBy: string | null,
   ): boolean {
     this.cancel();
-    this.pause();
+    this.walker.pause();
     try {
       this.#show({ ...newDocument(name, mesh), stem: name, names }, madeBy);
       return true;
@@ -229,7 +196,7 @@ export class Explorer {
     // Items are those of the mesh: they can't be shown in the file.
     if (item) this.#leaveProblems();
     if (sameItem(item, this.selected.value)) return;
-    this.pause();
+    this.walker.pause();
     this.selected.value = item;
     this.#offerQueries();
   }
@@ -243,7 +210,7 @@ export class Explorer {
   /** Shows the polygons of the file, or the mesh that was made of them. */
   showFile(shows: boolean): void {
     if (shows && !this.document.value?.diagnosis) return;
-    this.pause();
+    this.walker.pause();
     if (shows) {
       this.select(null);
       this.editor.cancel(); // a second item can't be picked there
@@ -310,63 +277,6 @@ export class Explorer {
     }
   }
 
-  choose(choice: Choice): void {
-    const selected = this.selected.value;
-    if (!selected) return;
-    this.#preferred.set(selected.kind, { group: choice.group, name: choice.circulator.name });
-    this.choice.value = choice;
-    this.#load();
-  }
-
-  setDirection(direction: Direction): void {
-    this.direction.value = direction;
-    this.#load();
-  }
-
-  /** Shows and runs the same query in other names, as far as it has come. */
-  setDialect(dialect: DialectId): void {
-    const position = this.play.value?.position ?? 0;
-    // Nobody hears of a walk that begins again.
-    together(() => {
-      this.dialect.value = dialect;
-      this.#load();
-      if (position > 0) this.seek(position);
-    });
-  }
-
-  /** Plays to the end of the lap; from the beginning if it is there already. */
-  start(): void {
-    const player = this.play.value?.player;
-    if (!player || player.count === 0) return;
-    if (player.done) player.seek(0);
-    this.#publish(true);
-    this.#tick();
-  }
-
-  pause(): void {
-    clearTimeout(this.#timer);
-    if (this.play.value?.playing) this.#publish(false);
-  }
-
-  toggle(): void {
-    if (this.play.value?.playing) this.pause();
-    else this.start();
-  }
-
-  /** One step, forward (1) or back (-1). */
-  step(by: 1 | -1): void {
-    const player = this.play.value?.player;
-    if (player) this.seek(player.position + by);
-  }
-
-  seek(position: number): void {
-    this.pause();
-    const player = this.play.value?.player;
-    if (!player) return;
-    player.seek(position);
-    this.#publish(false);
-  }
-
   /** Throws, with all as it was, if there is no memory for the history of the mesh. */
   #show(opened: MeshDocument, madeBy: string | null = null): void {
     const before = this.document.value;
@@ -428,54 +338,8 @@ export class Explorer {
   #offerQueries(): void {
     const selected = this.selected.value;
     const mesh = this.document.value?.mesh;
-    if (!selected || !mesh) {
-      this.groups.value = [];
-      this.choice.value = null;
-      this.play.value = null;
-      return;
-    }
-    const groups = queriesFor(mesh, selected);
-    const preferred = this.#preferred.get(selected.kind);
-    const wanted = preferred && groups[preferred.group] ? preferred : { group: 0, name: '' };
-    const { circulators } = groups[wanted.group];
-    const circulator = circulators.find(({ name }) => name === wanted.name) ?? circulators[0];
-    this.groups.value = groups;
-    this.choice.value = { group: wanted.group, circulator };
-    this.#load();
-  }
-
-  #load(): void {
-    clearTimeout(this.#timer);
-    const mesh = this.document.value?.mesh;
-    const choice = this.choice.value;
-    const group = choice ? this.groups.value[choice.group] : undefined;
-    if (!mesh || !choice || !group) {
-      this.play.value = null;
-      return;
-    }
-    const query = {
-      circulator: choice.circulator,
-      index: group.index,
-      direction: this.direction.value,
-      ...(group.start === undefined ? {} : { start: group.start }),
-    };
-    const player = new CirculatorPlayer(mesh, query, dialectOf(this.dialect.value));
-    this.play.value = { player, position: 0, playing: false };
-  }
-
-  #publish(playing: boolean): void {
-    const player = this.play.value?.player;
-    if (player) this.play.value = { player, position: player.position, playing };
-  }
-
-  #tick(): void {
-    clearTimeout(this.#timer);
-    const player = this.play.value?.player;
-    if (!player) return;
-    player.forward();
-    this.#publish(!player.done);
-    if (player.done) return;
-    this.#timer = setTimeout(() => this.#tick(), 1000 / SPEEDS[this.speed.value]);
+    if (selected && mesh) this.walker.offer(mesh, selected);
+    else this.walker.clear();
   }
 }
 

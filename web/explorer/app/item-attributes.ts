@@ -63,7 +63,7 @@ const MOST_NEIGHBOURS = 32;
 
 /** The length of the shortest edge at a vertex; NaN where there is none that has a length. */
 function shortestEdge(mesh: HalfedgeMesh, vertex: number, from: readonly number[]): number {
-  let shortest = Number.POSITIVE_INFINITY;
+  let shortest = Infinity;
   let left = MOST_NEIGHBOURS;
   for (const neighbour of mesh.vertexVertices(vertex)) {
     const to = mesh.position(neighbour);
@@ -82,7 +82,7 @@ function tuple(texts: readonly string[]): string {
 /** Rounded to four digits of the largest, at least to thousandths: rounding errors of a zero are shown as 0. */
 function fourDigits(values: readonly number[]): number[] {
   const largest = Math.max(...values.map(Math.abs));
-  if (!(largest > 0 && largest < Number.POSITIVE_INFINITY)) return [...values];
+  if (!(largest > 0 && largest < Infinity)) return [...values];
   const unit = 10 ** (Math.min(0, Math.floor(Math.log10(largest))) - 3);
   return values.map((x) => roundedTo(unit, fewestDigits(x)));
 }

@@ -7,7 +7,7 @@ import {
   stepOf,
   stepsFirst,
 } from 'halfedge/teaching';
-import type { Play } from './explorer.js';
+import type { Play } from './walker.js';
 
 /** The rows that tell of an item: one, or the two halfedges of an edge, or the edge of a halfedge. */
 export function rowsOf(item: Item | null, kind: ItemKind): number[] {

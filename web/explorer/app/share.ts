@@ -1,4 +1,3 @@
-import { deflateSync, inflateSync, strFromU8, strToU8 } from 'fflate';
 import { type AttributeNames, type Direction, HalfedgeMesh, type Problem } from 'halfedge';
 import type { UpAxis } from 'halfedge/scene';
 import {
@@ -15,8 +14,10 @@ import { brokenSamples } from '../samples/broken.js';
 import { samples } from '../samples/index.js';
 import { labelsText, NO_LABELS, parseLabels } from './captions.js';
 import type { MeshDocument } from './documents.js';
-import { DEFAULT_SPEED, type Explorer, SPEEDS } from './explorer.js';
+import type { Explorer } from './explorer.js';
+import { packed, unpacked } from './packing.js';
 import { firstTab, hasProblems, TABS, type Tab } from './tabs.js';
+import { DEFAULT_SPEED, SPEEDS } from './walker.js';
 
 /** Where the camera stands and what it looks at, in the coordinates of the mesh. */
 export type Viewpoint = readonly number[];
@@ -87,17 +88,19 @@ function addMesh(link: URLSearchParams, opened: MeshDocument, explorer: Explorer
 }
 
 function addQuery(link: URLSearchParams, explorer: Explorer): void {
-  const { value: choice } = explorer.choice;
-  const { value: play } = explorer.play;
+  const { value: choice } = explorer.walker.choice;
+  const { value: play } = explorer.walker.play;
   if (choice && play) {
     link.set('query', choice.circulator.name);
     if (choice.group > 0) link.set('around', String(choice.group));
-    if (explorer.direction.value !== 'ccw') link.set('direction', explorer.direction.value);
+    if (explorer.walker.direction.value !== 'ccw')
+      link.set('direction', explorer.walker.direction.value);
     if (play.position > 0) link.set('at', String(play.position));
   }
-  const { value: speed } = explorer.speed;
+  const { value: speed } = explorer.walker.speed;
   if (speed !== DEFAULT_SPEED) link.set('speed', String(SPEEDS[speed]));
-  if (explorer.dialect.value !== 'halfedge') link.set('names', explorer.dialect.value);
+  if (explorer.walker.dialect.value !== 'halfedge')
+    link.set('names', explorer.walker.dialect.value);
 }
 
 function addCaptions(link: URLSearchParams, explorer: Explorer): void {
@@ -215,20 +218,20 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
   if (!dialects.some(({ id }) => id === names)) {
     throw new Error(`It asks for the names of “${names}”, which this page does not know.`);
   }
-  explorer.setDialect(names as DialectId);
+  explorer.walker.setDialect(names as DialectId);
   const direction = link.get('direction') ?? 'ccw';
   if (direction !== 'ccw' && direction !== 'cw') {
     throw new Error(`It has the direction “${direction}”; there are ccw and cw.`);
   }
-  explorer.setDirection(direction satisfies Direction);
-  explorer.speed.value = speedOf(link.get('speed'));
+  explorer.walker.setDirection(direction satisfies Direction);
+  explorer.walker.speed.value = speedOf(link.get('speed'));
   const { value: selected } = explorer.selected;
   if (!['query', 'around', 'at'].some((word) => link.has(word)) || !selected) return;
   const around = link.get('around') ?? '0';
   const group = Number(around);
-  const offered = explorer.groups.value[group]?.circulators;
+  const offered = explorer.walker.groups.value[group]?.circulators;
   if (!offered) {
-    const last = explorer.groups.value.length - 1;
+    const last = explorer.walker.groups.value.length - 1;
     throw new Error(
       `It has around=${around}; of ${itemName(selected)} ${last > 0 ? `0 to ${last} are known` : 'only 0 is known'}.`,
     );
@@ -238,7 +241,7 @@ function setQuery(link: URLSearchParams, explorer: Explorer): void {
   if (!circulator) {
     throw new Error(`${itemName(selected)} has no circulator “${query}”.`);
   }
-  explorer.choose({ group, circulator });
+  explorer.walker.choose({ group, circulator });
   setPosition(link.get('at') ?? '0', explorer);
 }
 
@@ -254,11 +257,11 @@ function speedOf(text: string | null): number {
 
 function setPosition(text: string, explorer: Explorer): void {
   const at = Number(text);
-  const count = explorer.play.value?.player.count ?? 0;
+  const count = explorer.walker.play.value?.player.count ?? 0;
   if (!(Number.isInteger(at) && at >= 0 && at <= count)) {
     throw new Error(`It has at=${text}; expected 0 to ${count}, as many as that walk visits.`);
   }
-  if (at > 0) explorer.seek(at);
+  if (at > 0) explorer.walker.seek(at);
 }
 
 function setCaptions(link: URLSearchParams, explorer: Explorer): void {
@@ -339,13 +342,3 @@ function viewpointOf(text: string): Viewpoint {
 }
 
 const kilobytes = (letters: number) => `${Math.ceil(letters / 1000)} kB`;
-
-/** Compressed, in letters that an address can have. */
-function packed(bytes: Uint8Array): string {
-  const text = btoa(strFromU8(deflateSync(bytes, { level: 9 }), true));
-  return text.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
-}
-
-function unpacked(text: string): Uint8Array {
-  return inflateSync(strToU8(atob(text.replaceAll('-', '+').replaceAll('_', '/')), true));
-}

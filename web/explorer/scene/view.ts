@@ -84,7 +84,7 @@ export class View {
       if (edit) this.#picture.change(edit);
     });
     let before = 0;
-    explorer.play.subscribe((play) => {
+    explorer.walker.play.subscribe((play) => {
       const { position = 0 } = play ?? {};
       // Also by a leap, to the end or to where a link is.
       const begins = before === 0 && position > 0;
@@ -93,7 +93,7 @@ export class View {
       if (play && selected && position > 0) this.travel.follow(play.player, selected, begins);
     });
     const { refused, pending } = explorer.editor;
-    const marking = [explorer.selected, explorer.hovered, explorer.play, refused, pending];
+    const marking = [explorer.selected, explorer.hovered, explorer.walker.play, refused, pending];
     for (const signal of [...marking, explorer.labels, explorer.pointers]) {
       signal.subscribe(() => this.#picture.mark());
     }
@@ -228,7 +228,7 @@ export class View {
   }
 
   #overlay(anchors: Anchors): Overlay {
-    const { document, selected, hovered, play, editor, showsFile } = this.#explorer;
+    const { document, selected, hovered, walker, editor, showsFile } = this.#explorer;
     const mesh = document.value?.mesh;
     if (!mesh) return { marks: [], labels: [] };
     const { marks, labels } = overlayOf(
@@ -236,7 +236,7 @@ export class View {
         mesh,
         selected: selected.value,
         hovered: hovered.value,
-        visits: play.value?.player.visits ?? [],
+        visits: walker.play.value?.player.visits ?? [],
         witness: editor.refused.value?.witness ?? null,
         first: editor.pending.value?.first ?? null,
         numbers: !this.#explorer.pointers.value,
@@ -249,8 +249,9 @@ export class View {
 
   /** The links as arrows, unless something else has the picture to itself; the names of items. */
   #captions(): Captions {
-    const { selected, hovered, play, pointers, labels, showsFile, editor } = this.#explorer;
-    const isBusy = (play.value?.position ?? 0) > 0 || editor.refused.value || editor.pending.value;
+    const { selected, hovered, walker, pointers, labels, showsFile, editor } = this.#explorer;
+    const isBusy =
+      (walker.play.value?.position ?? 0) > 0 || editor.refused.value || editor.pending.value;
     const isShown = pointers.value && !isBusy && !showsFile.value;
     const { scope, kinds } = labels.value;
     const item = { off: null, selection: selected.value, pointer: hovered.value, all: null }[scope];

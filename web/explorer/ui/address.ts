@@ -13,13 +13,13 @@ export function hasLink(): boolean {
 /** What a link chooses besides the mesh. */
 type Choices = ReturnType<typeof choicesOf>;
 
-function choicesOf({ dialect, direction, speed, labels, pointers, pickMode, tab }: Explorer) {
+function choicesOf({ walker, labels, pointers, pickMode, tab }: Explorer) {
   return {
     tab: tab.value,
     pickMode: pickMode.value,
-    dialect: dialect.value,
-    direction: direction.value,
-    speed: speed.value,
+    dialect: walker.dialect.value,
+    direction: walker.direction.value,
+    speed: walker.speed.value,
     labels: labels.value,
     pointers: pointers.value,
   };
@@ -108,9 +108,9 @@ export class AddressFollower {
     if (!this.#chosen) return;
     const { dialect, direction, speed, labels, pointers, pickMode, tab } = this.#chosen;
     this.#chosen = null;
-    explorer.setDialect(dialect);
-    explorer.setDirection(direction);
-    explorer.speed.value = speed;
+    explorer.walker.setDialect(dialect);
+    explorer.walker.setDirection(direction);
+    explorer.walker.speed.value = speed;
     explorer.labels.value = labels;
     explorer.pointers.value = pointers;
     explorer.pickMode.value = pickMode;

@@ -1,5 +1,6 @@
 import { hasDirection, itemName } from 'halfedge/teaching';
-import { type Explorer, type Play, SPEEDS } from '../app/explorer.js';
+import type { Explorer } from '../app/explorer.js';
+import { type Play, SPEEDS } from '../app/walker.js';
 import { codeListing } from './code-listing.js';
 import { fill, h, type IconName, icon, setAttribute } from './dom.js';
 import { segments } from './segments.js';
@@ -25,7 +26,7 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
   // What grows comes last, so that nothing else moves.
   body.append(kinds, ...controls, codeListing(explorer), visited);
   const show = () => {
-    const choice = explorer.choice.value;
+    const choice = explorer.walker.choice.value;
     body.hidden = choice === null;
     nothing.hidden = choice !== null;
     if (!choice) return;
@@ -35,7 +36,7 @@ export function circulatorPanel(explorer: Explorer): HTMLElement {
     if (inKinds) kinds.querySelector<HTMLInputElement>(`input[value="${focused}"]`)?.focus();
     direction.hidden = !hasDirection(choice.circulator);
   };
-  explorer.choice.subscribe(show);
+  explorer.walker.choice.subscribe(show);
   const tell = () => {
     nothing.textContent = emptyWords(explorer);
   };
@@ -54,14 +55,15 @@ function emptyWords(explorer: Explorer): string {
 
 /** Which item to go around, where there is a choice, and what to list there. */
 function kindControls(explorer: Explorer): HTMLElement[] {
-  const { value: groups } = explorer.groups;
-  const chosen = explorer.choice.value;
+  const { value: groups } = explorer.walker.groups;
+  const chosen = explorer.walker.choice.value;
   const group = groups[chosen?.group ?? 0];
   const around = segments(
     'around',
     { 'aria-label': 'Around' },
     groups.map(({ caption }, i) => ({ value: String(i), content: [caption] })),
-    (i) => explorer.choose({ group: Number(i), circulator: groups[Number(i)].circulators[0] }),
+    (i) =>
+      explorer.walker.choose({ group: Number(i), circulator: groups[Number(i)].circulators[0] }),
   );
   const chips = segments(
     'circulator',
@@ -69,7 +71,7 @@ function kindControls(explorer: Explorer): HTMLElement[] {
     group.circulators.map(({ name, label }) => ({ value: name, content: [label] })),
     (name) => {
       const circulator = group.circulators.find((each) => each.name === name);
-      if (circulator) explorer.choose({ group: chosen?.group ?? 0, circulator });
+      if (circulator) explorer.walker.choose({ group: chosen?.group ?? 0, circulator });
     },
   );
   if (chosen) {
@@ -89,42 +91,40 @@ function directionControl(explorer: Explorer): HTMLElement {
     'direction',
     { 'aria-label': 'Direction' },
     [choice('ccw', 'counter-clockwise'), choice('cw', 'clockwise')],
-    (direction) => explorer.setDirection(direction),
+    (direction) => explorer.walker.setDirection(direction),
   );
-  explorer.direction.subscribe((direction) => choices.mark(direction));
+  explorer.walker.direction.subscribe((direction) => choices.mark(direction));
   return choices.element;
 }
 
+/** The controls of the player, and the list of what was visited. */
 function player(explorer: Explorer, direction: HTMLElement) {
-  const button = (name: IconName, label: string, key: string, act: () => void) =>
-    h(
-      'button',
-      {
-        type: 'button',
-        class: 'button square',
-        'aria-label': label,
-        title: `${label} (${key})`,
-        onclick: act,
-      },
-      icon(name),
-    );
-  const restart = button('restart', 'Back to the start', 'Home', () => explorer.seek(0));
-  const back = button('back', 'Step back', ',', () => explorer.step(-1));
-  const toggle = button('play', 'Play', 'space', () => explorer.toggle());
-  const forward = button('forward', 'Step forward', '.', () => explorer.step(1));
-  toggle.classList.add('play');
-  const scrub = h('input', {
-    type: 'range',
-    min: 0,
-    step: 1,
-    'aria-label': 'Visited items',
-    oninput: () => explorer.seek(Number(scrub.value)),
-  });
-  const place = h('output', {});
   const hop = h('p', { class: 'hop', 'aria-live': 'polite' });
-  const visited = h('ol', { class: 'visited', 'aria-label': 'Visited, in order' });
+  explorer.walker.play.subscribe((play) => {
+    if (!play) return;
+    hop.classList.toggle('idle', play.position === 0);
+    hop.textContent = play.position === 0 ? idleWords(play) : unbroken(play.player.words);
+  });
+  const controls = [
+    h(
+      'div',
+      { class: 'transport', role: 'group', 'aria-label': 'Player' },
+      transportButtons(explorer),
+      direction,
+    ),
+    h('div', { class: 'scrub' }, ...scrubber(explorer), speed(explorer)),
+    hop,
+  ];
+  return { controls, visited: visitedList(explorer) };
+}
 
-  explorer.play.subscribe((play) => {
+function transportButtons({ walker }: Explorer): HTMLElement {
+  const restart = transportButton('restart', 'Back to the start', 'Home', () => walker.seek(0));
+  const back = transportButton('back', 'Step back', ',', () => walker.step(-1));
+  const toggle = transportButton('play', 'Play', 'space', () => walker.toggle());
+  const forward = transportButton('forward', 'Step forward', '.', () => walker.step(1));
+  toggle.classList.add('play');
+  walker.play.subscribe((play) => {
     if (!play) return;
     const { position, playing, player } = play;
     setAttribute(toggle, 'aria-label', playing ? 'Pause' : 'Play');
@@ -136,30 +136,57 @@ function player(explorer: Explorer, direction: HTMLElement) {
     for (const button of [back, restart]) {
       setAttribute(button, 'aria-disabled', position === 0 ? 'true' : null);
     }
+  });
+  return h('div', { class: 'buttons' }, restart, back, toggle, forward);
+}
+
+function transportButton(name: IconName, label: string, key: string, act: () => void) {
+  return h(
+    'button',
+    {
+      type: 'button',
+      class: 'button square',
+      'aria-label': label,
+      title: `${label} (${key})`,
+      onclick: act,
+    },
+    icon(name),
+  );
+}
+
+/** A slider along the visits, and where it is in words. */
+function scrubber({ walker }: Explorer): HTMLElement[] {
+  const scrub = h('input', {
+    type: 'range',
+    min: 0,
+    step: 1,
+    'aria-label': 'Visited items',
+    oninput: () => walker.seek(Number(scrub.value)),
+  });
+  const place = h('output', {});
+  walker.play.subscribe((play) => {
+    if (!play) return;
+    const { position, player } = play;
     scrub.max = String(player.count);
     scrub.value = String(position);
     scrub.disabled = player.count === 0;
     scrub.style.setProperty('--filled', `${(100 * position) / Math.max(1, player.count)}%`);
     setAttribute(scrub, 'aria-valuetext', `${position} of ${player.count}`);
     place.textContent = `${position} of ${player.count}`;
-    hop.classList.toggle('idle', position === 0);
-    hop.textContent = position === 0 ? idleWords(play) : unbroken(player.words);
+  });
+  return [scrub, place];
+}
+
+function visitedList(explorer: Explorer): HTMLElement {
+  const visited = h('ol', { class: 'visited', 'aria-label': 'Visited, in order' });
+  explorer.walker.play.subscribe((play) => {
+    if (!play) return;
     // A button that goes tells of no mouse that leaves it.
     if (visited.matches(':hover')) explorer.hovered.value = null;
     keepFocus(visited, () => fill(visited, ...visits(explorer, play)));
     scrollTo(visited, visited.querySelector<HTMLElement>('[aria-current]'));
   });
-  const controls = [
-    h(
-      'div',
-      { class: 'transport', role: 'group', 'aria-label': 'Player' },
-      h('div', { class: 'buttons' }, restart, back, toggle, forward),
-      direction,
-    ),
-    h('div', { class: 'scrub' }, scrub, place, speed(explorer)),
-    hop,
-  ];
-  return { controls, visited };
+  return visited;
 }
 
 /** Rebuilds a list of visits; the focus stays on the same visit, or goes to the last one that is left. */
@@ -209,7 +236,7 @@ function visits(explorer: Explorer, { player, position }: Play): HTMLElement[] {
           'data-item': name,
           'data-ordinal': ordinal,
           'aria-current': ordinal === position ? 'step' : null,
-          onclick: () => explorer.seek(ordinal),
+          onclick: () => explorer.walker.seek(ordinal),
           onmouseenter: () => {
             explorer.hovered.value = item;
           },
@@ -239,12 +266,12 @@ function speed(explorer: Explorer): HTMLElement {
       'aria-label': 'Speed, in steps a second',
       title: 'Speed',
       onchange: () => {
-        explorer.speed.value = Number(select.value);
+        explorer.walker.speed.value = Number(select.value);
       },
     },
     ...options,
   );
-  explorer.speed.subscribe((value) => {
+  explorer.walker.speed.subscribe((value) => {
     select.value = String(value);
   });
   return select;

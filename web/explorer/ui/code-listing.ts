@@ -1,5 +1,6 @@
 import { type DialectId, dialects, queryCode } from 'halfedge/teaching';
-import type { Explorer, Play } from '../app/explorer.js';
+import type { Explorer } from '../app/explorer.js';
+import type { Play } from '../app/walker.js';
 import { fill, h } from './dom.js';
 
 const WORDS = /\b(function\*|const|let|do|while|if|return|yield)|(\/\/.*)$/g;
@@ -9,7 +10,7 @@ export function codeListing(explorer: Explorer): HTMLElement {
   const call = h('code', { class: 'code', 'aria-label': 'Call of this circulator' });
   const listing = h('ol', { class: 'listing', 'aria-label': 'Code of this circulator' });
   let shown = '';
-  explorer.play.subscribe((play) => {
+  explorer.walker.play.subscribe((play) => {
     if (!play) return;
     const [name, parameters] = queryCode(play.player.query).split(/(?<=\()/);
     fill(call, name, h('wbr'), parameters);
@@ -59,11 +60,11 @@ function names(explorer: Explorer): HTMLElement {
       name: 'dialect',
       'aria-label': 'Names of',
       title: 'Whose names code and links have',
-      onchange: () => explorer.setDialect(select.value as DialectId),
+      onchange: () => explorer.walker.setDialect(select.value as DialectId),
     },
     ...dialects.map(({ id, label }) => h('option', { value: id }, label)),
   );
-  explorer.dialect.subscribe((id) => {
+  explorer.walker.dialect.subscribe((id) => {
     select.value = id;
   });
   return select;

@@ -55,7 +55,7 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     const listed = [...attributesOf(mesh, selected, names), ...measuresOf(mesh, selected)];
     fill(attributes, ...listed.map(attributeLine));
   };
-  explorer.dialect.subscribe(show);
+  explorer.walker.dialect.subscribe(show);
   explorer.document.subscribe(show);
   explorer.selected.subscribe(show);
   explorer.showsFile.subscribe(show);
@@ -92,7 +92,7 @@ function attributeLine({ name, type, text }: ShownAttribute): HTMLElement {
 }
 
 function linkButton(explorer: Explorer, { number, name, hint, target, key, role }: Link) {
-  const named = dialectOf(explorer.dialect.value).links[name];
+  const named = dialectOf(explorer.walker.dialect.value).links[name];
   const shown = named === undefined ? name : (named ?? '(has none)');
   return h(
     'li',

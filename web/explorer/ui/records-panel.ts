@@ -41,7 +41,7 @@ export function recordsPanel(explorer: Explorer): HTMLElement {
   function follow(): void {
     const mesh = explorer.document.value?.mesh;
     if (!mesh || !isShown()) return;
-    const { value: play } = explorer.play;
+    const { value: play } = explorer.walker.play;
     const { value: selected } = explorer.selected;
     grid.reading = readingOf(mesh, play);
     const { at } = grid.reading;
@@ -60,7 +60,7 @@ export function recordsPanel(explorer: Explorer): HTMLElement {
     }
   }
 
-  for (const signal of [explorer.tab, explorer.document, explorer.selected, explorer.play]) {
+  for (const signal of [explorer.tab, explorer.document, explorer.selected, explorer.walker.play]) {
     (signal as Signal<unknown>).subscribe(follow);
   }
   explorer.editor.edit.subscribe(() => queueMicrotask(follow));

@@ -22,7 +22,7 @@ export function publishState(explorer: Explorer, view: View, stage: HTMLElement)
   explorer.document.subscribe((opened) => publish('mesh', opened?.name ?? null));
   explorer.selected.subscribe((item) => publish('selected', item && itemName(item)));
   explorer.hovered.subscribe((item) => publish('hovered', item && itemName(item)));
-  explorer.play.subscribe((play) => {
+  explorer.walker.play.subscribe((play) => {
     const done = play?.player.done && play.position > 0;
     publish('player', play ? (play.playing ? 'playing' : done ? 'done' : 'paused') : null);
     publish('position', play?.position ?? null);

@@ -45,7 +45,7 @@ export class Arguments {
     const value = this.value(name);
     if (value === undefined) return undefined;
     const number = value.trim() === '' ? Number.NaN : Number(value);
-    if (number >= least && number < Number.POSITIVE_INFINITY) return number;
+    if (number >= least && number < Infinity) return number;
     throw new Complaint(`--${name} is ${quoted(value)}; expected a number from ${least}.`);
   }
 }

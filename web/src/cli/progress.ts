@@ -15,7 +15,7 @@ export class Progress {
   readonly #isShown: boolean;
   readonly #start = performance.now();
   #file = '';
-  #last = Number.NEGATIVE_INFINITY;
+  #last = -Infinity;
   #lastLine = '';
 
   constructor(mode: ProgressMode, stream: WriteStream = process.stderr) {

@@ -169,7 +169,7 @@ export abstract class FigureAttributes extends LitElement {
     if (Number.isNaN(step)) {
       return new Error('step is no number; expected how many steps are made.');
     }
-    if (!(speed > 0 && speed < Number.POSITIVE_INFINITY)) {
+    if (!(speed > 0 && speed < Infinity)) {
       const found = Number.isNaN(speed) ? 'no number' : speed;
       return new Error(`speed is ${found}; expected steps a second, more than 0.`);
     }

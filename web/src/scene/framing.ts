@@ -48,7 +48,7 @@ export function framingOf(
 /** The largest of x + slope z among points, where x and z are measured along two directions. */
 function farthest(points: Float32Array, slope: number, along: Vector3, back: Vector3): number {
   const { x, y, z } = along.clone().addScaledVector(back, slope);
-  let most = Number.NEGATIVE_INFINITY;
+  let most = -Infinity;
   for (let i = 0; i < points.length; i += 3) {
     const reach = x * points[i] + y * points[i + 1] + z * points[i + 2];
     if (reach > most) most = reach;

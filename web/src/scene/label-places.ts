@@ -62,7 +62,7 @@ export class LabelPlaces {
     const slides = own.length > 1 ? ALONG : [0.5];
     const usual = distance(wanted, own);
     let best: Place | undefined;
-    let least = Number.POSITIVE_INFINITY;
+    let least = Infinity;
     for (const [columns, rows] of ASIDE) {
       for (const share of columns === 0 && rows === 0 ? slides : [0.5]) {
         const slid = pointOn(own, share);
@@ -109,7 +109,7 @@ function pointOn(trace: Trace, share: number): Place {
 
 /** How far a point lies from the nearest one of a trace. */
 function distance(place: Place, trace: Trace): number {
-  let least = Number.POSITIVE_INFINITY;
+  let least = Infinity;
   for (let i = 0; i < Math.max(trace.length - 1, 1); i++) {
     const near = nearest(place, trace[i], trace[i + 1] ?? trace[i]);
     least = Math.min(least, Math.hypot(near.x - place.x, near.y - place.y));

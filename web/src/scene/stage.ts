@@ -30,12 +30,7 @@ export interface Insets {
 }
 
 /** What a card covers for a while, in CSS pixels from the canvas's top left: the picture stays where it is. */
-export interface Covered {
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-  readonly left: number;
-}
+export type Covered = Pick<DOMRectReadOnly, keyof Insets>;
 
 /** The layer of what shows the mesh. */
 export const MESH_LAYER = 0;

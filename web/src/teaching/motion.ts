@@ -65,7 +65,7 @@ export function motionOf(operation: Operation, before: StateBefore, mesh: Halfed
 
 function nearest(corners: StateBefore['corners'], positions: Float32Array, v: number): number {
   let found = v;
-  let least = Number.POSITIVE_INFINITY;
+  let least = Infinity;
   for (const [corner, x, y, z] of corners) {
     const distance = Math.hypot(
       positions[3 * v] - x,

@@ -116,7 +116,7 @@ export class FaceTree {
   cast(ray: Ray): TriangleHit | null {
     this.#catchUp();
     let found = this.#tree.cast(ray);
-    let least = found?.distance ?? Number.POSITIVE_INFINITY;
+    let least = found?.distance ?? Infinity;
     for (const [face, corners] of this.#loose) {
       for (let i = 0; i < corners.length; i += 9) {
         const distance = distanceToTriangle(ray, corners, i, i + 3, i + 6);

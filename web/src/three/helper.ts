@@ -220,7 +220,7 @@ export function colorOf(argument: string, given: unknown, others: ColorRepresent
 
 /** Throws unless it is a length. */
 export function checkLength(argument: string, value: unknown): number {
-  if (typeof value === 'number' && value > 0 && value < Number.POSITIVE_INFINITY) return value;
+  if (typeof value === 'number' && value > 0 && value < Infinity) return value;
   throw new RangeError(`${argument} is ${describe(value)}; expected a positive number.`);
 }
 

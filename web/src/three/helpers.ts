@@ -160,7 +160,7 @@ export class CirculatorHelper<Kind extends CirculatorKind = CirculatorKind> exte
     options: CirculatorOptions = {},
   ) {
     super(mesh, checkOptions(options, CIRCULATOR_OPTIONS), TRAIL, 2.5);
-    const { direction = 'ccw', steps = Number.POSITIVE_INFINITY, currentColor } = options;
+    const { direction = 'ccw', steps = Infinity, currentColor } = options;
     checkSteps('options.steps', steps);
     this.kind = kind;
     this.item = item;

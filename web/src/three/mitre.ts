@@ -272,7 +272,7 @@ function cutReflex(row: Float64Array, degree: number): void {
 }
 
 function capOf(corners: ArrayLike<number>, degree: number, row: Float64Array): number {
-  let cap = Number.POSITIVE_INFINITY;
+  let cap = Infinity;
   for (let i = 0; i < degree; i++) {
     const a = HEAD + CORNER * i;
     const b = i + 1 === degree ? HEAD : a + CORNER;

@@ -31,11 +31,11 @@ export function nearestOf(
   glyphs.face(face, arrowSizes(pixel));
   const nearest = {
     vertex: toVertex[first],
-    vertexDistance: Number.POSITIVE_INFINITY,
+    vertexDistance: Infinity,
     halfedge: first,
-    edgeDistance: Number.POSITIVE_INFINITY,
+    edgeDistance: Infinity,
     edgeLength: 0,
-    arrowDistance: Number.POSITIVE_INFINITY,
+    arrowDistance: Infinity,
     meanEdge: meanEdge / pixel,
   };
   let h = first;

@@ -79,7 +79,7 @@ export class RowBuffer {
     this.#written.length = 0;
     const ranges = attribute.updateRanges;
     if (ranges.length > MOST_RANGES) {
-      let start = Number.POSITIVE_INFINITY;
+      let start = Infinity;
       let end = 0;
       for (const range of ranges) {
         start = Math.min(start, range.start);

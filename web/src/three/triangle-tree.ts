@@ -89,7 +89,7 @@ export class TriangleTree {
   #tryAll(ray: Ray): TriangleHit | null {
     const { points, vertices, faces } = this.#triangles;
     let found = -1;
-    let least = Number.POSITIVE_INFINITY;
+    let least = Infinity;
     for (let t = 0; t < faces.length; t++) {
       const distance = distanceToTriangle(
         ray,
@@ -171,4 +171,4 @@ export function distanceToTriangle(
   return distance >= 0 ? distance : MISS;
 }
 
-const MISS = Number.POSITIVE_INFINITY;
+const MISS = Infinity;

@@ -104,7 +104,7 @@ function inGroups(
 ): FaceTriangles {
   const rank = (triangle: number) => {
     const group = groupOf[faces[triangle]];
-    return group >= 0 ? group : Number.POSITIVE_INFINITY;
+    return group >= 0 ? group : Infinity;
   };
   const order = newArray('the triangles', Uint32Array, faces.length);
   for (let i = 0; i < order.length; i++) order[i] = i;
@@ -114,7 +114,7 @@ function inGroups(
     const group = rank(order[from]);
     let to = from;
     while (to < order.length && rank(order[to]) === group) to += 1;
-    if (group < Number.POSITIVE_INFINITY) geometry.addGroup(3 * from, 3 * (to - from), group);
+    if (group < Infinity) geometry.addGroup(3 * from, 3 * (to - from), group);
     from = to;
   }
   const sorted = newArray('the triangles', Uint32Array, halfedges.length);

@@ -1,11 +1,11 @@
-import { describe } from './arguments.js';
-import * as around from './around.js';
-import { roomIn, tooSmall } from './buffer.js';
-import * as directed from './directed-edges-links.js';
-import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
-import type { Result } from './laps.js';
-import { corrupt } from './links.js';
-import * as walks from './walks.js';
+import { describe } from '../arguments.js';
+import * as around from '../around.js';
+import { roomIn, tooSmall } from '../buffer.js';
+import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from '../items.js';
+import type { Result } from '../laps.js';
+import { corrupt } from '../links.js';
+import * as walks from '../walks.js';
+import * as directed from './links.js';
 
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;

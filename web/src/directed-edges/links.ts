@@ -1,8 +1,8 @@
-import { HalfedgeError } from './errors.js';
-import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
-import { type Halfedge, NONE } from './items.js';
-import { checkIndex, corrupt, disposedError } from './links.js';
-import type { Core } from './loader.js';
+import { HalfedgeError } from '../errors.js';
+import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
+import { type Halfedge, NONE } from '../items.js';
+import { checkIndex, corrupt, disposedError } from '../links.js';
+import type { Core } from '../loader.js';
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
 const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>

@@ -1,9 +1,9 @@
-import { boundaryLoopsOf, type DirectedLinks } from './directed-edges-links.js';
-import * as measures from './directed-edges-measures.js';
-import { DirectedEdgesNavigation, directedLinksOf } from './directed-edges-navigation.js';
-import type { EdgeLike, FaceLike, HalfedgeLike, VertexLike } from './items.js';
-import { type Box, boxOf, type Floats, type XYZ } from './measures.js';
-import { arrayFor, checkClosed, type FloatsConstructor, pointOf } from './results.js';
+import type { EdgeLike, FaceLike, HalfedgeLike, VertexLike } from '../items.js';
+import { type Box, boxOf, type Floats, type XYZ } from '../measures.js';
+import { arrayFor, checkClosed, type FloatsConstructor, pointOf } from '../results.js';
+import { boundaryLoopsOf, type DirectedLinks } from './links.js';
+import * as measures from './measures.js';
+import { DirectedEdgesNavigation, directedLinksOf } from './navigation.js';
 
 /**
  * Normals, areas, lengths and angles of Directed Edges, under the names that they have in `HalfedgeMesh`, and to the

@@ -1,28 +1,18 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { describe } from './arguments.js';
-import { buildDirectedEdges } from './build.js';
-import { refuse } from './checks.js';
+import { describe } from '../arguments.js';
+import { buildDirectedEdges } from '../build.js';
+import { refuse } from '../checks.js';
 import {
   CIRCULATE_OPTIONS,
   type CirculateOptions,
   type CirculatorCentre,
   type CirculatorKind,
   type Shown,
-} from './circulation.js';
-import { DirectedEdgesGeometry } from './directed-edges-geometry.js';
-import { boundaryLoopsOf, DirectedLinks } from './directed-edges-links.js';
-import { directedLinksOf } from './directed-edges-navigation.js';
-import {
-  DirectedCirculator,
-  DirectedItems,
-  DirectedOrbit,
-  type Kind,
-  lapAround,
-} from './directed-edges-orbit.js';
-import type { Problem } from './errors.js';
-import { displayed, printed } from './inspect.js';
+} from '../circulation.js';
+import type { Problem } from '../errors.js';
+import { displayed, printed } from '../inspect.js';
 import type {
   Direction,
   Edge,
@@ -33,15 +23,19 @@ import type {
   HalfedgeLike,
   Vertex,
   VertexLike,
-} from './items.js';
-import { Links } from './links.js';
-import { core } from './loader.js';
-import { HalfedgeMesh } from './mesh.js';
-import { linksOf } from './navigation.js';
-import { checkOptions } from './options.js';
-import { unwrap } from './reports.js';
-import { type Computed, checkLevel, findings, type LinkLevel } from './topology.js';
-import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from './walks.js';
+} from '../items.js';
+import { Links } from '../links.js';
+import { core } from '../loader.js';
+import { HalfedgeMesh } from '../mesh.js';
+import { linksOf } from '../navigation.js';
+import { checkOptions } from '../options.js';
+import { unwrap } from '../reports.js';
+import { type Computed, checkLevel, findings, type LinkLevel } from '../topology.js';
+import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from '../walks.js';
+import { DirectedEdgesGeometry } from './geometry.js';
+import { boundaryLoopsOf, DirectedLinks } from './links.js';
+import { directedLinksOf } from './navigation.js';
+import { DirectedCirculator, DirectedItems, DirectedOrbit, type Kind, lapAround } from './orbit.js';
 
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
 

@@ -1,6 +1,6 @@
-import { newArray } from './arguments.js';
-import * as directed from './directed-edges-links.js';
-import { type Floats, parts, sumsOf, writeUnitVectors } from './measures.js';
+import { newArray } from '../arguments.js';
+import { type Floats, parts, sumsOf, writeUnitVectors } from '../measures.js';
+import * as directed from './links.js';
 
 // Constants of this module's own: see walks.ts.
 const { after, before, faceOf } = directed;

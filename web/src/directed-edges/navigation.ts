@@ -1,5 +1,4 @@
-import { refuse } from './checks.js';
-import { after, before, type DirectedLinks } from './directed-edges-links.js';
+import { refuse } from '../checks.js';
 import {
   type Edge,
   type EdgeLike,
@@ -10,8 +9,9 @@ import {
   NONE as none,
   type Vertex,
   type VertexLike,
-} from './items.js';
-import { corrupt } from './links.js';
+} from '../items.js';
+import { corrupt } from '../links.js';
+import { after, before, type DirectedLinks } from './links.js';
 
 // A constant of this module's own: see walks.ts.
 const NONE: typeof none = none;
