@@ -1,7 +1,7 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/box_tree.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 // Less than this, of area times diagonal, is not told from nothing.
 constexpr double kNoVolume = 1e-10;
@@ -172,7 +172,7 @@ class Nesting {
 }  // namespace
 
 Result<Report> orient_outward(Surface& surface, const OrientOptions& options) {
-  const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
+  const auto no_memory = [] { return refusals::no_memory("the components"); };
   Result<Components> labelled = surface.components();
   if (!labelled) return labelled;
   const Components& components = labelled.value();

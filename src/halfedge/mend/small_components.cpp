@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/refusals.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ Result<Report> drop_small_components(Surface& surface, const DropOptions& option
       return checked;
     }
   }
-  const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
+  const auto no_memory = [] { return refusals::no_memory("the components"); };
   Result<Components> labelled = surface.components();
   if (!labelled) return labelled;
   const Components& components = labelled.value();

@@ -233,8 +233,8 @@ template <EditableSurface Mesh>
   using namespace internal;
   Result<Index> new_edges = count_new_edges(mesh, corners);
   if (!new_edges) return new_edges;
-  if (!decorator::internal::make_room(mesh, 0, new_edges.value(), 1)) {
-    return decorator::internal::no_memory("a face and its edges");
+  if (!steps::make_room(mesh, 0, new_edges.value(), 1)) {
+    return refusals::no_memory("a face and its edges");
   }
   LoneFans& lone = mesh.lone_fans();
   lone.start_at(mesh.version());
@@ -249,7 +249,7 @@ template <EditableSurface Mesh>
     link_corner(mesh, in, out);
     in = out;
   }
-  decorator::internal::make_face(mesh, last.halfedge);
+  steps::make_face(mesh, last.halfedge);
   for (Halfedge h = last.halfedge;;) {
     const Halfedge after = mesh.next(h);
     choose_anchor(mesh, h, after);

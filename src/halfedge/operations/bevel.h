@@ -14,7 +14,7 @@ namespace internal {
 template <class Mesh>
 void move_towards(Mesh& mesh, Vertex v, Vertex w, double t) {
   if constexpr (HasPositions<Mesh>) {
-    mesh.set_position(v, decorator::internal::blend(mesh.position(v), mesh.position(w), t));
+    mesh.set_position(v, steps::blend(mesh.position(v), mesh.position(w), t));
   }
   mesh.blend_attributes(v, v, w, t);
 }
@@ -53,7 +53,8 @@ template <EditableSurface Mesh>
 /// errors: those of check_bevel_vertex, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_vertex(Mesh& mesh, Vertex v, double amount) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> can = check_bevel_vertex(mesh, v, amount); !can) return can;
   struct Spoke {
     Halfedge in;         // leads to v
@@ -110,7 +111,7 @@ template <EditableSurface Mesh>
   if (Result<void> live = check_live(mesh, e); !live) return live;
   const Halfedge h = mesh.edge_halfedge(e);
   if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
-    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+    return refusals::is_loop_edge(h, mesh.to_vertex(h));
   }
   Index splits = 0;
   for (const Halfedge side : {h, mesh.opposite(h)}) {
@@ -184,7 +185,8 @@ template <class Mesh>
 /// errors: those of check_bevel_edge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_edge(Mesh& mesh, Edge e, double amount) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> can = check_bevel_edge(mesh, e, amount); !can) return can;
   if (!make_room(mesh, 2, 3, 1)) return no_memory("a face");
   const Halfedge h = mesh.edge_halfedge(e);
