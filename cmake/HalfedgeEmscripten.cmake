@@ -32,7 +32,7 @@ set(halfedge_fast_files
   # every edit
   operation_bindings construction_bindings history/journal
   # where edits are refused; all that refuses gets smaller by it, besides
-  sentence result decorator/refusal
+  sentence result refusals
   # whole meshes: rows of all rings, topology, validation, copies, orders
   algorithms/adjacency algorithms/topology algorithms/touch_rings
   algorithms/triangles algorithms/quad

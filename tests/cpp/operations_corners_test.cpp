@@ -112,8 +112,7 @@ int expect_corners_follow(const Items& items, const Operate& operate,
 }
 
 Point point_on(const Mesh& mesh, Halfedge h, double t) {
-  return decorator::internal::blend(mesh.position(mesh.from_vertex(h)),
-                                    mesh.position(mesh.to_vertex(h)), t);
+  return steps::blend(mesh.position(mesh.from_vertex(h)), mesh.position(mesh.to_vertex(h)), t);
 }
 
 Point point_on(const Mesh& mesh, Edge e, double t) {

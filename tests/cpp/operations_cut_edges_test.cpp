@@ -121,8 +121,7 @@ TEST(CutEdges, EdgesOneByOneInAnyOrderAndDirection) {
       const std::vector<Edge> edges = draw_edges(mesh, random);
       if (expected_code(mesh, edges) != "done") continue;
       Mesh after = copy_of(mesh);
-      ASSERT_TRUE(
-          decorator::internal::make_room(after, 2 * Index(edges.size()), Index(edges.size()), 0));
+      ASSERT_TRUE(steps::make_room(after, 2 * Index(edges.size()), Index(edges.size()), 0));
       for (const Edge e : edges) {
         (void)operations::internal::cut_edge(after, mesh.edge_halfedge(e, Index(random() % 2)));
       }

@@ -228,8 +228,7 @@ TEST(InsertVertexOnEdge, GivesBothFacesACornerAndIsUndoneExactly) {
                 with_vertex_between(polys_of(mesh), u.index(), v.index(), w.index()));
       EXPECT_EQ(after.from_vertex(after.edge_halfedge(e)), w) << "the old edge is the half at v";
       EXPECT_EQ(after.to_vertex(after.edge_halfedge(e)), v);
-      EXPECT_EQ(after.position(w),
-                decorator::internal::blend(mesh.position(u), mesh.position(v), 0.5));
+      EXPECT_EQ(after.position(w), steps::blend(mesh.position(u), mesh.position(v), 0.5));
       const Result<Edge> left = remove_vertex_on_edge(after, w);
       ASSERT_TRUE(left.ok()) << left.error().message;
       EXPECT_EQ(left.value(), e);

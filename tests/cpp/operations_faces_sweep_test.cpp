@@ -112,7 +112,7 @@ TEST(SweepInsertEdge, IsAllowedJustWhereTheBuilderTakesTheFaces) {
 
         // By hand: the loop from to(h) on, up to to(g); and from there back.
         Corners loop = loop_from(mesh, h);
-        const bool is_one_loop = decorator::internal::is_one_loop(mesh, h, g);
+        const bool is_one_loop = steps::is_one_loop(mesh, h, g);
         std::size_t cut = 0;
         for (Halfedge at = h; is_one_loop && at != g; at = mesh.next(at)) ++cut;
         Polys expected = polys_of(mesh);

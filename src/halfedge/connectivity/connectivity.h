@@ -10,7 +10,9 @@
 #include <halfedge/inlining.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <new>
@@ -555,12 +557,8 @@ class BasicConnectivity : public Circulators<BasicConnectivity<kStored>> {
   void for_edge_links(const Visit& visit);
   void note_recycled(Edge e, bool is_taken);
   void exchange_recycled_edge(const Journal::Note& note);
-  void exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
-                      const Journal::Note& note);
-  void exchange_halfedge_slots(const Journal::Note& note);
-  void exchange_new_halfedges(const Journal::Note& note);
-  void exchange_new(ItemKind kind, bool is_stored, Array<Index>& array, Index& bare,
-                    const Journal::Note& note);
+  [[nodiscard]] std::size_t list_arrays(ItemKind kind, std::array<Array<Index>*, 4>& arrays);
+  void exchange_slots(ItemKind kind, bool is_new, const Journal::Note& note);
   [[nodiscard]] Index take_free(Field field, Array<Index>& links, FreeList& list, Index link);
 
   // Round the loop of `h` and round its vertex in step: the shorter of the two ends the search.

@@ -5,7 +5,11 @@
 
 #include <halfedge/connectivity/connectivity.h>
 
-#include <cstring>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
 
 namespace halfedge {
 
@@ -59,75 +63,48 @@ void BasicConnectivity<kStored>::exchange_recycled_edge(const Journal::Note& not
   });
 }
 
-// Drops slots that were new, or adds them again, in room that was there before, as they were.
+// The arrays of links that items of a kind have; as many as are told.
 template <Storage kStored>
-void BasicConnectivity<kStored>::exchange_new(ItemKind kind, bool is_stored, Array<Index>& array,
-                                              Index& bare, const Journal::Note& note) {
-  const Index size = slots(kind);
-  attributes_.resize(kind, note.words[0]);
-  if (!is_stored) {
-    bare = note.words[0];
-  } else if (note.words[0] < size) {
-    journal_->keep_dropped(&array[note.words[0]], size - note.words[0]);
-    array.grow_to(note.words[0]);
-  } else {
-    const Index count = note.words[0] - size;
-    array.grow_to(note.words[0]);
-    const void* const dropped = journal_->take_dropped(count);
-    if (count > 0) std::memcpy(array.begin() + size, dropped, count * sizeof(Index));
-  }
-  note.words[0] = size;
+std::size_t BasicConnectivity<kStored>::list_arrays(ItemKind kind,
+                                                    std::array<Array<Index>*, 4>& arrays) {
+  std::size_t count = 0;
+  const auto list = [&](Array<Index>& array) {
+    arrays[count++] = &array;
+    return true;
+  };
+  if (kind == ItemKind::kHalfedge) (void)internal::for_halfedge_arrays(storage(), links_, list);
+  if (kStorage.vertex_halfedge && kind == ItemKind::kVertex) list(links_.vertex_halfedge);
+  if (kStorage.face_halfedge && kind == ItemKind::kFace) list(links_.face_halfedge);
+  return count;
 }
 
+// Changes the number of slots back, in room that is there. What a slot holds is noted by itself,
+// unless it is new: then it is dropped, or added again as it was.
 template <Storage kStored>
-void BasicConnectivity<kStored>::exchange_new_halfedges(const Journal::Note& note) {
-  const Index size = halfedge_slots();
-  attributes_.resize(ItemKind::kEdge, note.words[0] / 2);
-  attributes_.resize(ItemKind::kHalfedge, note.words[0]);
-  if (note.words[0] < size) {
-    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
-      journal_->keep_dropped(&array[note.words[0]], size - note.words[0]);
-      array.grow_to(note.words[0]);
-      return true;
-    });
-  } else {
-    const std::size_t count = note.words[0] - size;
-    std::size_t arrays = 0;
-    (void)internal::for_halfedge_arrays(storage(), links_,
-                                        [&](Array<Index>&) { return ++arrays > 0; });
-    const auto* dropped = static_cast<const Index*>(journal_->take_dropped(arrays * count));
-    (void)internal::for_halfedge_arrays(storage(), links_, [&](Array<Index>& array) {
-      array.grow_to(note.words[0]);
-      std::copy_n(dropped, count, array.begin() + size);
-      dropped += count;
-      return true;
-    });
-  }
-  note.words[0] = size;
-}
+void BasicConnectivity<kStored>::exchange_slots(ItemKind kind, bool is_new,
+                                                const Journal::Note& note) {
+  const Index before = slots(kind);
+  const Index after = std::exchange(note.words[0], before);
+  if (kind == ItemKind::kHalfedge) attributes_.resize(ItemKind::kEdge, after / 2);
+  attributes_.resize(kind, after);
+  if (!kStorage.vertex_halfedge && kind == ItemKind::kVertex) bare_vertices_ = after;
+  if (!kStorage.face_halfedge && kind == ItemKind::kFace) bare_faces_ = after;
 
-// Changes the size back, in room that is there. What a slot holds is noted by itself.
-template <Storage kStored>
-void BasicConnectivity<kStored>::exchange_slots(ItemKind kind, bool is_stored, Array<Index>& array,
-                                                Index& bare, const Journal::Note& note) {
-  const Index size = slots(kind);
-  attributes_.resize(kind, note.words[0]);
-  if (is_stored) {
-    (void)array.resize(note.words[0], kNone);
-  } else {
-    bare = note.words[0];
+  std::array<Array<Index>*, 4> listed;
+  const std::span<Array<Index>* const> arrays(listed.data(), list_arrays(kind, listed));
+  const std::size_t more = is_new && after > before ? after - before : 0;
+  const auto* dropped =
+      static_cast<const Index*>(more > 0 ? journal_->take_dropped(arrays.size() * more) : nullptr);
+  for (Array<Index>* const array : arrays) {
+    if (is_new && after < before) journal_->keep_dropped(&(*array)[after], before - after);
+    if (!is_new) {
+      (void)array->resize(after, kNone);
+      continue;
+    }
+    array->grow_to(after);
+    std::copy_n(dropped, more, array->begin() + before);
+    dropped += more;
   }
-  note.words[0] = size;
-}
-
-template <Storage kStored>
-void BasicConnectivity<kStored>::exchange_halfedge_slots(const Journal::Note& note) {
-  const Index size = halfedge_slots();
-  (void)internal::for_halfedge_arrays(
-      storage(), links_, [&](Array<Index>& array) { return array.resize(note.words[0], kNone); });
-  attributes_.resize(ItemKind::kEdge, note.words[0] / 2);
-  attributes_.resize(ItemKind::kHalfedge, note.words[0]);
-  note.words[0] = size;
 }
 
 template <Storage kStored>
@@ -165,21 +142,17 @@ void BasicConnectivity<kStored>::exchange(const Journal::Note& note) {
     case Field::kRecycledEdge:
       return exchange_recycled_edge(note);
     case Field::kNewVertices:
-      return exchange_new(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
-                          bare_vertices_, note);
+      return exchange_slots(ItemKind::kVertex, true, note);
     case Field::kNewHalfedges:
-      return exchange_new_halfedges(note);
+      return exchange_slots(ItemKind::kHalfedge, true, note);
     case Field::kNewFaces:
-      return exchange_new(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
-                          bare_faces_, note);
+      return exchange_slots(ItemKind::kFace, true, note);
     case Field::kVertexSlots:
-      return exchange_slots(ItemKind::kVertex, kStorage.vertex_halfedge, links_.vertex_halfedge,
-                            bare_vertices_, note);
+      return exchange_slots(ItemKind::kVertex, false, note);
     case Field::kHalfedgeSlots:
-      return exchange_halfedge_slots(note);
+      return exchange_slots(ItemKind::kHalfedge, false, note);
     case Field::kFaceSlots:
-      return exchange_slots(ItemKind::kFace, kStorage.face_halfedge, links_.face_halfedge,
-                            bare_faces_, note);
+      return exchange_slots(ItemKind::kFace, false, note);
     case Field::kFreeListOfVertices:
       return exchange_free_list(free_vertices_);
     case Field::kFreeListOfEdges:

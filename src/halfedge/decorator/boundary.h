@@ -39,8 +39,8 @@ requires StoresFaces<Mesh>
   if (Result<void> can = check_add_face_to_boundary(mesh, h, g); !can) return can;
   if (!make_room(mesh, 0, 1, 1)) return no_memory("an edge and a face");
   const Halfedge d = mesh.new_edge(mesh.to_vertex(g), mesh.to_vertex(h));
-  insert_tip(mesh, d, h);
-  insert_tip(mesh, mesh.opposite(d), g);
+  steps::insert_tip(mesh, d, h);
+  steps::insert_tip(mesh, mesh.opposite(d), g);
   make_face(mesh, d);
   mend_anchors_of_loop(mesh, d);
   return d;

@@ -39,8 +39,8 @@ template <Editable Mesh>
   if (!make_room(mesh, 0, 1, 1)) return no_memory("an edge and a face");
   const Face f = face_of(mesh, h);
   const Halfedge d = mesh.new_edge(mesh.to_vertex(h), mesh.to_vertex(g));
-  insert_tip(mesh, d, g);
-  insert_tip(mesh, mesh.opposite(d), h);
+  steps::insert_tip(mesh, d, g);
+  steps::insert_tip(mesh, mesh.opposite(d), h);
   set_face(mesh, d, f);
   make_face(mesh, mesh.opposite(d), f);
   mend_face(mesh, f, d);

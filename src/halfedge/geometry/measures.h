@@ -1,9 +1,9 @@
 #pragma once
 
 #include <halfedge/connectivity/array.h>
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/geometry/loop.h>
 #include <halfedge/mesh.h>
+#include <halfedge/refusals.h>
 #include <halfedge/result.h>
 #include <halfedge/sentence.h>
 #include <halfedge/vector.h>
@@ -83,17 +83,17 @@ template <class Mesh>
   for (const Halfedge h : mesh.halfedges()) {
     if (!mesh.is_boundary(h)) continue;
     if (seen.empty() && !seen.resize(mesh.halfedge_slots(), false)) {
-      return decorator::internal::no_memory("the count of boundary loops");
+      return refusals::no_memory("the count of boundary loops");
     }
     if (seen[h.index()]) continue;
     for (const Halfedge on_loop : mesh.loop_ccw(h)) seen[on_loop.index()] = true;
     if (loops++ == 0) first = h;
   }
   if (loops == 0) return {};
-  return decorator::internal::refusal("open-surface",
-                                      sentence::of("the mesh has {}, expected a closed surface",
-                                                   sentence::count_of(loops, "boundary loop")),
-                                      {.halfedges = {first.index()}});
+  return refusals::refusal("open-surface",
+                           sentence::of("the mesh has {}, expected a closed surface",
+                                        sentence::count_of(loops, "boundary loop")),
+                           {.halfedges = {first.index()}});
 }
 
 }  // namespace internal

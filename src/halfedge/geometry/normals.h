@@ -1,10 +1,10 @@
 #pragma once
 
 #include <halfedge/connectivity/array.h>
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/geometry/loop.h>
 #include <halfedge/mesh.h>
 #include <halfedge/prefetch.h>
+#include <halfedge/refusals.h>
 #include <halfedge/result.h>
 #include <halfedge/vector.h>
 
@@ -115,7 +115,7 @@ requires StoresFaceHalfedges<Mesh>
 [[nodiscard]] Result<Array<Point>> face_normals(const Mesh& mesh) {
   Array<Point> normals;
   if (!normals.resize(mesh.face_slots())) {
-    return decorator::internal::no_memory("the normals of the faces");
+    return refusals::no_memory("the normals of the faces");
   }
   face_normals(mesh, normals.span());
   return normals;
@@ -133,7 +133,7 @@ requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
   assert(normals.size() == mesh.vertex_slots());
   Array<Vector> sums;
   if (!sums.resize(normals.size(), Vector{})) {
-    return decorator::internal::no_memory("the normals of the vertices");
+    return refusals::no_memory("the normals of the vertices");
   }
   double all = 0;  // at least the lengths of all area vectors together
   internal::for_each_corner(
@@ -151,7 +151,7 @@ requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
     if (normal == Vector{} && sums[v] != Vector{}) {
       if (lengths.empty()) {
         if (!lengths.resize(normals.size(), 0.0)) {
-          return decorator::internal::no_memory("the normals of the vertices");
+          return refusals::no_memory("the normals of the vertices");
         }
         internal::for_each_corner(mesh, internal::length,
                                   [&](Vertex at, double length) { lengths[at.index()] += length; });
@@ -169,7 +169,7 @@ requires StoresFaces<Mesh> && StoresFaceHalfedges<Mesh> && StoresAnchors<Mesh>
 [[nodiscard]] Result<Array<Point>> vertex_normals(const Mesh& mesh) {
   Array<Point> normals;
   if (!normals.resize(mesh.vertex_slots())) {
-    return decorator::internal::no_memory("the normals of the vertices");
+    return refusals::no_memory("the normals of the vertices");
   }
   if (Result<void> done = vertex_normals(mesh, normals.span()); !done) return done;
   return normals;

@@ -1,7 +1,7 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/face_shape.h>
 #include <halfedge/mend/repairs.h>
 #include <halfedge/mend/short_edges.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 #include <halfedge/sort.h>
 
@@ -14,7 +14,7 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 constexpr int kRounds = 32;
 
@@ -66,7 +66,7 @@ class Remover {
   }
 
  private:
-  static Failure no_memory() { return decorator::internal::no_memory("the faces to be removed"); }
+  static Failure no_memory() { return refusals::no_memory("the faces to be removed"); }
 
   [[nodiscard]] Vector at(Vertex v) const { return point_of(surface_, v); }
   [[nodiscard]] std::size_t steps() const { return steps_ + short_edges_.count(); }

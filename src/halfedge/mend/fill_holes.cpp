@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/hole_plan.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 // From kBlocked on for lack of a plan.
 enum class Why : std::uint8_t { kFilled, kLarge, kSmall, kNoNumber, kBlocked, kFolding };
@@ -168,7 +168,7 @@ Result<Report> fill_holes(Surface& surface, const FillOptions& options) {
   Report report;
   Filler filler(surface, options, report);
   if (!filler.fill(loops.value().span())) {
-    return decorator::internal::no_memory("the triangles of a hole");
+    return refusals::no_memory("the triangles of a hole");
   }
   report.summarize();
   return report;

@@ -43,9 +43,10 @@ bool HolePlan::find_normal(Halfedge h, Vector& normal) {
 }
 
 bool HolePlan::read_loop(Halfedge first) {
+  Hole& hole = triangles_.hole();
   vertices_.clear();
-  points_.clear();
-  beyond_.clear();
+  hole.points.clear();
+  hole.beyond.clear();
   Halfedge h = first;
   do {
     const Halfedge after = surface_.next(h);
@@ -53,7 +54,7 @@ bool HolePlan::read_loop(Halfedge first) {
     const Halfedge o = Surface::opposite(after);
     Vector normal = {};
     if ((!surface_.is_boundary(o) && !find_normal(o, normal)) || !vertices_.push_back(v) ||
-        !points_.push_back(point_of(surface_, v)) || !beyond_.push_back(normal)) {
+        !hole.points.push_back(point_of(surface_, v)) || !hole.beyond.push_back(normal)) {
       return false;
     }
     h = after;
@@ -63,8 +64,9 @@ bool HolePlan::read_loop(Halfedge first) {
 
 // Lists the pairs of corners whose vertices are joined already, or the same.
 bool HolePlan::list_forbidden() {
+  Hole& hole = triangles_.hole();
   const Index n = Index(vertices_.size());
-  forbidden_.clear();
+  hole.forbidden.clear();
   if (!order_.resize(n)) return false;
   for (Index i = 0; i < n; ++i) order_[i] = {vertices_[i], i};
   introsort(order_.begin(), order_.end(), [](const Corner& a, const Corner& b) {
@@ -76,7 +78,7 @@ bool HolePlan::list_forbidden() {
     for (; at != order_.end() && at->vertex == other; ++at) {
       const Diagonal pair{std::min(corner, at->index), std::max(corner, at->index)};
       if (pair.a == pair.b || pair.b - pair.a == 1 || pair.b - pair.a == n - 1) continue;
-      if (forbidden_.size() > kMaxForbidden || !forbidden_.push_back(pair)) return false;
+      if (hole.forbidden.size() > kMaxForbidden || !hole.forbidden.push_back(pair)) return false;
     }
     return true;
   };
@@ -89,66 +91,35 @@ bool HolePlan::list_forbidden() {
       out = surface_.rotate_cw(out);
     } while (out != anchor);
   }
-  introsort(forbidden_.begin(), forbidden_.end());
+  introsort(hole.forbidden.begin(), hole.forbidden.end());
   return true;
-}
-
-bool HolePlan::is_forbidden(Index a, Index b) const {
-  const Diagonal pair{std::min(a, b), std::max(a, b)};
-  return std::binary_search(forbidden_.begin(), forbidden_.end(), pair);
-}
-
-double HolePlan::worst_of(std::span<const Index> ears) {
-  begin_cutting();
-  double worst = 1;
-  const auto look = [&](Index corner) {
-    const Index a = prev_[corner];
-    const Index b = next_[corner];
-    Cost cost;
-    const Vector normal = normal_of(a, corner, b, side_[a], side_[corner], cost);
-    worst = std::min({worst, cosine(normal, side_[a]), cosine(normal, side_[corner])});
-    if (next_[b] == a) worst = std::min(worst, cosine(normal, side_[b]));
-    return normal;
-  };
-  Index left = 0;
-  for (const Index corner : ears) {
-    left = next_[corner];
-    cut_off(corner, look(corner));
-  }
-  (void)look(left);
-  return worst;
 }
 
 // Replaces the plan by that of the polygon, if that is flatter. False when memory is exhausted.
 bool HolePlan::try_planar() {
+  const Hole& hole = triangles_.hole();
   Array<Point> points;
   Array<Index> ears;
-  for (const Vector& p : points_) {
+  for (const Vector& p : hole.points) {
     if (!points.push_back({float(p[0]), float(p[1]), float(p[2])})) return false;
   }
-  const auto outcome = triangulator_.run(points.span(), forbidden_.span(), ears);
+  const auto outcome = triangulator_.run(points.span(), hole.forbidden.span(), ears);
   if (outcome == PolygonTriangulator::Outcome::kOutOfMemory) return false;
   if (outcome == PolygonTriangulator::Outcome::kBlocked) return true;
-  const double worst = worst_of(ears.span());
+  const double worst = triangles_.worst_of(ears.span());
   if (worst <= worst_) return true;
   // It avoids what is forbidden if it can, but doesn't promise to.
-  begin_cutting();
-  for (const Index corner : ears) {
-    if (is_forbidden(prev_[corner], next_[corner])) return true;
-    cut_off(corner, {});
-  }
+  const auto is_allowed = [&](const Diagonal& diagonal) { return !hole.forbids(diagonal); };
+  if (!triangles_.for_each_diagonal(ears.span(), is_allowed)) return true;
   worst_ = worst;
   return ears_.assign(ears.span());
 }
 
 HolePlan::Outcome HolePlan::plan() {
-  ears_.clear();
-  const Outcome cut = cut_ears();
-  if (cut == Outcome::kOutOfMemory) return cut;
-  const Outcome chosen = cut == Outcome::kDone ? choose() : cut;
+  const Outcome chosen = triangles_.choose(ears_);
   if (chosen == Outcome::kOutOfMemory) return chosen;
-  worst_ = chosen == Outcome::kDone ? worst_of(ears_.span()) : kNoPlan;
-  const bool is_large = vertices_.size() > kExact && vertices_.size() <= kPlanar;
+  worst_ = chosen == Outcome::kDone ? triangles_.worst_of(ears_.span()) : kNoPlan;
+  const bool is_large = vertices_.size() > HoleTriangles::kExact && vertices_.size() <= kPlanar;
   if (is_large && !try_planar()) return Outcome::kOutOfMemory;
   return worst_ == kNoPlan ? Outcome::kBlocked : Outcome::kDone;
 }
@@ -156,21 +127,19 @@ HolePlan::Outcome HolePlan::plan() {
 // Where a loop passes a vertex more than once, two diagonals may join the same two: one of them is
 // forbidden then.
 HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
+  Hole& hole = triangles_.hole();
   struct Join {
     Vertex a;
     Vertex b;
     Diagonal diagonal;
   };
   Array<Join> joins;
-  begin_cutting();
-  for (const Index corner : ears_) {
-    const Diagonal d{std::min(prev_[corner], next_[corner]),
-                     std::max(prev_[corner], next_[corner])};
-    const Vertex a = vertices_[d.a];
-    const Vertex b = vertices_[d.b];
-    if (!joins.push_back({std::min(a, b), std::max(a, b), d})) return Outcome::kOutOfMemory;
-    cut_off(corner, {});
-  }
+  const bool fits = triangles_.for_each_diagonal(ears_.span(), [&](const Diagonal& diagonal) {
+    const Vertex a = vertices_[diagonal.a];
+    const Vertex b = vertices_[diagonal.b];
+    return joins.push_back({std::min(a, b), std::max(a, b), diagonal});
+  });
+  if (!fits) return Outcome::kOutOfMemory;
   introsort(joins.begin(), joins.end(), [](const Join& x, const Join& y) {
     if (x.a != y.a) return x.a < y.a;
     return x.b != y.b ? x.b < y.b : x.diagonal < y.diagonal;
@@ -179,21 +148,16 @@ HolePlan::Outcome HolePlan::forbid_repeated(bool& is_repeated) {
   for (std::size_t i = 1; i < joins.size(); ++i) {
     if (joins[i].a != joins[i - 1].a || joins[i].b != joins[i - 1].b) continue;
     is_repeated = true;
-    if (!forbidden_.push_back(joins[i].diagonal)) return Outcome::kOutOfMemory;
+    if (!hole.forbidden.push_back(joins[i].diagonal)) return Outcome::kOutOfMemory;
   }
-  introsort(forbidden_.begin(), forbidden_.end());
+  introsort(hole.forbidden.begin(), hole.forbidden.end());
   return Outcome::kDone;
 }
 
 HolePlan::Outcome HolePlan::run(Halfedge first, std::size_t& joins) {
-  if (!read_loop(first)) return Outcome::kOutOfMemory;
-  const std::size_t n = vertices_.size();
-  if (!next_.resize(n) || !prev_.resize(n) || !stamp_.resize(n) || !side_.resize(n) ||
-      !rest_.reserve(kExact)) {
-    return Outcome::kOutOfMemory;
-  }
+  if (!read_loop(first) || !triangles_.prepare()) return Outcome::kOutOfMemory;
   const bool is_listed = list_forbidden();
-  const std::size_t before = std::exchange(joins, forbidden_.size());
+  const std::size_t before = std::exchange(joins, triangles_.hole().forbidden.size());
   if (!is_listed && joins <= kMaxForbidden) return Outcome::kOutOfMemory;
   if (joins == before) return Outcome::kSame;
   if (!is_listed) return Outcome::kBlocked;

@@ -1,11 +1,10 @@
-#include <halfedge/mend/hole_plan.h>
+#include <halfedge/mend/hole_triangles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
 
-// What a triangle costs, and the two ways in which HolePlan chooses some.
 namespace halfedge::mend {
 
 namespace {
@@ -16,31 +15,48 @@ constexpr double kFoldOfThin = kSteps[3];
 
 }  // namespace
 
+bool Hole::forbids(const Diagonal& diagonal) const {
+  return std::binary_search(forbidden.begin(), forbidden.end(), diagonal);
+}
+
 // Whether a fold is sharper than is allowed is a step of its own, so that none is chosen that is
 // where another isn't.
-HolePlan::HolePlan(const Surface& surface, double max_angle) : surface_(surface) {
+HoleTriangles::HoleTriangles(double max_angle) {
   std::copy(std::begin(kSteps), std::end(kSteps), steps_.begin());
   steps_.back() = std::cos(max_angle / kDegreesPerRadian);
   std::sort(steps_.begin(), steps_.end(), std::greater<>());
 }
 
-int HolePlan::steps_to(double cosine) const {
+bool HoleTriangles::prepare() {
+  const std::size_t n = hole_.points.size();
+  return next_.resize(n) && prev_.resize(n) && stamp_.resize(n) && side_.resize(n) &&
+         rest_.reserve(kExact);
+}
+
+HoleOutcome HoleTriangles::choose(Array<Index>& ears) {
+  ears.clear();
+  const HoleOutcome cut = cut_ears(ears);
+  return cut == HoleOutcome::kDone ? choose_among_all(ears) : cut;
+}
+
+int HoleTriangles::steps_to(double cosine) const {
   int steps = 0;
   for (const double step : steps_) steps += cosine < step ? 1 : 0;
   return steps;
 }
 
-bool HolePlan::is_less(const Cost& a, const Cost& b) {
+bool HoleTriangles::is_less(const Cost& a, const Cost& b) {
   return a.fold != b.fold ? a.fold < b.fold : a.rest < b.rest;
 }
 
-double HolePlan::cosine(const Vector& a, const Vector& b) {
+double HoleTriangles::cosine(const Vector& a, const Vector& b) {
   // Beside a face without a normal nothing can be told.
   if (dot(a, a) == 0 || dot(b, b) == 0) return 1;
   return dot(a, b);
 }
 
-void HolePlan::add_edge(Cost& cost, const Vector& a, const Vector& b, double edge_length) const {
+void HoleTriangles::add_edge(Cost& cost, const Vector& a, const Vector& b,
+                             double edge_length) const {
   const double cos = cosine(a, b);
   cost.fold = std::max(cost.fold, steps_to(cos));
   cost.rest += 4 * (1 - cos) * edge_length;
@@ -48,11 +64,11 @@ void HolePlan::add_edge(Cost& cost, const Vector& a, const Vector& b, double edg
 
 // A thin triangle has the normal of what lies beyond its longer side, so that no fold hides behind
 // it.
-Vector HolePlan::normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
-                           const Vector& beyond_bc, Cost& cost) const {
-  const Vector u = points_[b] - points_[a];
-  const Vector v = points_[c] - points_[a];
-  const Vector w = points_[c] - points_[b];
+Vector HoleTriangles::normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
+                                const Vector& beyond_bc, Cost& cost) const {
+  const Vector u = hole_.points[b] - hole_.points[a];
+  const Vector v = hole_.points[c] - hole_.points[a];
+  const Vector w = hole_.points[c] - hole_.points[b];
   const double longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
   const Vector normal = unit_vector(cross(u, v), kThin * longest);
   if (dot(normal, normal) > 0) return normal;
@@ -64,13 +80,13 @@ Vector HolePlan::normal_of(Index a, Index b, Index c, const Vector& beyond_ab,
 
 // ---- cutting ears off -----------------------------------------------------------------------
 
-void HolePlan::begin_cutting() {
+void HoleTriangles::begin_cutting() {
   make_ring(next_, prev_);
-  std::copy(beyond_.begin(), beyond_.end(), side_.begin());
+  std::copy(hole_.beyond.begin(), hole_.beyond.end(), side_.begin());
   std::fill(stamp_.begin(), stamp_.end(), 0);
 }
 
-void HolePlan::cut_off(Index corner, const Vector& normal) {
+void HoleTriangles::cut_off(Index corner, const Vector& normal) {
   const Index a = prev_[corner];
   const Index b = next_[corner];
   next_[a] = b;
@@ -82,10 +98,10 @@ void HolePlan::cut_off(Index corner, const Vector& normal) {
 }
 
 // Puts the ear at the corner on the heap, if it may be cut off.
-bool HolePlan::look_at(Index corner) {
+bool HoleTriangles::look_at(Index corner) {
   const Index a = prev_[corner];
   const Index b = next_[corner];
-  if (is_forbidden(a, b)) return true;
+  if (hole_.forbids(diagonal(a, b))) return true;
   Ear ear{.cost = {}, .corner = corner, .stamp = stamp_[corner]};
   const Vector normal = normal_of(a, corner, b, side_[a], side_[corner], ear.cost);
   add_edge(ear.cost, normal, side_[a], distance(a, corner));
@@ -96,16 +112,16 @@ bool HolePlan::look_at(Index corner) {
   return true;
 }
 
-HolePlan::Outcome HolePlan::cut_ears() {
+HoleOutcome HoleTriangles::cut_ears(Array<Index>& ears) {
   heap_.clear();
   begin_cutting();
-  std::size_t left = vertices_.size();
-  for (Index i = 0; left > kExact && i < vertices_.size(); ++i) {
-    if (!look_at(i)) return Outcome::kOutOfMemory;
+  std::size_t left = hole_.points.size();
+  for (Index i = 0; left > kExact && i < hole_.points.size(); ++i) {
+    if (!look_at(i)) return HoleOutcome::kOutOfMemory;
   }
   Index start = 0;
   while (left > kExact) {
-    if (heap_.empty()) return Outcome::kBlocked;
+    if (heap_.empty()) return HoleOutcome::kBlocked;
     std::pop_heap(heap_.begin(), heap_.end(), CostsMore());
     const Ear ear = heap_[heap_.size() - 1];
     heap_.pop_back();
@@ -113,26 +129,47 @@ HolePlan::Outcome HolePlan::cut_ears() {
     Cost cost;
     start = next_[ear.corner];
     const Index before = prev_[ear.corner];
-    if (!ears_.push_back(ear.corner)) return Outcome::kOutOfMemory;
+    if (!ears.push_back(ear.corner)) return HoleOutcome::kOutOfMemory;
     cut_off(ear.corner,
             normal_of(before, ear.corner, start, side_[before], side_[ear.corner], cost));
     --left;
-    if (!look_at(before) || !look_at(start)) return Outcome::kOutOfMemory;
+    if (!look_at(before) || !look_at(start)) return HoleOutcome::kOutOfMemory;
   }
   rest_.clear();
   for (Index i = start; rest_.size() < left; i = next_[i]) (void)rest_.push_back(i);
-  return Outcome::kDone;
+  return HoleOutcome::kDone;
+}
+
+double HoleTriangles::worst_of(std::span<const Index> ears) {
+  begin_cutting();
+  double worst = 1;
+  const auto look = [&](Index corner) {
+    const Index a = prev_[corner];
+    const Index b = next_[corner];
+    Cost cost;
+    const Vector normal = normal_of(a, corner, b, side_[a], side_[corner], cost);
+    worst = std::min({worst, cosine(normal, side_[a]), cosine(normal, side_[corner])});
+    if (next_[b] == a) worst = std::min(worst, cosine(normal, side_[b]));
+    return normal;
+  };
+  Index left = 0;
+  for (const Index corner : ears) {
+    left = next_[corner];
+    cut_off(corner, look(corner));
+  }
+  (void)look(left);
+  return worst;
 }
 
 // ---- choosing among all ---------------------------------------------------------------------
 
 // The best triangle at the diagonal of two corners, on its side of those between.
-void HolePlan::choose_between(std::size_t i, std::size_t j) {
+void HoleTriangles::choose_between(std::size_t i, std::size_t j) {
   const std::size_t last = rest_.size() - 1;
   const bool is_whole = i == 0 && j == last;
   Choice& best = choice(i, j);
   best = {};
-  if (!is_whole && is_forbidden(rest_[i], rest_[j])) return;
+  if (!is_whole && hole_.forbids(diagonal(rest_[i], rest_[j]))) return;
   const double base = is_whole ? 0 : distance(rest_[i], rest_[j]);
   for (std::size_t k = i + 1; k < j; ++k) {
     const Choice& left = choice(i, k);
@@ -149,29 +186,29 @@ void HolePlan::choose_between(std::size_t i, std::size_t j) {
   }
 }
 
-HolePlan::Outcome HolePlan::choose() {
+HoleOutcome HoleTriangles::choose_among_all(Array<Index>& ears) {
   const std::size_t n = rest_.size();
-  if (!choices_.resize(n * n)) return Outcome::kOutOfMemory;
+  if (!choices_.resize(n * n)) return HoleOutcome::kOutOfMemory;
   for (std::size_t i = 0; i + 1 < n; ++i) {
     choice(i, i + 1) = {.cost = {}, .corner = Index(i), .normal = side_[rest_[i]]};
   }
   for (std::size_t gap = 2; gap < n; ++gap) {
     for (std::size_t i = 0; i + gap < n; ++i) choose_between(i, i + gap);
   }
-  if (choice(0, n - 1).corner == kNone) return Outcome::kBlocked;
-  if (!ears_.reserve(ears_.size() + n)) return Outcome::kOutOfMemory;
-  list_ears(0, n - 1);
-  ears_.pop_back();  // the last triangle is what is left
-  return Outcome::kDone;
+  if (choice(0, n - 1).corner == kNone) return HoleOutcome::kBlocked;
+  if (!ears.reserve(ears.size() + n)) return HoleOutcome::kOutOfMemory;
+  list_ears(0, n - 1, ears);
+  ears.pop_back();  // the last triangle is what is left
+  return HoleOutcome::kDone;
 }
 
 // As deep as there are corners, kExact at most.
-void HolePlan::list_ears(std::size_t i, std::size_t j) {
+void HoleTriangles::list_ears(std::size_t i, std::size_t j, Array<Index>& ears) {
   if (i + 1 == j) return;
   const std::size_t k = choice(i, j).corner;
-  list_ears(i, k);
-  list_ears(k, j);
-  (void)ears_.push_back(rest_[k]);  // reserved
+  list_ears(i, k, ears);
+  list_ears(k, j, ears);
+  (void)ears.push_back(rest_[k]);  // reserved
 }
 
 }  // namespace halfedge::mend

@@ -101,4 +101,11 @@ bool measure(const Surface& surface, const Components& components, Array<Extent>
   return true;
 }
 
+bool MeasuredComponents::list_chosen_faces(Array<Index>& faces) const {
+  for (Index f = 0; f < labels.of_face.size(); ++f) {
+    if (chooses(labels.of_face[f]) && !faces.push_back(f)) return false;
+  }
+  return true;
+}
+
 }  // namespace halfedge::mend

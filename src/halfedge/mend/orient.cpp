@@ -1,7 +1,7 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/box_tree.h>
 #include <halfedge/mend/measure.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <array>
@@ -15,7 +15,7 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 // Less than this, of area times diagonal, is not told from nothing.
 constexpr double kNoVolume = 1e-10;
@@ -172,22 +172,19 @@ class Nesting {
 }  // namespace
 
 Result<Report> orient_outward(Surface& surface, const OrientOptions& options) {
-  const auto no_memory = [] { return decorator::internal::no_memory("the components"); };
+  const auto no_memory = [] { return refusals::no_memory("the components"); };
   Result<Components> labelled = surface.components();
   if (!labelled) return labelled;
-  const Components& components = labelled.value();
-  Array<Extent> extents;
-  Array<bool> reversed;
-  if (!measure(surface, components, extents) || !reversed.resize(extents.size(), false)) {
-    return no_memory();
-  }
-  Nesting nesting(surface, components, extents);
+  MeasuredComponents components{.labels = labelled.value()};
+  if (!components.measure(surface)) return no_memory();
+  const Array<Extent>& extents = components.extents;
+  Nesting nesting(surface, components.labels, extents);
   if (options.nested && !nesting.prepare()) return no_memory();
 
   Report report;
   for (std::size_t c = 0; c < extents.size(); ++c) {
     const Extent& extent = extents[c];
-    const Component& component = components.list[c];
+    const Component& component = components.labels.list[c];
     const bool is_closed = component.boundary_loops == 0;
     if (!is_closed && !options.open) {
       report.leave(Code::kOpenComponent, [&] { return is_open(extent, component); });
@@ -197,22 +194,15 @@ Result<Report> orient_outward(Surface& surface, const OrientOptions& options) {
       report.leave(Code::kFlatComponent, [&] { return is_flat(extent, component); });
     } else {
       const bool is_cavity = options.nested && is_closed && nesting.is_cavity(c);
-      reversed[c] = (extent.volume < 0) != is_cavity;
-      if (reversed[c]) report.add(Code::kReversedComponent);
+      components.is_chosen[c] = (extent.volume < 0) != is_cavity;
+      if (components.is_chosen[c]) report.add(Code::kReversedComponent);
     }
   }
   if (report.count(Code::kReversedComponent) > 0) {
     Array<Edge> edges;
-    for (Index i = 0; i < surface.edge_slots(); ++i) {
-      const Edge e(i);
-      if (!surface.is_live(e)) continue;
-      const Vertex v = surface.to_vertex(Halfedge(2 * i));
-      if (reversed[components.of_vertex[v.index()]] && !edges.push_back(e)) return no_memory();
-    }
-    for (Index f = 0; f < components.of_face.size(); ++f) {
-      const Index c = components.of_face[f];
-      if (c != kNone && reversed[c] && !report.faces.push_back(f)) return no_memory();
-    }
+    const auto list = [&](Edge e) { return edges.push_back(e); };
+    if (!components.for_each_chosen_edge(surface, list)) return no_memory();
+    if (!components.list_chosen_faces(report.faces)) return no_memory();
     if (!surface.reverse(edges.span())) return no_memory();
   }
   report.summarize();

@@ -1,5 +1,5 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
+#include <halfedge/refusals.h>
 #include <halfedge/repair/weld.h>
 #include <halfedge/sentence.h>
 #include <halfedge/sort.h>
@@ -10,7 +10,7 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 Failure runs_the_same_way(Edge e, Edge other) {
   return refusal(

@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/repairs.h>
 #include <halfedge/operations/fans.h>
+#include <halfedge/refusals.h>
 
 namespace halfedge::mend {
 
@@ -29,7 +29,7 @@ bool list_fans(const Surface& surface, Vertex v, Array<Fan>& fans) {
 Result<Report> split_pinched_vertices(Surface& surface) {
   Report report;
   Array<Fan> fans;
-  const auto no_memory = [] { return decorator::internal::no_memory("copies of vertices"); };
+  const auto no_memory = [] { return refusals::no_memory("copies of vertices"); };
   const Index slots = surface.vertex_slots();  // copies have one fan
   for (Vertex v(0); v.index() < slots; v = Vertex(v.index() + 1)) {
     if (!surface.is_live(v) || !surface.halfedge(v).valid() || !surface.is_boundary(v)) continue;

@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/report.h>
 #include <halfedge/mend/surface_of.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <cmath>
@@ -58,11 +58,10 @@ std::string reason_of(const Error& error) {
 Result<void> first_error(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) {
     if (problem.severity != Severity::kError) continue;
-    if (problem.code == "out-of-memory") return decorator::internal::no_memory("the check");
-    return decorator::internal::refusal(
-        "corrupt-connectivity",
-        sentence::of("the mesh is not valid, expected level 4: {}",
-                     problem.message.substr(0, problem.message.size() - 1)));
+    if (problem.code == "out-of-memory") return refusals::no_memory("the check");
+    return refusals::refusal("corrupt-connectivity",
+                             sentence::of("the mesh is not valid, expected level 4: {}",
+                                          problem.message.substr(0, problem.message.size() - 1)));
   }
   return {};
 }

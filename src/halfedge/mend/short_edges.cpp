@@ -1,11 +1,11 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/face_shape.h>
 #include <halfedge/mend/short_edges.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 namespace halfedge::mend {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 bool ShortEdges::is_short(Edge e) const {
   return length_of(surface_, Halfedge(2 * e.index())) <= tolerance_;
@@ -40,7 +40,7 @@ Result<void> ShortEdges::collapse(Halfedge side) {
     }
     // Before, since it is the vertex that goes whose faces have to be known.
     if (!list_moved(h) || !report_.vertices.reserve_more(1)) {
-      return decorator::internal::no_memory("the faces to be removed");
+      return refusals::no_memory("the faces to be removed");
     }
     Result<Vertex> kept = surface_.collapse(h);
     if (!kept) return kept;  // the other way round it would be refused as well

@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/mend/partners.h>
 #include <halfedge/mend/repairs.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <cstddef>
@@ -10,9 +10,9 @@ namespace halfedge::mend {
 
 namespace {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
-Failure no_memory() { return decorator::internal::no_memory("the boundary edges"); }
+Failure no_memory() { return refusals::no_memory("the boundary edges"); }
 
 Failure several_fit(Edge e, std::size_t count) {
   return refusal("",

@@ -41,7 +41,7 @@ class SurfaceOf final : public Surface {
   void delete_face(Face f) override { (void)operations::delete_face(mesh_, f); }
 
   bool make_room(Index vertices, Index edges, Index faces) override {
-    return decorator::internal::make_room(mesh_, vertices, edges, faces);
+    return steps::make_room(mesh_, vertices, edges, faces);
   }
   void fill_hole(Halfedge h) override { (void)decorator::fill_hole(mesh_, h); }
   Halfedge split_face(Halfedge h, Halfedge g) override {
@@ -49,7 +49,7 @@ class SurfaceOf final : public Surface {
   }
   Vertex split_fan(Vertex v, Halfedge first, Halfedge end) override {
     if (!make_room(1, 0, 0)) return {};
-    const Vertex copy = decorator::internal::copy_vertex(mesh_, v);
+    const Vertex copy = steps::copy_vertex(mesh_, v);
     for (Halfedge in = Mesh::opposite(first);; in = mesh_.next_on_vertex(in)) {
       mesh_.set_to_vertex(in, copy);
       if (in == end) break;

@@ -60,9 +60,10 @@ template <class Mesh>
                                mesh.face(mesh.opposite(mesh.next(in))));
 }
 
-/// The checks of add_face; how many of the sides are new edges.
+/// Whether add_face can be done: else its refusals. If so, how many of the sides are new edges.
 template <class Mesh>
-[[nodiscard]] Result<Index> count_new_edges(const Mesh& mesh, std::span<const Vertex> corners) {
+[[nodiscard]] Result<Index> check_and_count_new_edges(const Mesh& mesh,
+                                                      std::span<const Vertex> corners) {
   const std::size_t degree = corners.size();
   for (const Vertex v : corners) {
     if (Result<void> live = check_live(mesh, v); !live) return live;
@@ -200,7 +201,7 @@ void choose_anchor(Mesh& mesh, Halfedge in, Halfedge out) {
 /// - out-of-memory, of a face with many corners
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_add_face(const Mesh& mesh, std::span<const Vertex> corners) {
-  Result<Index> new_edges = internal::count_new_edges(mesh, corners);
+  Result<Index> new_edges = internal::check_and_count_new_edges(mesh, corners);
   if (!new_edges) return new_edges;
   return {};
 }
@@ -231,10 +232,10 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> add_face(Mesh& mesh, std::span<const Vertex> corners) {
   using namespace internal;
-  Result<Index> new_edges = count_new_edges(mesh, corners);
+  Result<Index> new_edges = check_and_count_new_edges(mesh, corners);
   if (!new_edges) return new_edges;
-  if (!decorator::internal::make_room(mesh, 0, new_edges.value(), 1)) {
-    return decorator::internal::no_memory("a face and its edges");
+  if (!steps::make_room(mesh, 0, new_edges.value(), 1)) {
+    return refusals::no_memory("a face and its edges");
   }
   LoneFans& lone = mesh.lone_fans();
   lone.start_at(mesh.version());
@@ -249,7 +250,7 @@ template <EditableSurface Mesh>
     link_corner(mesh, in, out);
     in = out;
   }
-  decorator::internal::make_face(mesh, last.halfedge);
+  steps::make_face(mesh, last.halfedge);
   for (Halfedge h = last.halfedge;;) {
     const Halfedge after = mesh.next(h);
     choose_anchor(mesh, h, after);

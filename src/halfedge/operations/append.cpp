@@ -1,6 +1,6 @@
-#include <halfedge/decorator/edit.h>
 #include <halfedge/operations/append.h>
 #include <halfedge/sentence.h>
+#include <halfedge/steps.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -93,7 +93,7 @@ template <Storage kStored>
 bool make_room(BasicMesh<kStored>& mesh, const Counts& slots) {
   const Links& links = mesh.links();
   // With slack, a mesh that is made by appending many others moves only now and then.
-  using decorator::internal::with_slack;
+  using steps::with_slack;
   return mesh.reserve(with_slack(slots.vertices, links.vertex_halfedge.capacity()),
                       with_slack(2 * slots.edges, links.next.capacity()) / 2,
                       with_slack(slots.faces, links.face_halfedge.capacity())) ||

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <halfedge/connectivity/array.h>
 #include <halfedge/decorator/vertices.h>
 #include <halfedge/operations/requirements.h>
 #include <halfedge/operations/surgery_refusals.h>
 
 #include <cstddef>
+#include <span>
 
 namespace halfedge::operations {
 
@@ -14,9 +16,67 @@ namespace internal {
 template <class Mesh>
 void move_towards(Mesh& mesh, Vertex v, Vertex w, double t) {
   if constexpr (HasPositions<Mesh>) {
-    mesh.set_position(v, decorator::internal::blend(mesh.position(v), mesh.position(w), t));
+    mesh.set_position(v, steps::blend(mesh.position(v), mesh.position(w), t));
   }
   mesh.blend_attributes(v, v, w, t);
+}
+
+/// An edge of a vertex that is cut off.
+struct Spoke {
+  Halfedge in;         // leads to the vertex
+  Vertex corner = {};  // where it will lead
+  Halfedge side = {};  // from there to the next corner, clockwise
+};
+
+/// A corner on each edge of `v`, which itself is the first. Returns a face at `v`.
+/// pre: there is room for them
+template <class Mesh>
+[[nodiscard]] Face place_corners(Mesh& mesh, Vertex v, double amount, Array<Spoke>& spokes) {
+  Face like;
+  const Halfedge first = mesh.opposite(mesh.vertex_halfedge(v));
+  Halfedge in = first;
+  do {
+    const Vertex corner =
+        in == first ? v : steps::new_vertex_between(mesh, v, mesh.from_vertex(in), amount);
+    (void)spokes.push_back({.in = in, .corner = corner});
+    if (!like.valid()) like = mesh.face(in);
+    in = mesh.next_on_vertex(in);
+  } while (in != first);
+  move_towards(mesh, v, mesh.from_vertex(first), amount);
+  return like;
+}
+
+/// An edge from each corner to the next. The faces around are still linked as they were, for the
+/// corners of theirs to be blended.
+template <class Mesh>
+void add_sides(Mesh& mesh, double amount, std::span<Spoke> spokes) {
+  const std::size_t n = spokes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Spoke& spoke = spokes[i];
+    const Spoke& following = spokes[i + 1 == n ? 0 : i + 1];
+    spoke.side = mesh.new_edge(spoke.corner, following.corner);
+    mesh.blend_corners(spoke.side, spoke.in, mesh.opposite(following.in), amount);
+    mesh.blend_corners(spoke.in, spoke.in, mesh.prev(spoke.in), amount);
+    mesh.set_face(spoke.side, mesh.face(spoke.in));
+  }
+}
+
+/// The sides become part of the faces around, and enclose a loop of their own.
+template <class Mesh>
+void link_sides(Mesh& mesh, std::span<const Spoke> spokes) {
+  const std::size_t n = spokes.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Spoke& spoke = spokes[i];
+    const Spoke& before = spokes[i == 0 ? n - 1 : i - 1];
+    const Spoke& following = spokes[i + 1 == n ? 0 : i + 1];
+    // Beside a gap only the face on the other side of the spoke has this corner.
+    mesh.copy_corner(mesh.opposite(spoke.side),
+                     mesh.is_boundary(spoke.in) ? before.side : spoke.in);
+    mesh.link(spoke.in, spoke.side);
+    mesh.link(spoke.side, mesh.opposite(following.in));
+    mesh.link(mesh.opposite(following.side), mesh.opposite(spoke.side));
+    mesh.set_to_vertex(spoke.in, spoke.corner);
+  }
 }
 
 }  // namespace internal
@@ -53,52 +113,19 @@ template <EditableSurface Mesh>
 /// errors: those of check_bevel_vertex, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_vertex(Mesh& mesh, Vertex v, double amount) {
-  using namespace decorator::internal;
   if (Result<void> can = check_bevel_vertex(mesh, v, amount); !can) return can;
-  struct Spoke {
-    Halfedge in;         // leads to v
-    Vertex corner = {};  // where it will lead
-    Halfedge side = {};  // from there to the next corner, clockwise
-  };
-  Array<Spoke> spokes;
   const Index n = mesh.valence(v);
-  if (!spokes.reserve(n) || !make_room(mesh, n - 1, n, 1)) return no_memory("a face");
-  Face like;
-  const Halfedge first = mesh.opposite(mesh.vertex_halfedge(v));
-  Halfedge in = first;
-  do {
-    const Vertex corner =
-        in == first ? v : new_vertex_between(mesh, v, mesh.from_vertex(in), amount);
-    (void)spokes.push_back({.in = in, .corner = corner});
-    if (!like.valid()) like = mesh.face(in);
-    in = mesh.next_on_vertex(in);
-  } while (in != first);
-  internal::move_towards(mesh, v, mesh.from_vertex(first), amount);
-
-  for (std::size_t i = 0; i < n; ++i) {
-    Spoke& spoke = spokes[i];
-    const Spoke& following = spokes[i + 1 == n ? 0 : i + 1];
-    spoke.side = mesh.new_edge(spoke.corner, following.corner);
-    mesh.blend_corners(spoke.side, spoke.in, mesh.opposite(following.in), amount);
-    mesh.blend_corners(spoke.in, spoke.in, mesh.prev(spoke.in), amount);
-    mesh.set_face(spoke.side, mesh.face(spoke.in));
+  Array<internal::Spoke> spokes;
+  if (!spokes.reserve(n) || !steps::make_room(mesh, n - 1, n, 1)) {
+    return refusals::no_memory("a face");
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const Spoke& spoke = spokes[i];
-    const Spoke& before = spokes[i == 0 ? n - 1 : i - 1];
-    const Spoke& following = spokes[i + 1 == n ? 0 : i + 1];
-    // Beside a gap only the face on the other side of the spoke has this corner.
-    mesh.copy_corner(mesh.opposite(spoke.side),
-                     is_boundary(mesh, spoke.in) ? before.side : spoke.in);
-    mesh.link(spoke.in, spoke.side);
-    mesh.link(spoke.side, mesh.opposite(following.in));
-    mesh.link(mesh.opposite(following.side), mesh.opposite(spoke.side));
-    mesh.set_to_vertex(spoke.in, spoke.corner);
-  }
-  make_face(mesh, mesh.opposite(spokes[0].side), like);
-  for (const Spoke& spoke : spokes) {
-    set_anchor(mesh, spoke.corner,
-               is_boundary(mesh, spoke.side) ? spoke.side : mesh.opposite(spoke.in));
+  const Face like = internal::place_corners(mesh, v, amount, spokes);
+  internal::add_sides(mesh, amount, spokes.span());
+  internal::link_sides(mesh, spokes.span());
+  steps::make_face(mesh, mesh.opposite(spokes[0].side), like);
+  for (const internal::Spoke& spoke : spokes) {
+    steps::set_anchor(mesh, spoke.corner,
+                      mesh.is_boundary(spoke.side) ? spoke.side : mesh.opposite(spoke.in));
   }
   return mesh.face(mesh.opposite(spokes[0].side));
 }
@@ -110,7 +137,7 @@ template <EditableSurface Mesh>
   if (Result<void> live = check_live(mesh, e); !live) return live;
   const Halfedge h = mesh.edge_halfedge(e);
   if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
-    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+    return refusals::is_loop_edge(h, mesh.to_vertex(h));
   }
   Index splits = 0;
   for (const Halfedge side : {h, mesh.opposite(h)}) {
@@ -184,7 +211,8 @@ template <class Mesh>
 /// errors: those of check_bevel_edge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Face> bevel_edge(Mesh& mesh, Edge e, double amount) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> can = check_bevel_edge(mesh, e, amount); !can) return can;
   if (!make_room(mesh, 2, 3, 1)) return no_memory("a face");
   const Halfedge h = mesh.edge_halfedge(e);

@@ -57,7 +57,6 @@ void move_anchor(Mesh& mesh, const CollapseSite& site) {
 template <class Mesh>
 void zip_triangle(Mesh& mesh, const CollapseSite& site, Halfedge kept, Halfedge gone,
                   Halfedge before) {
-  namespace steps = decorator::internal;
   const auto end_that_stays = [&](Vertex v) { return v == site.a ? site.b : v; };
   const Halfedge beyond = mesh.opposite(gone);
   const Face f = mesh.face(beyond);
@@ -106,7 +105,6 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> collapse(Mesh& mesh, Halfedge h,
                                       const std::optional<Point>& position = {},
                                       LinkCondition condition = LinkCondition::kStrict) {
-  namespace steps = decorator::internal;
   if (Result<void> live = check_live(mesh, h); !live) return live;
   const internal::CollapseSite site(mesh, h);
   if (Result<void> can = internal::check_site(mesh, site, condition); !can) return can;

@@ -25,7 +25,7 @@ void lead_others_to(Mesh& mesh, Halfedge in, Vertex v) {
 /// pre: there is room for two vertices and an edge
 template <class Mesh>
 Halfedge cut_edge(Mesh& mesh, Halfedge h) {
-  using namespace decorator::internal;
+  using namespace steps;
   const Halfedge o = mesh.opposite(h);
   const Vertex a = mesh.from_vertex(h);
   const Vertex b = mesh.to_vertex(h);
@@ -78,7 +78,7 @@ template <class Mesh>
 [[nodiscard]] Result<void> check_inner_edge(const Mesh& mesh, Halfedge h) {
   if (Result<void> live = check_live(mesh, h); !live) return live;
   if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
-    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+    return refusals::is_loop_edge(h, mesh.to_vertex(h));
   }
   for (const Halfedge side : {h, mesh.opposite(h)}) {
     if (mesh.is_boundary(side)) return is_boundary_edge(mesh.edge(h), side);
@@ -115,7 +115,7 @@ template <class Mesh>
         fits = fits && inside.push_back(end);
       }
     }
-    if (!fits) return decorator::internal::no_memory("the list of edges");
+    if (!fits) return refusals::no_memory("the list of edges");
   }
 
   introsort(cuts.edges, [](const ListedEdge& a, const ListedEdge& b) { return a.edge < b.edge; });
@@ -164,8 +164,8 @@ template <EditableSurface Mesh>
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> cut(Mesh& mesh, Halfedge h) {
   if (Result<void> can = check_cut(mesh, h); !can) return can;
-  if (!decorator::internal::make_room(mesh, 2, 1, 0)) {
-    return decorator::internal::no_memory("an edge and its ends");
+  if (!steps::make_room(mesh, 2, 1, 0)) {
+    return refusals::no_memory("an edge and its ends");
   }
   return internal::cut_edge(mesh, h);
 }
@@ -179,7 +179,7 @@ template <EditableSurface Mesh>
   Array<Edge> edges;
   for (const Halfedge h : path) {
     if (Result<void> can = internal::check_inner_edge(mesh, h); !can) return can;
-    if (!edges.push_back(mesh.edge(h))) return decorator::internal::no_memory("the path");
+    if (!edges.push_back(mesh.edge(h))) return refusals::no_memory("the path");
   }
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Vertex end = mesh.to_vertex(path[i]);
@@ -211,8 +211,8 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> cut_path(Mesh& mesh, std::span<const Halfedge> path) {
   if (Result<void> can = check_cut_path(mesh, path); !can) return can;
   const std::size_t n = path.size();
-  if (n > kMaxSlots / 2 || !decorator::internal::make_room(mesh, Index(2 * n), Index(n), 0)) {
-    return decorator::internal::no_memory("a copy of the path");
+  if (n > kMaxSlots / 2 || !steps::make_room(mesh, Index(2 * n), Index(n), 0)) {
+    return refusals::no_memory("a copy of the path");
   }
   Halfedge copy;
   for (const Halfedge h : path) copy = internal::cut_edge(mesh, h);
@@ -257,8 +257,8 @@ template <EditableSurface Mesh>
   const internal::Cuts& cuts = planned.value();
   Array<Halfedge> copies;
   if (!copies.resize(edges.size()) ||
-      !decorator::internal::make_room(mesh, cuts.new_vertices, Index(edges.size()), 0)) {
-    return decorator::internal::no_memory("copies of the edges");
+      !steps::make_room(mesh, cuts.new_vertices, Index(edges.size()), 0)) {
+    return refusals::no_memory("copies of the edges");
   }
   for (const auto& [e, place] : cuts.edges) {
     copies[place] = internal::cut_edge(mesh, mesh.edge_halfedge(e));

@@ -16,7 +16,7 @@ namespace internal {
 template <class Mesh>
 void leave_vertex(Mesh& mesh, Vertex v, const DeleteOptions& options) {
   if (!mesh.is_isolated(v)) {
-    decorator::internal::mend_anchor(mesh, mesh.vertex_halfedge(v));
+    steps::mend_anchor(mesh, mesh.vertex_halfedge(v));
   } else if (!options.keep_isolated_vertices) {
     mesh.release(v);
   }
@@ -28,7 +28,7 @@ template <class Mesh>
 [[nodiscard]] Result<void> check_erase_face(const Mesh& mesh, Face f) {
   for (const Halfedge h : mesh.face_halfedges_ccw(f)) {
     const Halfedge o = mesh.opposite(h);
-    if (mesh.face(o) == f) return decorator::internal::in_same_loop(h, o);
+    if (mesh.face(o) == f) return refusals::in_same_loop(h, o);
   }
   return {};
 }
@@ -39,14 +39,14 @@ void erase_face(Mesh& mesh, Face f, const DeleteOptions& options) {
   Halfedge h = mesh.face_halfedge(f);
   Index sides = mesh.degree(f);
   mesh.release(f);
-  decorator::internal::set_face_of_loop(mesh, h, Face{});
+  steps::set_face_of_loop(mesh, h, Face{});
   // A vertex is left once both its sides are: the first one at the end.
   const Vertex first = mesh.from_vertex(h);
   for (;;) {
     const Halfedge after = mesh.next(h);
     const Vertex v = mesh.to_vertex(h);
     const Vertex before = mesh.from_vertex(h);
-    if (mesh.is_boundary(mesh.opposite(h))) decorator::internal::erase_edge(mesh, h);
+    if (mesh.is_boundary(mesh.opposite(h))) steps::erase_edge(mesh, h);
     if (before != first) leave_vertex(mesh, before, options);
     if (--sides == 0) return leave_vertex(mesh, v, options);
     h = after;

@@ -39,7 +39,7 @@ template <EditableSurface Mesh>
     in = mesh.next_on_vertex(in);
   } while (!mesh.is_boundary(in) && in != mesh.opposite(anchor));
   if (on_boundary) fits = fits && corners.push_back(mesh.from_vertex(in));
-  if (!fits) return decorator::internal::no_memory("the corners of the joined face");
+  if (!fits) return refusals::no_memory("the corners of the joined face");
 
   const Index degree = Index(corners.size());
   if (degree < 3) return degree_below_three(degree, corners.span(), v);
@@ -145,7 +145,7 @@ template <EditableSurface Mesh>
   const Halfedge h = mesh.edge_halfedge(e);
   if (mesh.is_boundary(e)) return is_boundary_edge(e, mesh.is_boundary(h) ? h : mesh.opposite(h));
   if (mesh.from_vertex(h) == mesh.to_vertex(h)) {
-    return decorator::internal::is_loop_edge(h, mesh.to_vertex(h));
+    return refusals::is_loop_edge(h, mesh.to_vertex(h));
   }
   const internal::SharedEdges shared = internal::shared_edges_around(mesh, h);
   return internal::check_join_along(mesh, shared.first, shared.count);

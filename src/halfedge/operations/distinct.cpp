@@ -1,6 +1,6 @@
 #include <halfedge/connectivity/array.h>
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/distinct.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sort.h>
 
 #include <cstddef>
@@ -18,7 +18,7 @@ Result<Vertex> find_repeated(std::span<const Vertex> vertices) {
     return Vertex{};
   }
   Array<Vertex> sorted;
-  if (!sorted.assign(vertices)) return decorator::internal::no_memory("the corners of the face");
+  if (!sorted.assign(vertices)) return refusals::no_memory("the corners of the face");
   return sort_and_find_repeated(sorted.span());
 }
 

@@ -27,7 +27,7 @@ struct RingSide {
 /// lie where these do. False when memory is exhausted.
 template <class Mesh>
 [[nodiscard]] bool insert_ring(Mesh& mesh, Face f, Array<RingSide>& sides) {
-  using namespace decorator::internal;
+  using namespace steps;
   const Index n = mesh.degree(f);
   if (!sides.reserve(n) || n > kMaxSlots / 4 || !make_room(mesh, n, 2 * n, n)) return false;
   for (const Halfedge h : mesh.loop_ccw(mesh.face_halfedge(f))) {
@@ -101,7 +101,7 @@ requires HasPositions<Mesh>
   const Vector offset_vector = internal::along_normal(mesh, f, offset);
   Array<internal::RingSide> sides;
   if (!internal::insert_ring(mesh, f, sides)) {
-    return decorator::internal::no_memory("a quad at each side");
+    return refusals::no_memory("a quad at each side");
   }
   for (const internal::RingSide& side : sides) {
     mesh.set_position(side.corner, internal::moved(mesh.position(side.corner), offset_vector));
@@ -135,7 +135,7 @@ template <EditableSurface Mesh>
   if (Result<void> can = check_inset_face(mesh, f, fraction); !can) return can;
   Array<internal::RingSide> sides;
   if (!internal::insert_ring(mesh, f, sides)) {
-    return decorator::internal::no_memory("a quad at each side");
+    return refusals::no_memory("a quad at each side");
   }
   [[maybe_unused]] Point mean;
   if constexpr (HasPositions<Mesh>) {
@@ -155,7 +155,7 @@ template <EditableSurface Mesh>
     const Vertex v = side.corner;
     const Vertex outer = mesh.to_vertex(side.outer);
     if constexpr (HasPositions<Mesh>) {
-      mesh.set_position(v, decorator::internal::blend(mesh.position(outer), mean, fraction));
+      mesh.set_position(v, steps::blend(mesh.position(outer), mean, fraction));
     }
     mesh.copy_attributes(v, first.corner);
     mesh.blend_attributes(v, outer, v, fraction);

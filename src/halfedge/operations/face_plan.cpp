@@ -1,6 +1,6 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/face_plan.h>
 #include <halfedge/operations/surgery_refusals.h>
+#include <halfedge/refusals.h>
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ Edge find_edge(const Links& links, Vertex a, Vertex b) {
 
 Result<void> FacePlan::add(const Links& links, std::span<const float> positions, Halfedge first,
                            bool has_others) {
-  const auto no_memory = [] { return decorator::internal::no_memory("the triangles"); };
+  const auto no_memory = [] { return refusals::no_memory("the triangles"); };
   corners_.clear();
   points_.clear();
   Index h = first.index();

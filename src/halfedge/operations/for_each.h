@@ -1,7 +1,7 @@
 #pragma once
 
-#include <halfedge/decorator/edit.h>
 #include <halfedge/operations/requirements.h>
+#include <halfedge/steps.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,8 +19,8 @@ template <class Mesh>
   if (!mesh.is_live(f)) return;
   Halfedge h = mesh.face_halfedge(f);
   for (int sides = 0; sides < 3; ++sides) {
-    decorator::internal::fetch_links(mesh, h);
-    decorator::internal::fetch_position(mesh, mesh.to_vertex(h));
+    steps::fetch_links(mesh, h);
+    steps::fetch_position(mesh, mesh.to_vertex(h));
     h = mesh.next(h);
   }
 }
@@ -31,9 +31,9 @@ template <class Mesh>
   if (!mesh.is_live(e)) return;
   for (const Index side : {0U, 1U}) {
     const Halfedge h = mesh.edge_halfedge(e, side);
-    decorator::internal::fetch_links(mesh, mesh.next(h));
-    if (mesh.stores_prev()) decorator::internal::fetch_links(mesh, mesh.prev(h));
-    decorator::internal::fetch_halfedges_of(mesh, mesh.to_vertex(h), mesh.face(h));
+    steps::fetch_links(mesh, mesh.next(h));
+    if (mesh.stores_prev()) steps::fetch_links(mesh, mesh.prev(h));
+    steps::fetch_halfedges_of(mesh, mesh.to_vertex(h), mesh.face(h));
   }
 }
 

@@ -66,20 +66,20 @@ void glue_edges(Mesh& mesh, Halfedge h, Halfedge g) {
   mesh.link(h, after);
   mesh.set_face(h, mesh.face(outer));
   mesh.copy_corner(h, outer);
-  decorator::internal::replace_in_face(mesh, mesh.face(outer), outer, h);
+  steps::replace_in_face(mesh, mesh.face(outer), outer, h);
   mesh.release(mesh.edge(g));
   for (const int i : {0, 1}) {
     if (gone[i] != kept[i]) mesh.release(gone[i]);
   }
   // Where the gap stays open its other side is on the boundary: nothing to be searched for.
   if (at_begin.after[0].valid()) {
-    decorator::internal::replace_anchor(mesh, kept[0], h, at_begin.after[0]);
+    steps::replace_anchor(mesh, kept[0], h, at_begin.after[0]);
   }
   if (at_end.after[0].valid()) {
-    decorator::internal::replace_anchor(mesh, kept[1], g, at_end.after[0]);
+    steps::replace_anchor(mesh, kept[1], g, at_end.after[0]);
   }
-  decorator::internal::mend_anchor(mesh, h);
-  decorator::internal::mend_anchor(mesh, mesh.opposite(h));
+  steps::mend_anchor(mesh, h);
+  steps::mend_anchor(mesh, mesh.opposite(h));
 }
 
 /// Whether the fans at the vertex where `in` ends and `out` begins, if it is one, can be joined.
@@ -134,7 +134,7 @@ template <class Mesh>
   for (const Halfedge given : {h, g}) {
     if (Result<void> live = check_live(mesh, given); !live) return live;
     if (!mesh.is_boundary(given)) {
-      return decorator::internal::off_boundary(given, mesh.face(given));
+      return refusals::off_boundary(given, mesh.face(given));
     }
   }
   return {};
@@ -190,7 +190,7 @@ template <EditableSurface Mesh>
   Array<Index> scratch;
   if (n > mesh.halfedge_count()) return repeated_on_seam(mesh.to_vertex(h));
   if (!merges.resize(n + 1, internal::Merge{}) || !scratch.resize(n + 1)) {
-    return decorator::internal::no_memory("the vertices to be glued");
+    return refusals::no_memory("the vertices to be glued");
   }
   return internal::check_glue(mesh, h, g, n, merges.span(), scratch.span());
 }

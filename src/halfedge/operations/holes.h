@@ -30,7 +30,7 @@ template <class Mesh>
     ++sides;
     if (next_gap(mesh, mesh.next(last)).valid()) fits = fits && add(mesh.to_vertex(last));
   }
-  if (!fits) return decorator::internal::no_memory("the corners of the face");
+  if (!fits) return refusals::no_memory("the corners of the face");
   if (sides < 3) {
     const Vertex corners[] = {mesh.from_vertex(first), mesh.to_vertex(first)};
     return degree_below_three(sides, {corners, sides});

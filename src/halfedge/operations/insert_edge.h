@@ -20,8 +20,8 @@ template <EditableSurface Mesh>
   for (const Halfedge given : {h, g}) {
     if (Result<void> live = check_live(mesh, given); !live) return live;
   }
-  if (!decorator::internal::is_one_loop(mesh, h, g)) {
-    return decorator::internal::in_different_loops(h, g);
+  if (!steps::is_one_loop(mesh, h, g)) {
+    return refusals::in_different_loops(h, g);
   }
   const Vertex a = mesh.to_vertex(h);
   const Vertex b = mesh.to_vertex(g);
@@ -82,7 +82,7 @@ template <class Mesh>
     Halfedge on_loop = h;
     do {
       if (mesh.face(mesh.opposite(on_loop)) == g && !shared.push_back(mesh.edge(on_loop))) {
-        return decorator::internal::no_memory("the edges that two faces share");
+        return refusals::no_memory("the edges that two faces share");
       }
       on_loop = mesh.next(on_loop);
     } while (on_loop != h);

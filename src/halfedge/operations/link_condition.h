@@ -232,9 +232,9 @@ template <class Mesh>
   const Edge e = mesh.edge(site.h);
   switch (obstacle.kind) {
     case Kind::kLoopEdge:
-      return decorator::internal::is_loop_edge(obstacle.side, mesh.to_vertex(obstacle.side));
+      return refusals::is_loop_edge(obstacle.side, mesh.to_vertex(obstacle.side));
     case Kind::kSameLoop:
-      return decorator::internal::in_same_loop(site.h, site.o);
+      return refusals::in_same_loop(site.h, site.o);
     case Kind::kPinches:
       return joins_boundary_vertices(e, site.a, site.b);
     case Kind::kSameApex:

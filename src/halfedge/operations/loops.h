@@ -49,13 +49,13 @@ template <EditableSurface Mesh>
                            .gone = mesh.from_vertex(on_g),
                            .kept_edges = {mesh.edge(on_h), mesh.edge(mesh.next(on_h))},
                            .gone_edges = {mesh.edge(on_g), mesh.edge(before_g)}})) {
-      return decorator::internal::no_memory("the vertices of the loops");
+      return refusals::no_memory("the vertices of the loops");
     }
     on_g = before_g;
   }
   Array<Index> scratch;
   if (!scratch.resize(merges.size())) {
-    return decorator::internal::no_memory("the vertices of the loops");
+    return refusals::no_memory("the vertices of the loops");
   }
   return internal::check_merges(mesh.links(), merges.span(), scratch.span(), mesh.face(h),
                                 mesh.face(g));
@@ -82,8 +82,7 @@ template <EditableSurface Mesh>
 /// would join are joined; out-of-memory. cost: O(n log n + sum of the valences)
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_bridge(const Mesh& mesh, Halfedge h, Halfedge g) {
-  using namespace decorator::internal;
-  if (Result<void> can = check_two_loops(mesh, h, g); !can) return can;
+  if (Result<void> can = decorator::internal::check_two_loops(mesh, h, g); !can) return can;
   Halfedge on_g = g;
   for (const Halfedge on_h : mesh.loop_ccw(h)) {
     const Vertex a = mesh.to_vertex(on_h);
@@ -114,7 +113,8 @@ template <EditableSurface Mesh>
 /// errors: those of check_bridge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> bridge(Mesh& mesh, Halfedge h, Halfedge g) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> can = check_bridge(mesh, h, g); !can) return can;
   Index n = 0;
   for ([[maybe_unused]] const Halfedge on_loop : mesh.loop_ccw(h)) ++n;
@@ -174,7 +174,7 @@ template <EditableSurface Mesh>
     if (const Index degree = mesh.degree(f); degree != 4) return not_a_quad(f, degree);
     if (!vertices.push_back(mesh.from_vertex(spoke)) ||
         !vertices.push_back(mesh.to_vertex(spoke))) {
-      return decorator::internal::no_memory("the vertices of the ring");
+      return refusals::no_memory("the vertices of the ring");
     }
     spoke = mesh.next(mesh.next(mesh.opposite(spoke)));
   } while (spoke != s);
@@ -195,7 +195,8 @@ template <EditableSurface Mesh>
 /// errors: those of check_remove_bridge, out-of-memory
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Halfedge> remove_bridge(Mesh& mesh, Halfedge s) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> can = check_remove_bridge(mesh, s); !can) return can;
   // The two faces take slots of the quads, but their attributes must be there at the same time.
   if (!make_room(mesh, 0, 0, 2)) return no_memory("two faces");

@@ -1,3 +1,4 @@
+#include <halfedge/connectivity/links_view.h>
 #include <halfedge/operations/merges.h>
 #include <halfedge/operations/refusals.h>
 #include <halfedge/operations/surgery_refusals.h>
@@ -23,12 +24,12 @@ class MergeCheck {
     by_kept_ = scratch.first(merges_.size());  // sorted by now
     for (const bool of_faces : {false, true}) {
       for (const Merge& merge : merges_) {
-        const Halfedge first = anchor(merge.gone);
+        const Halfedge first = links_.halfedge(merge.gone);
         Halfedge h = first;
         do {
           Result<void> can = of_faces ? check_face(merge, h) : check_edge(merge, h);
           if (!can) return can;
-          h = rotate_cw(h);
+          h = links_.rotate_cw(h);
         } while (h != first);
       }
     }
@@ -36,14 +37,6 @@ class MergeCheck {
   }
 
  private:
-  [[nodiscard]] Halfedge anchor(Vertex v) const {
-    return Halfedge(links_.vertex_halfedge[v.index()]);
-  }
-  [[nodiscard]] Halfedge next(Halfedge h) const { return Halfedge(links_.next[h.index()]); }
-  [[nodiscard]] Vertex to_vertex(Halfedge h) const { return Vertex(links_.to_vertex[h.index()]); }
-  [[nodiscard]] Halfedge rotate_cw(Halfedge h) const { return next(Halfedge(h.index() ^ 1U)); }
-  [[nodiscard]] static Edge edge(Halfedge h) { return Edge(h.index() / 2); }
-
   /// A vertex that is in more than one merge, or empty. pre: merges are sorted
   [[nodiscard]] Vertex find_merged_twice(std::span<Index> scratch) const {
     for (std::size_t i = 0; i < merges_.size(); ++i) {
@@ -78,37 +71,37 @@ class MergeCheck {
   /// h leaves merge.gone: no edge of merge.kept but the one it is glued to may lead to where it
   /// leads.
   [[nodiscard]] Result<void> check_edge(const Merge& merge, Halfedge h) const {
-    const Vertex end = to_vertex(h);
+    const Vertex end = links_.to_vertex(h);
     const Merge* at_end = merge_of(end);
     if (at_end == nullptr) at_end = merge_into(end);
-    if (at_end == &merge) return edge_exists(merge.kept, merge.gone, edge(h));
+    if (at_end == &merge) return edge_exists(merge.kept, merge.gone, links_.edge(h));
     Edge partner;
     for (const int i : {0, 1}) {
-      if (merge.gone_edges[i] == edge(h)) partner = merge.kept_edges[i];
+      if (merge.gone_edges[i] == links_.edge(h)) partner = merge.kept_edges[i];
     }
-    if (at_end == nullptr) return check_ends(merge.kept, end, end, partner, edge(h));
+    if (at_end == nullptr) return check_ends(merge.kept, end, end, partner, links_.edge(h));
     // Either of the two vertices that become that end.
-    Result<void> can = check_ends(merge.kept, at_end->kept, at_end->kept, partner, edge(h));
-    return can ? check_ends(merge.kept, at_end->gone, at_end->kept, partner, edge(h)) : can;
+    Result<void> can = check_ends(merge.kept, at_end->kept, at_end->kept, partner, links_.edge(h));
+    return can ? check_ends(merge.kept, at_end->gone, at_end->kept, partner, links_.edge(h)) : can;
   }
 
   /// No edge but `partner` may join a and b, which becomes `end`. Around both in step: the smaller
   /// valence ends the search.
   [[nodiscard]] Result<void> check_ends(Vertex a, Vertex b, Vertex end, Edge partner,
                                         Edge other) const {
-    const Halfedge first_of_a = anchor(a);
-    const Halfedge first_of_b = anchor(b);
+    const Halfedge first_of_a = links_.halfedge(a);
+    const Halfedge first_of_b = links_.halfedge(b);
     Halfedge at_a = first_of_a;
     Halfedge at_b = first_of_b;
     do {
-      if (to_vertex(at_a) == b && edge(at_a) != partner) {
-        return would_be_duplicate(edge(at_a), other, a, end);
+      if (links_.to_vertex(at_a) == b && links_.edge(at_a) != partner) {
+        return would_be_duplicate(links_.edge(at_a), other, a, end);
       }
-      if (to_vertex(at_b) == a && edge(at_b) != partner) {
-        return would_be_duplicate(edge(at_b), other, a, end);
+      if (links_.to_vertex(at_b) == a && links_.edge(at_b) != partner) {
+        return would_be_duplicate(links_.edge(at_b), other, a, end);
       }
-      at_a = rotate_cw(at_a);
-      at_b = rotate_cw(at_b);
+      at_a = links_.rotate_cw(at_a);
+      at_b = links_.rotate_cw(at_b);
     } while (at_a != first_of_a && at_b != first_of_b);
     return {};
   }
@@ -117,24 +110,24 @@ class MergeCheck {
   /// which check_edge() looks at. Around the face and around merge.kept in step: the smaller of
   /// degree and valence ends the search.
   [[nodiscard]] Result<void> check_face(const Merge& merge, Halfedge h) const {
-    const Face f(links_.face[h.index()]);
+    const Face f = links_.face(h);
     if (!f.valid() || f == removed_[0] || f == removed_[1]) return {};
-    const Halfedge second = next(h);
-    const Halfedge first_at_kept = anchor(merge.kept);
+    const Halfedge second = links_.next(h);
+    const Halfedge first_at_kept = links_.halfedge(merge.kept);
     Halfedge at_kept = first_at_kept;
     Halfedge on_loop = second;
     do {
-      const bool leaves_corner = at_kept != second && Face(links_.face[at_kept.index()]) == f;
-      if (to_vertex(on_loop) == merge.kept || leaves_corner) {
+      const bool leaves_corner = at_kept != second && links_.face(at_kept) == f;
+      if (links_.to_vertex(on_loop) == merge.kept || leaves_corner) {
         return would_repeat_vertex(f, merge.kept, merge.gone);
       }
-      on_loop = next(on_loop);
-      at_kept = rotate_cw(at_kept);
+      on_loop = links_.next(on_loop);
+      at_kept = links_.rotate_cw(at_kept);
     } while (on_loop != h && at_kept != first_at_kept);
     return {};
   }
 
-  const Links& links_;
+  const LinksView links_;
   std::span<Merge> merges_;
   std::span<const Index> by_kept_;  // merges
   Face removed_[2];

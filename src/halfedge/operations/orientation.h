@@ -57,7 +57,7 @@ template <EditableSurface Mesh>
   decorator::internal::ComponentWalk<Mesh> walk(mesh);
   Array<bool> seen;
   if (!walk.prepare() || !seen.resize(mesh.halfedge_slots(), false)) {
-    return decorator::internal::no_memory("the edges of the component");
+    return refusals::no_memory("the edges of the component");
   }
   const Array<Edge>& edges = walk.edges_of(mesh.edge(h));
   internal::reverse_edges(mesh, edges, seen);

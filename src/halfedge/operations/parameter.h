@@ -1,6 +1,5 @@
 #pragma once
 
-#include <halfedge/decorator/edit.h>
 #include <halfedge/mesh.h>
 
 #include <optional>

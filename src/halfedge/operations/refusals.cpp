@@ -1,5 +1,5 @@
-#include <halfedge/decorator/refusal.h>
 #include <halfedge/operations/refusals.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace halfedge::operations {
 
-using decorator::internal::refusal;
+using refusals::refusal;
 
 Failure is_boundary_edge(Edge e, Halfedge side) {
   return refusal(

@@ -10,6 +10,6 @@ namespace halfedge::operations {
 template <class Mesh>
 concept EditableSurface = StoresSurface<Mesh> && decorator::Editable<Mesh>;
 
-using decorator::internal::check_live;
+using steps::check_live;
 
 }  // namespace halfedge::operations

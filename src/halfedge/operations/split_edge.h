@@ -96,7 +96,6 @@ template <class Mesh>
 /// pre: there is room for it
 template <class Mesh>
 void cut_face(Mesh& mesh, Halfedge x, Halfedge y) {
-  namespace steps = decorator::internal;
   const Face f = mesh.face(x);
   const Halfedge cut = mesh.new_unlinked_edge(mesh.to_vertex(x), mesh.to_vertex(y));
   steps::insert_tip(mesh, cut, y);
@@ -144,8 +143,8 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_edge(Mesh& mesh, Edge e,
                                         const std::optional<Point>& position = {}) {
   if (Result<void> can = check_split_edge(mesh, e); !can) return can;
-  if (!decorator::internal::make_room(mesh, 1, 3, 2)) {
-    return decorator::internal::no_memory("a vertex, three edges and two faces");
+  if (!steps::make_room(mesh, 1, 3, 2)) {
+    return refusals::no_memory("a vertex, three edges and two faces");
   }
   const Halfedge h = mesh.edge_halfedge(e);
   const Halfedge o = mesh.opposite(h);

@@ -54,7 +54,7 @@ template <EditableSurface Mesh>
     return leave_different_vertices(hl, v, hr, mesh.from_vertex(hr));
   }
   for (const Halfedge given : {hl, hr}) {
-    if (mesh.to_vertex(given) == v) return decorator::internal::is_loop_edge(given, v);
+    if (mesh.to_vertex(given) == v) return refusals::is_loop_edge(given, v);
   }
   const bool left = internal::gets_triangle(mesh, sides.left, hl);
   const bool right = internal::gets_triangle(mesh, sides.right, mesh.opposite(hr));
@@ -99,7 +99,6 @@ void take_corners_from_beyond(Mesh& mesh, Halfedge first, Halfedge second, Halfe
 /// pre: there is room for it
 template <class Mesh>
 void make_triangle(Mesh& mesh, Halfedge first, Halfedge second, Halfedge like) {
-  namespace steps = decorator::internal;
   const Face f = mesh.face(first);
   const Halfedge before = mesh.prev(first);
   const Halfedge after = mesh.next(second);
@@ -155,10 +154,9 @@ template <EditableSurface Mesh>
 [[nodiscard]] Result<Vertex> split_vertex(Mesh& mesh, Halfedge hl, Halfedge hr,
                                           const std::optional<Point>& position = {},
                                           SplitSides sides = {}) {
-  namespace steps = decorator::internal;
   if (Result<void> can = check_split_vertex(mesh, hl, hr, sides); !can) return can;
   if (!steps::make_room(mesh, 1, 3, 2)) {
-    return steps::no_memory("a vertex, three edges and two faces");
+    return refusals::no_memory("a vertex, three edges and two faces");
   }
   const bool left = internal::gets_triangle(mesh, sides.left, hl);
   const bool right = internal::gets_triangle(mesh, sides.right, mesh.opposite(hr));

@@ -76,7 +76,8 @@ template <EditableSurface Mesh>
 /// errors: those of check_triangulate
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> triangulate(Mesh& mesh, Face f) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   if (Result<void> live = check_live(mesh, f); !live) return live;
   internal::FacePlan plan;
   const Halfedge first = mesh.face_halfedge(f);
@@ -109,7 +110,8 @@ template <EditableSurface Mesh>
 /// errors: those of check_triangulate; nothing has changed then
 template <EditableSurface Mesh>
 [[nodiscard]] Result<Index> triangulate(Mesh& mesh) {
-  using namespace decorator::internal;
+  using namespace refusals;
+  using namespace steps;
   internal::FacePlan plan;
   if (Result<void> can = internal::plan_all(mesh.links(), internal::positions_of(mesh), plan);
       !can) {

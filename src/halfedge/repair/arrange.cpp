@@ -1,4 +1,5 @@
 #include <halfedge/build/cycle.h>
+#include <halfedge/repair/by_vertex.h>
 #include <halfedge/repair/soup.h>
 #include <halfedge/sort.h>
 
@@ -61,11 +62,9 @@ class Arranger {
     return true;
   }
 
-  // By their smallest vertices, in a counting sort, and then among the few that share it.
   [[nodiscard]] bool sort_faces() {
     const std::size_t corner_count = faces_.corners.size();
-    if (!corners_.recreate(corner_count) || !keys_.recreate(faces_.size()) ||
-        !begin_.resize(vertices_.size() + 2, 0)) {
+    if (!corners_.recreate(corner_count) || !keys_.prepare(vertices_.size(), faces_.size())) {
       return false;
     }
     for (std::size_t c = 0; c < corner_count; ++c) corners_[c] = rank_[faces_.corners[c]];
@@ -73,18 +72,14 @@ class Arranger {
       const std::span<const Index> corners = corners_of(f);
       return *std::min_element(corners.begin(), corners.end());
     };
-    for (Index f = 0; f < faces_.size(); ++f) ++begin_[smallest(f) + 2];
-    for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+    for (Index f = 0; f < faces_.size(); ++f) keys_.count(smallest(f));
+    keys_.divide();
     for (Index f = 0; f < faces_.size(); ++f) {
       const Cycle cycle(corners_of(f));
-      Index& at = begin_[cycle.at(0) + 1];
-      keys_[at++] = {cycle.at(1), cycle.at(cycle.corners.size() - 1), f, Index(cycle.start),
-                     cycle.reversed};
+      keys_.put(cycle.at(0), {cycle.at(1), cycle.at(cycle.corners.size() - 1), f,
+                              Index(cycle.start), cycle.reversed});
     }
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      introsort(keys_.begin() + begin_[v], keys_.begin() + begin_[v + 1],
-                [this](const Key& a, const Key& b) { return less(a, b); });
-    }
+    keys_.sort([this](const Key& a, const Key& b) { return less(a, b); });
     return true;
   }
 
@@ -132,13 +127,10 @@ class Arranger {
   // Of each set of duplicates, the first that runs as most of them do is kept. Two that run
   // opposite ways may be the two sides of a closed surface: `match` sees to them.
   void weigh_duplicates() {
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const std::size_t end = begin_[v + 1];
-      for (std::size_t i = begin_[v], next = i; i < end; i = next) {
-        while (next < end && is_same(keys_[i], keys_[next])) ++next;
-        if (next - i > 1) weigh(Index(i), Index(next));
-      }
-    }
+    keys_.for_each_group([this](const Key& a, const Key& b) { return is_same(a, b); },
+                         [this](Index, Index begin, Index end) {
+                           if (end - begin > 1) weigh(begin, end);
+                         });
   }
   [[nodiscard]] bool is_same(const Key& a, const Key& b) const {
     return a.second == b.second && a.last == b.last && compare_all(a, b) == 0;
@@ -164,8 +156,7 @@ class Arranger {
   Surface& out_;
   Array<Index> rank_;     // by place in Vertices
   Array<Index> corners_;  // ranks, in the order of the input
-  Array<Key> keys_;
-  Array<Index> begin_;  // by vertex: of the keys whose smallest vertex it is
+  ByVertex<Key> keys_;
 };
 
 }  // namespace

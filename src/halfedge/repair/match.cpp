@@ -1,3 +1,4 @@
+#include <halfedge/repair/by_vertex.h>
 #include <halfedge/repair/soup.h>
 #include <halfedge/sentence.h>
 #include <halfedge/sort.h>
@@ -106,39 +107,29 @@ class Matcher {
     return std::min(surface_.from(side), surface_.to(side));
   }
 
-  // Sorts the sides by edge: in a counting sort by the smaller vertex, then among the few that
-  // share it.
+  // Sorts the sides by edge.
   [[nodiscard]] bool collect_sides() {
     const Index count = Index(surface_.faces.corners.size());
-    begin_.clear();
-    if (!begin_.resize(surface_.vertex_count() + 2, 0) || !sides_.recreate(count)) return false;
-    for (Index side = 0; side < count; ++side) ++begin_[low_end(side) + 2];
-    for (std::size_t v = 2; v < begin_.size(); ++v) begin_[v] += begin_[v - 1];
+    if (!sides_.prepare(surface_.vertex_count(), count)) return false;
+    for (Index side = 0; side < count; ++side) sides_.count(low_end(side));
+    sides_.divide();
     for (Index side = 0; side < count; ++side) {
       const Index from = surface_.from(side);
       const Index to = surface_.to(side);
-      sides_[begin_[std::min(from, to) + 1]++] = {std::max(from, to), side};
+      sides_.put(std::min(from, to), {std::max(from, to), side});
     }
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      introsort(sides_.begin() + begin_[v], sides_.begin() + begin_[v + 1],
-                [](const Side& a, const Side& b) {
-                  return a.high != b.high ? a.high < b.high : a.side < b.side;
-                });
-    }
+    sides_.sort([](const Side& a, const Side& b) {
+      return a.high != b.high ? a.high < b.high : a.side < b.side;
+    });
     return true;
   }
 
   // Calls `visit` with the smaller vertex and the sides of each edge in turn.
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
-    const std::span<const Side> sides = sides_.span();
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v) {
-      const std::size_t end = begin_[v + 1];
-      for (std::size_t i = begin_[v], next = i; i < end; i = next) {
-        while (next < end && sides[next].high == sides[i].high) ++next;
-        visit(Index(v), sides.subspan(i, next - i));
-      }
-    }
+    sides_.for_each_group(
+        [](const Side& a, const Side& b) { return a.high == b.high; },
+        [&](Index low, Index begin, Index end) { visit(low, sides_.between(begin, end)); });
   }
 
   // A face has its own copy of a vertex that it comes back to, so no neighbour at the sides there.
@@ -203,8 +194,7 @@ class Matcher {
   const Faces& input_;
   Log& log_;
   Crowds& crowds_;
-  Array<Index> begin_;  // by vertex: of the sides whose smaller vertex it is
-  Array<Side> sides_;
+  ByVertex<Side> sides_;
 };
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <initializer_list>
 #include <string>
 
-/// The sentences in which the operations of the decorator refuse.
-namespace halfedge::decorator::internal {
+/// The sentences in which more than one folder refuses.
+namespace halfedge::refusals {
 
 /// `sentence` begins in lower case, or with a number, and gets its full stop here.
 [[nodiscard]] HALFEDGE_COLD Failure refusal(const char* code, std::string sentence,
@@ -33,4 +33,4 @@ namespace halfedge::decorator::internal {
 /// out-of-memory
 [[nodiscard]] Failure no_memory(const char* what);
 
-}  // namespace halfedge::decorator::internal
+}  // namespace halfedge::refusals

@@ -1,9 +1,9 @@
-#include <halfedge/decorator/refusal.h>
+#include <halfedge/refusals.h>
 #include <halfedge/sentence.h>
 
 #include <utility>
 
-namespace halfedge::decorator::internal {
+namespace halfedge::refusals {
 
 Failure refusal(const char* code, std::string text, Witness&& witness) {
   return {code, sentence::complete(std::move(text)), std::move(witness)};
@@ -87,4 +87,4 @@ Failure is_loop_edge(Halfedge h, Vertex v) {
 
 Failure no_memory(const char* what) { return no_memory_for(what); }
 
-}  // namespace halfedge::decorator::internal
+}  // namespace halfedge::refusals
