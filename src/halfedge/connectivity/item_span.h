@@ -29,8 +29,7 @@ class ItemSpan {
  private:
   // A handle is an index and nothing else, so handles in a row are indices in a row.
   static std::span<const Index> indices_of(std::span<const Item> items) {
-    static_assert(sizeof(Item) == sizeof(Index) && alignof(Item) == alignof(Index) &&
-                  std::is_standard_layout_v<Item>);
+    static_assert(sizeof(Item) == sizeof(Index) && std::is_standard_layout_v<Item>);
     return {reinterpret_cast<const Index*>(items.data()), items.size()};
   }
 
