@@ -288,9 +288,7 @@ export class HalfedgeFigure extends FigureAttributes implements Controls {
   #error(): TemplateResult | typeof nothing {
     if (this.failure === null) return nothing;
     const again = html`<button type="button" part="button again" lang="en" @click=${this.#again}>Try again</button>`;
-    return html`<p class="error" part="error" role="alert" lang="en" dir="auto">
-      ${icon('warning')}<span>${this.failure}</span>${this.#isUnreached ? again : nothing}
-    </p>`;
+    return html`<p class="error" part="error" role="alert" lang="en" dir="auto">${icon('warning')}<span>${this.failure}</span>${this.#isUnreached ? again : nothing}</p>`;
   }
 
   #sentence(visible: boolean): TemplateResult {
