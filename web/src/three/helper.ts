@@ -122,8 +122,9 @@ export abstract class MeshHelper extends Group implements DrawnMesh {
   }
 
   /**
-   * Makes a clone and gives it what every object has, children that were added among it. Where the original can't draw, such as around a vertex that was
-   * deleted, the clone draws nothing either: who clones an object above it need not know.
+   * Makes a clone and gives it what every object has, and clones of the children that were added. Where the original
+   * can't draw, such as around a vertex that was deleted, the clone draws nothing either: who clones an object above it
+   * need not know.
    */
   protected cloned(make: () => MeshHelper, recursive?: boolean): this {
     return quietly(make).copy(this, recursive) as this;
