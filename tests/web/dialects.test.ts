@@ -129,6 +129,9 @@ describe("OpenMesh's names", () => {
       expect(idx(om.ff_ccw_range(f))).toEqual([...mesh.faceFaces(i, 'ccw')]);
       expect(idx(om.ff_cw_range(f))).toEqual([...mesh.faceFaces(i, 'cw')]);
       expect(om.is_boundary(f)).toBe(mesh.isBoundaryFace(i));
+      const corners = [...mesh.faceVertices(i)];
+      const touches = corners.some((v) => mesh.isBoundaryVertex(v));
+      expect(om.is_boundary(f, true)).toBe(touches || mesh.isBoundaryFace(i));
       expect(om.valence(f)).toBe(mesh.degree(i));
       expect(om.halfedge_handle(f).idx()).toBe(mesh.faceHalfedge(i));
     }
@@ -158,6 +161,20 @@ describe("OpenMesh's names", () => {
     expect(idx(om.fv_range(f))).toEqual(gap.map((h) => om.to_vertex_handle(h).idx()));
   });
 
+  // OpenMesh's second parameter, which asks the corners too.
+  test('find a face that only touches the boundary with a corner', () => {
+    using mesh = build(quadGrid());
+    mesh.triangulate();
+    const om = new PolyMesh(mesh);
+    const touching = om.faces().filter((f) => om.is_boundary(f, true) && !om.is_boundary(f));
+    expect(touching.length).toBeGreaterThan(0);
+    for (const f of touching) {
+      expect(om.is_boundary(f, false)).toBe(false);
+      expect(om.fv_range(f).some((v) => om.is_boundary(v))).toBe(true);
+      expect(om.ff_range(f)).toHaveLength(om.valence(f));
+    }
+  });
+
   test('set links and points, and refuse items that are not there', () => {
     using mesh = build(tetrahedron());
     const om = new PolyMesh(mesh);
@@ -166,6 +183,9 @@ describe("OpenMesh's names", () => {
     expect([mesh.next(0), mesh.prev(2)]).toEqual([2, 0]);
     om.set_vertex_handle(a, om.vertex_handle(3));
     expect(mesh.toVertex(0)).toBe(3);
+    om.set_isolated(om.vertex_handle(1));
+    expect([om.is_isolated(om.vertex_handle(1)), mesh.vertexHalfedge(1)]).toEqual([true, -1]);
+    expect(() => om.set_isolated(PolyMesh.InvalidVertexHandle)).toThrow(RangeError);
     om.set_point(om.vertex_handle(2), [7, 8, 9]);
     expect(om.point(om.vertex_handle(2))).toEqual([7, 8, 9]);
     expect(() => om.vertex_handle(4)).toThrow(RangeError);
@@ -241,11 +261,23 @@ describe("CGAL's names", () => {
       expect(h.next_on_vertex()).toBe(h.next().opposite());
       expect(h.prev_on_vertex()).toBe(h.opposite().prev());
       expect(h.vertex_degree()).toBe(mesh.valence(mesh.toVertex(i)));
-      expect(h.facet_degree()).toBe([...mesh.halfedgeLoop(i)].length);
+      const corners = [...mesh.halfedgeLoop(i)].length;
+      expect(h.facet_degree()).toBe(corners);
+      expect([h.is_triangle(), h.is_quad()]).toEqual([corners === 3, corners === 4]);
+      const around = mesh.valence(mesh.toVertex(i));
+      for (const at of [h, h.vertex()]) {
+        expect([at.is_bivalent(), at.is_trivalent()]).toEqual([around === 2, around === 3]);
+      }
       border += h.is_border() ? 1 : 0;
     }
     expect(polyhedron.size_of_border_halfedges()).toBe(border);
+    expect(polyhedron.size_of_border_edges()).toBe(border);
     expect(polyhedron.is_closed()).toBe(border === 0);
+    const degrees = [...mesh.faces()].map((f) => mesh.degree(f));
+    expect(polyhedron.is_pure_triangle()).toBe(degrees.every((degree) => degree === 3));
+    expect(polyhedron.is_pure_quad()).toBe(degrees.every((degree) => degree === 4));
+    const sides = [...mesh.edges()].map((e) => mesh.edgeHalfedge(e));
+    expect(polyhedron.edges().map(({ index }) => index)).toEqual(sides);
     for (const v of polyhedron.vertices()) {
       expect(v.degree()).toBe(mesh.valence(v.index));
       const c = v.vertex_begin();

@@ -64,8 +64,18 @@ export class Polyhedron<Mesh extends ReadableMesh = HalfedgeMesh> {
     for (const h of this.mesh.halfedges()) count += this.mesh.isBoundaryHalfedge(h) ? 1 : 0;
     return count;
   }
+  /** An edge has a facet on at least one side. */
+  size_of_border_edges(): number {
+    return this.size_of_border_halfedges();
+  }
   is_closed(): boolean {
     return this.size_of_border_halfedges() === 0;
+  }
+  is_pure_triangle(): boolean {
+    return this.facets().every((f) => f.is_triangle());
+  }
+  is_pure_quad(): boolean {
+    return this.facets().every((f) => f.is_quad());
   }
 
   vertices(): PolyhedronVertex[] {
@@ -73,6 +83,10 @@ export class Polyhedron<Mesh extends ReadableMesh = HalfedgeMesh> {
   }
   halfedges(): PolyhedronHalfedge[] {
     return Array.from(this.mesh.halfedges(), (h) => this.#halfedges.at(h));
+  }
+  /** One halfedge of each edge, as `Edge_iterator`. */
+  edges(): PolyhedronHalfedge[] {
+    return this.halfedges().filter((h) => h.index < h.opposite().index);
   }
   facets(): PolyhedronFacet[] {
     return Array.from(this.mesh.faces(), (f) => this.#facets.at(f));
@@ -144,6 +158,19 @@ export class PolyhedronHalfedge {
   facet_degree(): number {
     return stepsAround(this.facet_begin());
   }
+  is_bivalent(): boolean {
+    return this.vertex_degree() === 2;
+  }
+  is_trivalent(): boolean {
+    return this.vertex_degree() === 3;
+  }
+  /** Of the facet, or of the hole. */
+  is_triangle(): boolean {
+    return this.facet_degree() === 3;
+  }
+  is_quad(): boolean {
+    return this.facet_degree() === 4;
+  }
 }
 
 /** A vertex, as a `Vertex_handle` points to it. */
@@ -173,6 +200,12 @@ export class PolyhedronVertex {
   }
   degree(): number {
     return this.vertex_degree();
+  }
+  is_bivalent(): boolean {
+    return this.vertex_degree() === 2;
+  }
+  is_trivalent(): boolean {
+    return this.vertex_degree() === 3;
   }
   /** A copy: to move a vertex write to `mesh.positions`. */
   point(): [x: number, y: number, z: number] {

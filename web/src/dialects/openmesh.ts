@@ -186,11 +186,19 @@ export class PolyMesh {
 
   // ---- queries ------------------------------------------------------------------------------------
 
-  is_boundary(item: VertexHandle | HalfedgeHandle | EdgeHandle | FaceHandle): boolean {
+  /** With `check_vertex` a face that touches the boundary with a corner counts as well. */
+  is_boundary(
+    item: VertexHandle | HalfedgeHandle | EdgeHandle | FaceHandle,
+    check_vertex = false,
+  ): boolean {
     if (item instanceof VertexHandle) return this.mesh.isBoundaryVertex(item.idx());
     if (item instanceof HalfedgeHandle) return this.mesh.isBoundaryHalfedge(item.idx());
     if (item instanceof EdgeHandle) return this.mesh.isBoundaryEdge(item.idx());
-    return this.mesh.isBoundaryFace(ofFace(item, 'item', 'a handle'));
+    const f = ofFace(item, 'item', 'a handle');
+    if (this.mesh.isBoundaryFace(f)) return true;
+    return (
+      check_vertex && [...this.mesh.faceVertices(f)].some((v) => this.mesh.isBoundaryVertex(v))
+    );
   }
   is_isolated(v: VertexHandle): boolean {
     return this.mesh.isIsolatedVertex(ofVertex(v));
@@ -343,6 +351,11 @@ export class PolyMesh {
     const at = ofHalfedge(h);
     this.#check(h);
     this.mesh.connectivity.face[at] = -1;
+  }
+  set_isolated(v: VertexHandle): void {
+    const at = ofVertex(v);
+    this.#check(v);
+    this.mesh.connectivity.vertexHalfedge[at] = -1;
   }
   /** Sets the link back as well. */
   set_next_halfedge_handle(h: HalfedgeHandle, next: HalfedgeHandle): void {
