@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <iosfwd>
 #include <iterator>
 #include <type_traits>
 
@@ -45,11 +46,21 @@ class Point_3 {
  public:
   Point_3() = default;
   Point_3(Point point) : point_(point) {}
+  Point_3(float x, float y, float z) : point_{x, y, z} {}
   [[nodiscard]] float x() const { return point_.x; }
   [[nodiscard]] float y() const { return point_.y; }
   [[nodiscard]] float z() const { return point_.z; }
+  [[nodiscard]] float cartesian(int i) const { return i == 0 ? x() : i == 1 ? y() : z(); }
+  [[nodiscard]] float operator[](int i) const { return cartesian(i); }
   [[nodiscard]] operator Point() const { return point_; }
   friend bool operator==(const Point_3&, const Point_3&) = default;
+
+  /// As CGAL prints it: `0 0.5 1`.
+  template <class Traits>
+  friend std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out,
+                                                      const Point_3& p) {
+    return out << p.x() << ' ' << p.y() << ' ' << p.z();
+  }
 
  private:
   Point point_;

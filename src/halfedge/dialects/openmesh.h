@@ -33,6 +33,10 @@ class PolyMesh {
   using EdgeHandle = openmesh::EdgeHandle;
   using FaceHandle = openmesh::FaceHandle;
   using Point = halfedge::Point;
+  static constexpr VertexHandle InvalidVertexHandle{};
+  static constexpr HalfedgeHandle InvalidHalfedgeHandle{};
+  static constexpr EdgeHandle InvalidEdgeHandle{};
+  static constexpr FaceHandle InvalidFaceHandle{};
 
   explicit PolyMesh(M& mesh) : mesh_(&mesh) {}
   explicit PolyMesh(const M&& mesh) = delete;  // it would be gone

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -109,6 +110,10 @@ class Tour {
     say("vertex " + name(v), {number(v->vertex_degree()), number(v->degree()),
                               number(v->is_bivalent()), number(v->is_trivalent())});
     say("point", {std::to_string(v->point().x()), std::to_string(v->point().z())});
+    std::ostringstream printed;
+    printed << v->point();
+    say("point printed", {printed.str()});
+    say("coordinates", {std::to_string(v->point()[1]), std::to_string(v->point().cartesian(2))});
     say("halfedge", {name(v->halfedge()->vertex())});
     say("vertex_begin", turned(forward(v->vertex_begin())));
   }

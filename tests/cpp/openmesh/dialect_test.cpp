@@ -324,6 +324,10 @@ TEST(OpenMeshDialect, HasHandlesThatAreOursAndOpenMeshs) {
   EXPECT_FALSE(none.is_valid());
   EXPECT_EQ(none.idx(), -1);
   EXPECT_EQ(none, Dialect::VertexHandle(-1));
+  EXPECT_EQ(none, Dialect::InvalidVertexHandle);
+  EXPECT_FALSE(Dialect::InvalidHalfedgeHandle.is_valid());
+  EXPECT_FALSE(Dialect::InvalidEdgeHandle.is_valid());
+  EXPECT_FALSE(Dialect::InvalidFaceHandle.is_valid());
   Dialect::VertexHandle v(4);
   EXPECT_EQ(v, Vertex(4));
   EXPECT_LT(v, Dialect::VertexHandle(5));
