@@ -128,7 +128,7 @@ TEST(Parse, SaysThatPositionsAreTooFarFromTheOriginForTheirSize) {
                   "to 0.5 apart there, they lose what is finer"});
   for (const std::string near :
        {"v 0 0 0\nv 1e-30 0 0", "v 1000 0 0\nv 1001 0 0", "v 4e6 5e6 0\nv 4.1e6 5e6 0",
-        "v 5e6 5e6 5e6", "v nan nan nan", "v 0 0 0\nf 1 1 1"}) {
+        "v 0 0 0\nv 1 0 0\nv 5e6 5e6 0", "v 5e6 5e6 5e6", "v nan nan nan", "v 0 0 0\nf 1 1 1"}) {
     EXPECT_EQ(notes_of(near), Notes{}) << near;
   }
 }
