@@ -77,6 +77,13 @@ TEST(ObjAttributes, AreReadByCornerAndByName) {
 }
 
 // Four triangles around a square hole, of which each has a seam to the next.
+TEST(ObjAttributes, SaysThatColoursInCommentsOfZBrushAreIgnored) {
+  const auto bytes = test::bytes_of(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff0000ff00ff00\n#MRGB ff0000ff\n#MRGBA\nf 1 2 3\n");
+  EXPECT_EQ(read_obj(bytes).value().notes, Strings{"ignored 2 colour (#MRGB) statements"});
+  EXPECT_EQ(read_obj(bytes, {.attributes = false}).value().notes, Strings());
+}
+
 TEST(ObjAttributes, OfCornersReachAcrossABoundary) {
   test::MeshFile read = read_mesh(R"(
 v 0 0 0

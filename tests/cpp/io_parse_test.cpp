@@ -111,6 +111,28 @@ TEST(Parse, SaysWhatAnUnreadableFileIs) {
   }
 }
 
+TEST(Parse, SaysThatPositionsAreTooFarFromTheOriginForTheirSize) {
+  const auto notes_of = [](const std::string& text) { return parse(bytes_of(text)).value().notes; };
+  using Notes = std::vector<std::string>;
+  // Of a map, in metres, with the second vertex 10 cm beside the first.
+  EXPECT_EQ(notes_of("v 4512345.1 5412345.7 9\nv 4512345.2 5412345.7 9\nv 4512399 5412399 9\n"),
+            Notes{"the positions are far from the origin for their size: as floats, which "
+                  "are up to 0.5 apart there, they lose what is finer"});
+  // South-west of the origin, and beside a vertex that is nowhere.
+  EXPECT_EQ(notes_of("OFF\n3 0 0\n-9e6 -4e6 0\n-9000001 -4000002 0\nnan inf 0\n"),
+            Notes{"the positions are far from the origin for their size: as floats, which "
+                  "are up to 1 apart there, they lose what is finer"});
+  // A part of a decimetre that has become one point.
+  EXPECT_EQ(notes_of("v 5e6 1 0\nv 5e6 1 0.0\nv 5000000.1 1 0\nf 1 2 3\n"),
+            Notes{"the positions are far from the origin for their size: as floats, which are up "
+                  "to 0.5 apart there, they lose what is finer"});
+  for (const std::string near :
+       {"v 0 0 0\nv 1e-30 0 0", "v 1000 0 0\nv 1001 0 0", "v 4e6 5e6 0\nv 4.1e6 5e6 0",
+        "v 0 0 0\nv 1 0 0\nv 5e6 5e6 0", "v 5e6 5e6 5e6", "v nan nan nan", "v 0 0 0\nf 1 1 1"}) {
+    EXPECT_EQ(notes_of(near), Notes{}) << near;
+  }
+}
+
 TEST(Parse, TellsMaterialsFromFaces) {
   EXPECT_EQ(error_of("# materials\nnewmtl red\nKd 1 0 0\n", Format::kObj),
             "unsupported-format: this is an MTL file, the materials of an OBJ file, expected that "

@@ -55,6 +55,31 @@ describe('readGltf', () => {
     expect(area).toBe(1); // both counter-clockwise
   });
 
+  test.each([
+    ['one step', 0.1, 0.5, 4512345, 'V2F0'],
+    ['a few steps', 10, 0.5, -4512345, 'V4F2'],
+    ['many steps', 10, 0, 4512, 'V4F2'],
+  ])(
+    'says that a node puts a mesh so far away that it is %s wide',
+    async (_, size, step, x, counts) => {
+      const nodes = [
+        { mesh: 0, translation: [x, 0, 5412345 * Number(step > 0)], scale: [size, size, size] },
+      ];
+      const { mesh, report } = await read(square({ nodes }));
+      const notes = report.problems.filter(({ message }) =>
+        message.includes('far from the origin'),
+      );
+      expect(notes.map(({ message }) => message)).toEqual(
+        step === 0
+          ? []
+          : [
+              `The positions are far from the origin for their size: as floats, which are up to ${step} apart there, they lose what is finer.`,
+            ],
+      );
+      expect(`V${mesh.vertexCount}F${mesh.faceCount}`).toBe(counts);
+    },
+  );
+
   test('puts each mesh where its node stands; mirrored ones are turned over', async () => {
     const nodes = [
       { children: [1, 2], translation: [10, 0, 0] },

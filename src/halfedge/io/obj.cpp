@@ -106,7 +106,10 @@ class ObjReader {
     for (; !text_.at_end() && !out_.out_of_memory(); text_.skip_line()) {
       out_.reached(text_.position());
       text_.skip_blanks();
-      if (text_.at_line_end()) continue;
+      if (text_.at_line_end()) {
+        painted_ += options_.attributes && text_.skip("#MRGB ") ? 1U : 0U;
+        continue;
+      }
       if (!read_statement()) return error_;
     }
     if (std::optional<Error> error = check_size(out_)) return error;
@@ -145,6 +148,7 @@ class ObjReader {
   std::size_t points_ = 0;
   std::size_t lines_ = 0;
   std::size_t free_form_ = 0;
+  std::size_t painted_ = 0;  // comments in which ZBrush stores the colours of vertices
   std::size_t unknown_ = 0;
   bool any_known_ = false;
   const char* first_unknown_ = nullptr;
@@ -317,6 +321,7 @@ std::vector<std::string> ObjReader::notes() {
   add(points_, "point (p)");
   add(lines_, "line (l)");
   add(free_form_, "curve or surface (curv, curv2, surf)");
+  add(painted_, "colour (#MRGB)");
   add(unknown_, "unknown");
   if (unknown_ != 0) {
     text_.move_to(first_unknown_);

@@ -59,6 +59,7 @@ struct ParseOptions {
 ///
 /// Positions spelt `nan` or `inf`, faces with fewer than three corners and repeated vertices are
 /// read as they stand: they are well-formed text, and the builder refuses them with a reason.
+/// A note tells if floats are too coarse for positions that lie far from the origin.
 /// Every error but those about the whole file starts with "line N: ", or "byte N: " in a binary
 /// file (from 0), and says what was expected; once the format is known, it ends with that. Lines
 /// end with LF, CR LF or CR; a UTF-8 byte-order mark is skipped.
@@ -76,8 +77,8 @@ struct ParseOptions {
 /// negative and then counted back from the last vertex so far, `\` at the end of a line. A face may
 /// come before its vertices. Texture coordinates and normals become attributes of corners, `v` with
 /// six or seven numbers colours of vertices, `g`, `o`, `usemtl` and `s` numbers of faces. Points,
-/// lines, curves and unknown statements are ignored, weights and third texture coordinates too, and
-/// counted in notes.
+/// lines, curves and unknown statements are ignored, weights, third texture coordinates and
+/// ZBrush's comments with colours too, and counted in notes.
 [[nodiscard]] Result<ParsedFile> read_obj(std::span<const std::uint8_t> bytes,
                                           const ParseOptions& options = {});
 

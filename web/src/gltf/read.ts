@@ -14,6 +14,7 @@ import {
 } from '../repair.js';
 import { fileReport } from '../reports.js';
 import { type GltfResources, joinBuffers, load } from './buffers.js';
+import { noteOfCoarse } from './coarse.js';
 import { fileError, makeGlb, openGltf } from './container.js';
 import { addAttributes } from './corners.js';
 import { checkDocument, type GltfDocument } from './document.js';
@@ -223,5 +224,6 @@ function meshOf(
     throw error;
   }
   const name = format === 'glb' ? 'GLB' : 'glTF';
-  return { mesh, report: { ...fileReport(name, mesh, report, notes), format } };
+  const allNotes = [...notes, ...noteOfCoarse(positions)];
+  return { mesh, report: { ...fileReport(name, mesh, report, allNotes), format } };
 }
