@@ -1,9 +1,10 @@
 #include <gtest/gtest.h>
 #include <halfedge/build/buckets.h>
+#include <halfedge/build/groups.h>
+#include <halfedge/connectivity/array.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -14,35 +15,69 @@
 namespace halfedge::test {
 namespace {
 
-/// The sides of a mesh after division, and where each of them went.
+/// Where the sides of a mesh are kept.
 struct Divided {
-  std::vector<Index> from;
-  std::vector<Index> to;
-  std::vector<Index> place_of;  // by side, in the order of the faces
+  Groups groups;
+  Buckets buckets;
+  bool are_small = false;
+  std::vector<Index> slot_of;  // by side, in the order of the faces
 
-  explicit Divided(const Triangles& mesh)
-      : from(mesh.corners.size()), to(mesh.corners.size()), place_of(mesh.corners.size()) {
-    Buckets buckets;
-    buckets.divide(mesh.polygons(), from.data(), to.data());
-    std::vector<Index> places(mesh.corners.size());
-    std::iota(places.begin(), places.end(), 0U);
-    buckets.collect(mesh.polygons(), places.data(), place_of.data());
+  explicit Divided(const Triangles& mesh) : slot_of(mesh.corners.size()) {
+    Array<Index> last_face;
+    bool repeated = false;
+    EXPECT_TRUE(groups.count<true>(mesh.polygons(), last_face, repeated));
+    are_small = buckets.set_up(groups, mesh.polygons().vertex_count());
+    visit(mesh, [&](std::size_t side, Index slot) { slot_of[side] = slot; });
+  }
+
+  template <class Visit>
+  void visit(const Triangles& mesh, const Visit& visit) {
+    buckets.for_each_triangle(mesh.polygons(), [&](Index f, const Index* corners, auto& slots) {
+      EXPECT_EQ(corners, &mesh.corners[3 * std::size_t{f}]);
+      for (std::size_t i = 0; i < 3; ++i) visit(3 * std::size_t{f} + i, slots[i]);
+    });
   }
 };
 
-TEST(BuildBuckets, TellTheNumberOfEachSideInTheOrderOfTheFaces) {
+Index smaller_vertex(const Triangles& mesh, std::size_t side) {
+  return std::min(mesh.corners[side], mesh.corners[side % 3 == 2 ? side - 2 : side + 1]);
+}
+
+TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
   for (const Index size : {3U, 4U, 20U, 301U}) {
-    const Triangles mesh = shuffled(large_torus(size), size);
-    Divided divided(mesh);
-    for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
-      const std::size_t next = side % 3 == 2 ? side - 2 : side + 1;
-      ASSERT_EQ(divided.from[divided.place_of[side]], mesh.corners[side]);
-      ASSERT_EQ(divided.to[divided.place_of[side]], mesh.corners[next]);
+    for (const Index gap : {0U, 5U}) {
+      const Triangles mesh = without_some(shuffled(large_torus(size), size), gap);
+      Divided divided(mesh);
+      if (size >= 20) EXPECT_TRUE(divided.are_small);
+      std::vector<bool> is_taken(divided.groups.end());
+      for (const Index slot : divided.slot_of) {
+        ASSERT_FALSE(is_taken.at(slot));
+        is_taken[slot] = true;
+      }
+      Index places = 0;
+      divided.buckets.for_each_bucket([&](Index begin, Index end, Index places_end) {
+        ASSERT_EQ(begin, places);
+        ASSERT_LE(end, places_end);
+        for (Index slot = begin; slot < places_end; ++slot) ASSERT_EQ(is_taken[slot], slot < end);
+        places = places_end;
+      });
+      EXPECT_EQ(places, divided.groups.end());
+      for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
+        const Index low = smaller_vertex(mesh, side);
+        const auto bucket_of = [&](Index place) {
+          Index bucket = 0;
+          divided.buckets.for_each_bucket(
+              [&](Index, Index, Index places_end) { bucket += place >= places_end ? 1 : 0; });
+          return bucket;
+        };
+        if (side % 97 == 0) {
+          EXPECT_EQ(bucket_of(divided.slot_of[side]), bucket_of(divided.groups.begin_of(low)));
+        }
+      }
+      divided.visit(mesh, [&](std::size_t side, Index slot) {
+        ASSERT_EQ(slot, divided.slot_of[side]);  // the same once more
+      });
     }
-    std::sort(divided.place_of.begin(), divided.place_of.end());
-    std::vector<Index> places(mesh.corners.size());
-    std::iota(places.begin(), places.end(), 0U);
-    EXPECT_EQ(divided.place_of, places);
   }
 }
 
@@ -50,15 +85,25 @@ TEST(BuildBuckets, KeepTheOrderOfTheSidesOfAVertex) {
   const Triangles mesh = shuffled(large_torus(100), 5);
   const Divided divided(mesh);
   std::vector<Index> last(mesh.positions.size() / 3, 0);  // one on
-  for (const Index place : divided.place_of) {
-    Index& before = last[std::min(divided.from[place], divided.to[place])];
-    EXPECT_GT(place + 1, before);
-    before = place + 1;
+  for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
+    Index& before = last[smaller_vertex(mesh, side)];
+    EXPECT_GT(divided.slot_of[side] + 1, before);
+    before = divided.slot_of[side] + 1;
   }
 }
 
+TEST(BuildBuckets, AreTooLargeAroundAVertexOfHugeValence) {
+  constexpr Index kRim = 10'000;
+  Triangles fan;
+  fan.positions.resize(3 * std::size_t{kRim + 1});
+  for (Index v = 1; v <= kRim; ++v) {
+    for (const Index corner : {0U, v, v % kRim + 1}) fan.corners.push_back(corner);
+  }
+  EXPECT_FALSE(Divided(fan).are_small);
+}
+
 TEST(BuildBuckets, PayForManyVerticesInRandomOrder) {
-  constexpr Index kMany = 1100;  // squared
+  constexpr Index kMany = 700;  // squared
   const Triangles large = large_torus(kMany);
   EXPECT_FALSE(Buckets::pay(large.polygons()));
   EXPECT_TRUE(Buckets::pay(shuffled(large, 1).polygons()));

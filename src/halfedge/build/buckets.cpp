@@ -1,22 +1,9 @@
 #include <halfedge/build/buckets.h>
 #include <halfedge/build/each_face.h>
-#include <halfedge/build/groups.h>
 
 namespace halfedge {
 
 namespace {
-
-// Calls `visit(bucket, from, to)` for each side.
-template <class Visit>
-void for_each_side(const Polygons& triangles, Index shift, const Visit& visit) {
-  for_each_face<true>(triangles, [&](Index, const Index* corners, auto size) {
-    for (Index i = 0; i < size; ++i) {
-      const Index from = corners[i];
-      const Index to = corners[i + 1 == size ? 0 : i + 1];
-      visit(DirectedSide(from, to).low >> shift, from, to);
-    }
-  });
-}
 
 // Whether any corner of a triangle lies near one of the next triangle, by their numbers.
 bool is_near_next(const Index* corners) {
@@ -41,24 +28,16 @@ bool Buckets::pay(const Polygons& triangles) {
   return near < kSamples / 2;
 }
 
-void Buckets::divide(const Polygons& triangles, Index* from, Index* to) {
+bool Buckets::set_up(const Groups& groups, std::size_t vertices) {
   shift_ = 0;
-  while ((triangles.vertex_count() - 1) >> shift_ >= kCount) ++shift_;
-  begin_.fill(0);
-  for_each_side(triangles, shift_, [&](Index bucket, Index, Index) { ++begin_[bucket + 1]; });
-  for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-  std::array<Index, kCount + 1> next = begin_;
-  for_each_side(triangles, shift_, [&](Index bucket, Index a, Index b) {
-    const Index place = next[bucket]++;
-    from[place] = a;
-    to[place] = b;
-  });
-}
-
-void Buckets::collect(const Polygons& triangles, const Index* of_divided, Index* of_side) const {
-  std::array<Index, kCount + 1> next = begin_;
-  for_each_side(triangles, shift_,
-                [&](Index bucket, Index, Index) { *of_side++ = of_divided[next[bucket]++]; });
+  while ((vertices - 1) >> shift_ >= kCount) ++shift_;
+  bool are_small = true;
+  for (std::size_t i = 0; i <= kCount; ++i) {
+    const std::size_t first = i << shift_;
+    begin_[i] = first < vertices ? groups.begin_of(Index(first)) : groups.end();
+    if (i > 0) are_small &= begin_[i] - begin_[i - 1] <= vertices;
+  }
+  return are_small;
 }
 
 }  // namespace halfedge

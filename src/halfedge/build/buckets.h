@@ -1,9 +1,12 @@
 #pragma once
 
+#include <halfedge/build/each_face.h>
+#include <halfedge/build/groups.h>
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/prefetch.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -13,8 +16,9 @@ namespace halfedge {
 /// that come in random order: one step of a radix sort. What belongs to the vertices of a bucket
 /// fits into the cache, so that sides that are taken bucket by bucket don't wait for memory.
 ///
-/// Sides stay in their order within a bucket. So the triangles tell once more where each side went,
-/// and nothing is kept of that but where buckets begin.
+/// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides at the
+/// first of these, in the order in which they come. So the triangles tell whenever it is asked
+/// where each of their sides is kept, and nothing has to be stored of that.
 class Buckets {
  public:
   /// Whether a build of these would wait for memory longer than it takes to divide their sides: if
@@ -22,22 +26,45 @@ class Buckets {
   /// cost: O(1)
   [[nodiscard]] static bool pay(const Polygons& triangles);
 
-  /// Writes which vertices each side leads from and to, bucket by bucket. `from` and `to` are as
-  /// long as the corners. cost: O(sides)
-  void divide(const Polygons& triangles, Index* from, Index* to);
+  /// Gives each bucket its places, before any side has got one of them. False if one bucket has
+  /// more of them than there are vertices, as with a vertex of huge valence: too many for a cache.
+  [[nodiscard]] bool set_up(const Groups& groups, std::size_t vertices);
 
-  /// Writes to `of_side`, in the order of the triangles, what `of_divided` holds for each side, in
-  /// the order of the buckets. cost: O(sides)
-  void collect(const Polygons& triangles, const Index* of_divided, Index* of_side) const;
+  /// Calls `visit(face, its corners, slots)` for each triangle: its side from corner `i` is kept in
+  /// `slots[i]`.
+  template <class Visit>
+  void for_each_triangle(const Polygons& triangles, const Visit& visit);
+
+  /// Calls `visit(begin, end, places_end)` for each bucket, after for_each_triangle: its sides are
+  /// kept from `begin` to `end`, its places end later if there are more of them than sides.
+  template <class Visit>
+  void for_each_bucket(const Visit& visit) const {
+    for (std::size_t i = 0; i < kCount; ++i) visit(begin_[i], end_[i], begin_[i + 1]);
+  }
 
  private:
   static constexpr std::size_t kCount = 256;
   // Fewer, and what belongs to all of them fits into the cache, or what is asked for ahead is there
   // in time.
-  static constexpr std::size_t kFewVertices = kCanPrefetch ? 1'000'000 : 150'000;
+  static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 150'000;
 
-  Index shift_ = 0;  // from a vertex to its bucket
-  std::array<Index, kCount + 1> begin_{};
+  Index shift_ = 0;                        // from a vertex to its bucket
+  std::array<Index, kCount + 1> begin_{};  // where the places of each bucket begin
+  std::array<Index, kCount> end_{};        // where its sides end
 };
+
+template <class Visit>
+void Buckets::for_each_triangle(const Polygons& triangles, const Visit& visit) {
+  std::array<Index, kCount> next;  // a local one is known not to be what `visit` writes
+  std::copy_n(begin_.begin(), kCount, next.begin());
+  for_each_face<true>(triangles, [&](Index f, const Index* corners, auto) {
+    std::array<Index, 3> slots;
+    for (Index i = 0; i < 3; ++i) {
+      slots[i] = next[DirectedSide(corners[i], corners[i == 2 ? 0 : i + 1]).low >> shift_]++;
+    }
+    visit(f, corners, slots);
+  });
+  end_ = next;
+}
 
 }  // namespace halfedge

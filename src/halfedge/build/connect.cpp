@@ -52,7 +52,8 @@ class SideConnector {
     if (repeated) return ConnectResult::kNotManifold;
     if (groups_.end() > kMaxSlots) return ConnectResult::kTooLarge;
     if (!make_room()) return ConnectResult::kOutOfMemory;
-    const bool is_divided = kTriangles && kPrev && Buckets::pay(polygons_);
+    const bool is_divided = kTriangles && kPrev && Buckets::pay(polygons_) &&
+                            buckets_.set_up(groups_, polygons_.vertex_count());
     if (is_divided) {
       place_divided_sides();
     } else {
@@ -63,8 +64,11 @@ class SideConnector {
     if (!is_manifold) return ConnectResult::kNotManifold;
     const ConnectResult added = add_unforeseen_edges();
     if (added != ConnectResult::kDone) return added;
-    if (is_divided) collect_halfedges();
-    link_faces();
+    if (is_divided) {
+      link_divided_faces();
+    } else {
+      link_faces();
+    }
     if constexpr (!kPrev) write_faces();
     return ConnectResult::kDone;
   }
@@ -81,7 +85,7 @@ class SideConnector {
       prefetch(halfedge_of + to[place + 1]);
     }
     void touch(Index begin, Index end, std::span<const Index> edge_to) const {
-      touch_places({to + begin, end - begin}, edge_to, {halfedge_of, connector.sides()});
+      touch_places({to + begin, end - begin}, edge_to, {halfedge_of, connector.groups_.end()});
     }
     [[nodiscard]] Index high_up(Index place) const { return to[place]; }
     // The place, odd as it is, will be a halfedge that leads to `low`, of one edge or another.
@@ -165,22 +169,20 @@ class SideConnector {
     halfedge_of_[side] = direction.pick(place, from);
   }
 
-  // As place_sides(), but with sides that are numbered bucket by bucket, until they have their
-  // halfedges. Their vertices lie in arrays that are written later.
+  // As place_sides(), but with sides that are numbered as their buckets keep them, until they have
+  // their halfedges. Their vertices lie in arrays that are written later.
   HALFEDGE_NOINLINE void place_divided_sides() {
-    buckets_.divide(polygons_, next_, face_);
-    const Index count = Index(sides());
-    for (Index side = 0; side < count; ++side) place_side(side, next_[side], face_[side]);
-  }
-
-  // Brings the halfedges back into the order of the sides of faces. This writes them over `face`,
-  // so that it and `prev` change places, and loses the marks of boundary halfedges, which there are
-  // if there are more halfedges than sides.
-  void collect_halfedges() {
-    buckets_.collect(polygons_, halfedge_of_, face_);
-    std::swap(links_.face, links_.prev);
-    use_arrays();
-    if (links_.face.size() != sides()) std::fill(links_.face.begin(), links_.face.end(), kNone);
+    Index* const from = next_;
+    Index* const to = face_;
+    buckets_.for_each_triangle(polygons_, [=](Index, const Index* corners, const auto& slots) {
+      for (Index i = 0; i < 3; ++i) {
+        from[slots[i]] = corners[i];
+        to[slots[i]] = corners[i == 2 ? 0 : i + 1];
+      }
+    });
+    buckets_.for_each_bucket([&](Index begin, Index end, Index) {
+      for (Index side = begin; side < end; ++side) place_side(side, from[side], to[side]);
+    });
   }
 
   [[nodiscard]] std::size_t sides() const { return polygons_.corners.size(); }
@@ -252,6 +254,39 @@ class SideConnector {
         before = h;
       }
       halfedges += size;
+    });
+  }
+
+  // As link_faces(). What a side links its halfedge to is kept in its bucket first, and written
+  // bucket by bucket then: what belongs to the halfedges of one fits into the cache.
+  HALFEDGE_NOINLINE void link_divided_faces() {
+    Index* const anchors = links_.vertex_halfedge.data();
+    Index* const firsts = links_.face_halfedge.data();
+    Index* const next = next_;
+    Index* const face = face_;
+    const Index* const halfedge_of = halfedge_of_;
+    buckets_.for_each_triangle(polygons_, [=](Index f, const Index* corners, const auto& slots) {
+      Index before = slots[2];
+      firsts[f] = halfedge_of[before];
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = halfedge_of[slots[i]];
+        next[before] = h;
+        face[slots[i]] = f;
+        anchors[corners[i]] = h;
+        before = slots[i];
+      }
+    });
+    Index* const kept = groups_.scratch().data();
+    buckets_.for_each_bucket([=](Index begin, Index end, Index places_end) {
+      const Index count = end - begin;
+      std::copy_n(next + begin, count, kept);
+      std::copy_n(face + begin, count, kept + count);
+      std::fill(face + begin, face + places_end, kNone);  // boundary halfedges, but for the others
+      for (Index i = 0; i < count; ++i) {
+        const Index h = halfedge_of[begin + i];
+        next[h] = kept[i];
+        face[h] = kept[count + i];
+      }
     });
   }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace halfedge {
 
@@ -59,6 +60,9 @@ class Groups {
   /// The place after those of all groups.
   [[nodiscard]] Index end() const { return end_; }
 
+  /// The first place of the group of `low`. pre: none is taken
+  [[nodiscard]] Index begin_of(Index low) const { return *next_places_of(low); }
+
   /// The place of the next side of this direction, to be moved on by 2 when it is taken.
   [[nodiscard]] Index& next_place(const DirectedSide& side) {
     return next_[2 * side.low - side.down];
@@ -101,6 +105,9 @@ class Groups {
   ///                              the only sides of their edges, or repeat another one
   template <class Places>
   [[nodiscard]] bool match(Array<Index>& edge_to, Places places) const;
+
+  /// Two words for each vertex, for other use once all groups are matched.
+  [[nodiscard]] std::span<Index> scratch() { return next_.span(); }
 
  private:
   // Where the next places of a group lie: of its sides that run up, and behind it of those that run

@@ -31,6 +31,16 @@ inline Triangles large_torus(Index size) {
   return torus;
 }
 
+/// Without every so many-th triangle; with all of them if that is 0.
+inline Triangles without_some(const Triangles& mesh, Index every) {
+  if (every == 0) return mesh;
+  Triangles rest{mesh.positions, {}};
+  for (std::size_t corner = 0; corner < mesh.corners.size(); ++corner) {
+    if (corner / 3 % every != 0) rest.corners.push_back(mesh.corners[corner]);
+  }
+  return rest;
+}
+
 /// The triangles in random order, and other numbers for the vertices.
 inline Triangles shuffled(const Triangles& mesh, std::uint32_t seed) {
   std::mt19937 random(seed);
