@@ -34,7 +34,7 @@ export async function buildPreset(preset, options = []) {
   await run('cmake', ['--build', '--preset', preset]);
 }
 
-/** Compiles the core to WebAssembly and puts core.mjs (minified) and core.wasm into dist/. */
+/** Compiles the core to WebAssembly and puts core.js (the glue, minified) and core.wasm into dist/. */
 export async function buildWasm() {
   const toolchain = emscriptenToolchain();
   if (!toolchain) throw new Failure('There is no Emscripten here: `npm run setup` installs it.');
@@ -46,7 +46,8 @@ export async function buildWasm() {
   const glue = readFileSync(join(built, 'core.mjs'), 'utf8');
   const { code } = await transform(glue, { minify: true, format: 'esm', target: 'es2022' });
   mkdirSync(dist, { recursive: true });
-  writeFileSync(join(dist, 'core.mjs'), code);
+  // Not as .mjs, which many servers (nginx) send with a type that browsers refuse.
+  writeFileSync(join(dist, 'core.js'), code);
   writeFileSync(join(dist, 'core.wasm'), readFileSync(join(built, 'core.wasm')));
 }
 
@@ -74,10 +75,16 @@ function needPackages() {
   throw new Failure('The npm packages are missing: `npm run setup` installs them.');
 }
 
+/** What `buildWasm` puts into dist/. */
+const FROM_CORE = ['core.js', 'core.wasm'];
+
 /** Compiles the TypeScript package into dist/, beside the WebAssembly module. */
 export async function buildWeb() {
   const wasm = join(dist, 'core.wasm');
-  if (!existsSync(wasm)) throw new Failure('dist/core.wasm is missing: run `npm run build:wasm`.');
+  for (const name of FROM_CORE) {
+    if (existsSync(join(dist, name))) continue;
+    throw new Failure(`dist/${name} is missing: run \`npm run build:wasm\`.`);
+  }
   needPackages();
   rmSync(compiled, { recursive: true, force: true });
   // The command-line tool apart: the rest must not know that there are such things as Node's modules.
@@ -87,12 +94,12 @@ export async function buildWeb() {
 
   // Now that it compiles: nothing of an earlier build may stay in dist/ and be shipped.
   for (const name of readdirSync(dist)) {
-    if (!['core.mjs', 'core.wasm'].includes(name)) rmSync(join(dist, name), { recursive: true });
+    if (!FROM_CORE.includes(name)) rmSync(join(dist, name), { recursive: true });
   }
   cpSync(compiled, dist, { recursive: true });
   chmodSync(join(dist, 'cli/main.js'), 0o755); // npm sees to that where it installs, but not again
   // The hand-written types of the glue and of the module: tsc reads them, but does not copy them.
-  for (const name of ['core.d.mts', 'core.d.wasm.ts']) {
+  for (const name of ['core.d.ts', 'core.d.wasm.ts']) {
     cpSync(join(sources, name), join(dist, name));
   }
   // From here `halfedge/inline` takes the module without a request.

@@ -12,7 +12,7 @@
 // - Arrays are handed over by address; JavaScript copies and frees them. No embind vectors.
 // - Errors are objects. Nothing throws in either direction, so nothing leaks on the way.
 //
-// The types of this module for TypeScript are in web/src/core.d.mts. No algorithm belongs here.
+// The types of this module for TypeScript are in web/src/core.d.ts. No algorithm belongs here.
 
 #include "bindings.h"
 

@@ -13,7 +13,7 @@ const rows = [
   ['file', 'bytes', 'gzip -9', 'brotli'],
   ['---', '---:', '---:', '---:'],
 ];
-for (const name of ['core.wasm', 'core.mjs']) {
+for (const name of ['core.wasm', 'core.js']) {
   const bytes = readFileSync(join(root, 'dist', name));
   const sizes = [bytes, gzipSync(bytes, { level: 9 }), brotliCompressSync(bytes)];
   rows.push([name, ...sizes.map(({ length }) => length.toLocaleString('en-GB'))]);

@@ -11,10 +11,10 @@ const BUDGET = 311_100;
 
 test('core.wasm and its glue keep within their budget', () => {
   const dist = join(packed.folder, 'installed/node_modules/halfedge/dist');
-  const files = ['core.wasm', 'core.mjs'].map((name) => readFileSync(join(dist, name)));
+  const files = ['core.wasm', 'core.js'].map((name) => readFileSync(join(dist, name)));
   const total = (sizes: number[]) => sizes.reduce((sum, size) => sum + size, 0);
   const gzip = total(files.map((bytes) => gzipSync(bytes, { level: 9 }).length));
   const brotli = total(files.map((bytes) => brotliCompressSync(bytes).length));
-  console.info(`core.wasm and core.mjs: gzip ${gzip}, brotli ${brotli} bytes`);
+  console.info(`core.wasm and core.js: gzip ${gzip}, brotli ${brotli} bytes`);
   expect(gzip).toBeLessThanOrEqual(BUDGET);
 });

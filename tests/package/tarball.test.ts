@@ -16,8 +16,8 @@ function meantToShip(): string[] {
     'LICENSE',
     'README.md',
     'package.json',
-    'dist/core.mjs',
-    'dist/core.d.mts',
+    'dist/core.js',
+    'dist/core.d.ts',
     'dist/core.d.wasm.ts',
     'dist/core.wasm',
     'dist/core-base64.js',
@@ -76,10 +76,14 @@ describe('The tarball', () => {
     expect(telling).toEqual([]);
   });
 
+  test('has no scripts but .js: many servers send .mjs with a type that browsers refuse', () => {
+    expect(packed.files.filter((path) => path.endsWith('.mjs'))).toEqual([]);
+  });
+
   test('has no static import that a bundler would take for one of Node', () => {
     const folder = join(packed.folder, 'installed/node_modules/halfedge/dist');
     const importing = filesBelow(folder)
-      .filter((path) => /\.m?js$/.test(path) && !path.startsWith(join(folder, 'cli/')))
+      .filter((path) => path.endsWith('.js') && !path.startsWith(join(folder, 'cli/')))
       .filter((path) =>
         // Nor the command-line tool, which has some.
         /(from|import|require)\s*\(?\s*['"](node:|[^'"]*\/cli\/)/.test(readFileSync(path, 'utf8')),

@@ -209,6 +209,44 @@ console.log(meshes.map(({ mesh }) => mesh.faceCount).join());
     });
   });
 
+  describe('through esbuild, for Node,', () => {
+    const esbuild = tool('esbuild/bin/esbuild');
+    const bundle = async (name: string, options: string, ...args: string[]) => {
+      const folder = project(name, {
+        'package.json': sources['package.json'],
+        'main.js': `import { Worker } from 'node:worker_threads';\n${program('console.log', { halfedge: 'halfedge/inline', options })}`,
+        'mesh-worker.js': "import 'halfedge/worker-thread';",
+      });
+      await node(folder, esbuild, '--bundle', '--platform=node', '--outdir=dist', ...args);
+      return folder;
+    };
+
+    test('as its guide says, with a second entry for workers', async () => {
+      const guide = readFileSync('docs/bundlers.md', 'utf8');
+      expect(guide).toContain("import { Worker } from 'node:worker_threads'");
+      const [, worker] = /^const worker = (.*mesh-worker\.js.*);$/m.exec(guide) ?? [];
+      const entries = ['main.js', 'mesh-worker.js', '--splitting', '--format=esm'];
+      const folder = await bundle('worker-esbuild-node', `{ worker: ${worker} }`, ...entries);
+      expect(await node(folder, 'dist/main.js')).toBe(EXPECTED);
+    });
+
+    test('without that, the error says what to do', async () => {
+      const folder = await bundle('worker-esbuild-node-left', '{}', 'main.js', '--format=esm');
+      expect(await node(folder, 'dist/main.js')).toMatch(
+        /Cannot find module .*worker-thread\.js'\. Some bundlers .* pass { worker: \(\) => new Worker\(\.\.\.\) } with that\.$/,
+      );
+    });
+
+    test('the error says where there are no workers, and nothing of bundles', async () => {
+      const lacking = '--banner:js=delete process.getBuiltinModule;'; // as in Cloudflare Workers
+      const args = ['main.js', '--format=cjs', '--out-extension:.js=.cjs', lacking];
+      const folder = await bundle('worker-esbuild-nowhere', '{}', ...args);
+      expect(await node(folder, 'dist/main.cjs')).toBe(
+        'HalfedgeError worker-failed: The worker failed: Error: there are no workers here.',
+      );
+    });
+  });
+
   test('through webpack, without a warning, under the strict policy', async () => {
     const folder = project('worker-webpack', sources);
     const options = ['--mode', 'production', '--no-performance', '--json', 'stats.json'];

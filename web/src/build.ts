@@ -13,7 +13,7 @@ import {
   typedArrayName,
 } from './arguments.js';
 import { checkFlag } from './checks.js';
-import type { RawFailure } from './core.mjs';
+import type { RawFailure } from './core.js';
 import { counted } from './counted.js';
 import { HalfedgeError } from './errors.js';
 import { Links } from './links.js';

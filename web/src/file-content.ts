@@ -2,7 +2,7 @@
 
 import { bytesOf, describe } from './arguments.js';
 import { refuse } from './checks.js';
-import type { RawFailure } from './core.mjs';
+import type { RawFailure } from './core.js';
 import { HalfedgeError } from './errors.js';
 import { unwrap } from './reports.js';
 

@@ -4,7 +4,7 @@ import { newArray } from './arguments.js';
 import { type AttributeType, type AttributeView, TYPE_NAMES, TYPES } from './attributes.js';
 import type { Polygons } from './build.js';
 import { checkFlag } from './checks.js';
-import type { RawColumn, RawWords } from './core.mjs';
+import type { RawColumn, RawWords } from './core.js';
 import { contentOf, unwrapFile } from './file-content.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';

@@ -1,4 +1,4 @@
-import createCore, { type RawCore } from './core.mjs';
+import createCore, { type RawCore } from './core.js';
 import { HalfedgeError } from './errors.js';
 import { announceGrowth } from './growth.js';
 

@@ -11,9 +11,10 @@ import { originalOf } from './original.js';
 export function newWorker(script: string, direct: () => WorkerLike, advice: string): WorkerLike {
   const here: string | undefined = import.meta.url;
   if (typeof Worker === 'undefined') {
+    const NodeWorker = nodeWorkerClass(); // first: where there are no workers, the advice is of no use
     if (here === undefined) throw new Error(`${NO_ADDRESS}: ${advice}`);
     // Not in the form that bundlers recognise: they would make an asset of it.
-    return new (nodeWorkerClass())(new URL(script, here));
+    return new NodeWorker(new URL(script, here));
   }
   const original = originalOf(script, here ?? '');
   // Vite from 8 on has put the right address there, which may be outside of the project.
@@ -35,6 +36,6 @@ const NO_ADDRESS =
 
 function nodeWorkerClass(): new (script: URL) => WorkerLike {
   const threads = nodeModule('node:worker_threads');
-  if (threads === undefined) throw new Error('There are no workers here.');
+  if (threads === undefined) throw new Error('there are no workers here');
   return threads.Worker;
 }

@@ -1,6 +1,6 @@
 import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice } from './checks.js';
-import type { RawRepair } from './core.mjs';
+import type { RawRepair } from './core.js';
 import { contentOf, unwrapFile } from './file-content.js';
 import { Links } from './links.js';
 import { core } from './loader.js';

@@ -1,5 +1,5 @@
 import { checkCallback, refuse } from './checks.js';
-import type { RawFailure } from './core.mjs';
+import type { RawFailure } from './core.js';
 import { HalfedgeError } from './errors.js';
 import type { OptionNames } from './options.js';
 

@@ -1,7 +1,7 @@
 import { checkNotNegative, newArray } from './arguments.js';
 import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, refuse } from './checks.js';
-import type { RawRepair } from './core.mjs';
+import type { RawRepair } from './core.js';
 import { HalfedgeError, type Problem } from './errors.js';
 import { Links } from './links.js';
 import { type Core, core } from './loader.js';

@@ -1,4 +1,4 @@
-import type { RawFailure, RawProblem } from './core.mjs';
+import type { RawFailure, RawProblem } from './core.js';
 import { counted } from './counted.js';
 import { HalfedgeError, NO_WITNESS, type Problem, type Witness } from './errors.js';
 

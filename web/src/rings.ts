@@ -1,6 +1,6 @@
 import { newArray, typedArrayName } from './arguments.js';
 import { indexOfChoice, refuse } from './checks.js';
-import type { RawFailure, RawRows, RawWords } from './core.mjs';
+import type { RawFailure, RawRows, RawWords } from './core.js';
 import { type Direction, type ItemList, PLURALS } from './items.js';
 import { type Links, listOfItems } from './links.js';
 import type { Core } from './loader.js';

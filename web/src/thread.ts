@@ -29,9 +29,12 @@ export function startThread(listener: Listener, make: () => WorkerLike = newMesh
 /** Tells what to do about a script that isn't where it was looked for. */
 function advising(listener: Listener): Listener {
   const failure = (why: string) =>
-    listener.failure(why === NOT_LOADED ? `${why}. ${LEFT_BEHIND}` : why);
+    listener.failure(why === NOT_LOADED || MISSING.test(why) ? `${why}. ${LEFT_BEHIND}` : why);
   return { ...listener, failure };
 }
+
+/** How Node, Bun and Deno say that the script isn't there. Browsers don't. */
+const MISSING = /(cannot find module|module ?not ?found).*\bworker-thread\.js\b/i;
 
 const LEFT_BEHIND =
   'Some bundlers (Angular, Bun, esbuild, Rollup) leave it behind: bundle halfedge/worker-thread by itself, and pass { worker: () => new Worker(...) } with that';

@@ -1,6 +1,6 @@
 import { newArray } from './arguments.js';
 import { refuse } from './checks.js';
-import type { RawFinding } from './core.mjs';
+import type { RawFinding } from './core.js';
 import type { Problem } from './errors.js';
 import type { Halfedge } from './items.js';
 import type { Links } from './links.js';

@@ -1,6 +1,6 @@
 import { bytesOf, newArray, noRoomHere } from './arguments.js';
 import { refuse } from './checks.js';
-import type { RawWords } from './core.mjs';
+import type { RawWords } from './core.js';
 import { modeOf } from './edit.js';
 import { Links, listOfItems } from './links.js';
 import { type Core, core } from './loader.js';
