@@ -68,6 +68,15 @@ describe('Fingers on the explorer', () => {
     expect(await explorer.state('selected')).toBe(null);
   });
 
+  test('find the slider of a walk tall enough', async () => {
+    const slider = explorer.page.locator('.scrub input');
+    await fingers.tap((await frontVertex()).at);
+    await explorer.page.click('[data-tab-button=circulate]');
+    const box = await slider.boundingBox();
+    await explorer.page.click('[data-tab-button=inspect]');
+    expect(box?.height).toBeGreaterThanOrEqual(24);
+  });
+
   test('reach further than a mouse', async () => {
     const {
       front,

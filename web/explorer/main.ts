@@ -58,7 +58,7 @@ const canvas = h('canvas', {
   tabindex: 0,
   'aria-label': 'The mesh in 3D. Arrow keys orbit, plus and minus zoom.',
 });
-const labels = h('div', { class: 'labels', 'aria-hidden': 'true' });
+const labels = h('div', { class: 'labels', translate: 'no', 'aria-hidden': 'true' });
 const stage = h('main', { class: 'stage' }, canvas, labels);
 const help = helpDialog();
 const openHelp = () => help.showModal();

@@ -103,6 +103,8 @@ function player(explorer: Explorer, direction: HTMLElement) {
   explorer.walker.play.subscribe((play) => {
     if (!play) return;
     hop.classList.toggle('idle', play.position === 0);
+    // A step is code; what is told before the first one is a sentence.
+    setAttribute(hop, 'translate', play.position === 0 ? null : 'no');
     hop.textContent = play.position === 0 ? idleWords(play) : unbroken(play.player.words);
   });
   const controls = [
@@ -178,7 +180,12 @@ function scrubber({ walker }: Explorer): HTMLElement[] {
 }
 
 function visitedList(explorer: Explorer): HTMLElement {
-  const visited = h('ol', { class: 'visited', 'aria-label': 'Visited, in order' });
+  const visited = h('ol', {
+    class: 'visited',
+    translate: 'no',
+    tabindex: -1,
+    'aria-label': 'Visited, in order',
+  });
   explorer.walker.play.subscribe((play) => {
     if (!play) return;
     // A button that goes tells of no mouse that leaves it.
@@ -189,7 +196,7 @@ function visitedList(explorer: Explorer): HTMLElement {
   return visited;
 }
 
-/** Rebuilds a list of visits; the focus stays on the same visit, or goes to the last one that is left. */
+/** Rebuilds a list of visits; the focus stays on the same visit, or goes to the last one that is left, or to the list. */
 function keepFocus(list: HTMLElement, rebuild: () => void): void {
   const focused = document.activeElement;
   const had = focused instanceof HTMLElement && list.contains(focused);
@@ -198,7 +205,7 @@ function keepFocus(list: HTMLElement, rebuild: () => void): void {
   if (!had) return;
   const visits = [...list.querySelectorAll('button')];
   const visit = visits.find(({ dataset }) => dataset.ordinal === same) ?? visits.at(-1);
-  visit?.focus({ preventScroll: true });
+  (visit ?? list).focus({ preventScroll: true });
 }
 
 /** Brings an entry of a list into sight, and leaves alone what the list lies in. */

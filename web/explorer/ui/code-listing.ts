@@ -7,7 +7,11 @@ const WORDS = /\b(function\*|const|let|do|while|if|return|yield)|(\/\/.*)$/g;
 
 /** The code of the circulator, in the names of a library; what ran last is lit. */
 export function codeListing(explorer: Explorer): HTMLElement {
-  const call = h('code', { class: 'code', 'aria-label': 'Call of this circulator' });
+  const call = h('code', {
+    class: 'code',
+    translate: 'no',
+    'aria-label': 'Call of this circulator',
+  });
   const listing = h('ol', { class: 'listing', 'aria-label': 'Code of this circulator' });
   let shown = '';
   explorer.walker.play.subscribe((play) => {
@@ -26,7 +30,11 @@ export function codeListing(explorer: Explorer): HTMLElement {
     { class: 'code-box' },
     h('div', { class: 'code-head' }, call, names(explorer)),
     // Long lines scroll, also by keys.
-    h('div', { class: 'listing-box', tabindex: 0, role: 'group', 'aria-label': 'Code' }, listing),
+    h(
+      'div',
+      { class: 'listing-box', translate: 'no', tabindex: 0, role: 'group', 'aria-label': 'Code' },
+      listing,
+    ),
   );
 }
 
@@ -57,6 +65,7 @@ function names(explorer: Explorer): HTMLElement {
     'select',
     {
       class: 'dialect',
+      translate: 'no',
       name: 'dialect',
       'aria-label': 'Names of',
       title: 'Whose names code and links have',

@@ -23,7 +23,7 @@ export function itemTitle({ kind, index }: Item): string {
  * The selected item: what it is, its links as buttons that walk, its attributes, and what can be measured at it.
  */
 export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => void): HTMLElement {
-  const title = h('h2', { id: 'inspector-title' });
+  const title = h('h2', { id: 'inspector-title', tabindex: -1 });
   const facts = h('p', { class: 'facts' });
   const links = h('ul', { class: 'links', 'aria-label': 'Links' });
   const attributes = h('dl', { class: 'attributes', 'aria-label': 'Attributes and measures' });
@@ -37,7 +37,7 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     if (!selected || !mesh) {
       title.textContent = 'Nothing selected';
       fill(facts, emptyWords(explorer));
-      fill(links);
+      keepFocus(links, title, () => fill(links));
       fill(attributes);
       return;
     }
@@ -45,12 +45,9 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     fill(facts, ...factsOf(mesh, selected).flatMap((text) => [fact(text), ' ']));
     // A button that goes tells of no mouse that leaves it.
     if (links.matches(':hover')) explorer.hovered.value = null;
-    // Keep the keyboard where it is when a walk rebuilds the list.
-    const focused = [...links.querySelectorAll('button')].indexOf(
-      document.activeElement as HTMLButtonElement,
+    keepFocus(links, title, () =>
+      fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link))),
     );
-    fill(links, ...linksOf(mesh, selected).map((link) => linkButton(explorer, link)));
-    if (focused >= 0) (links.querySelectorAll('button')[focused] ?? title).focus();
     const names = explorer.document.value?.names ?? {};
     const listed = [...attributesOf(mesh, selected, names), ...measuresOf(mesh, selected)];
     fill(attributes, ...listed.map(attributeLine));
@@ -67,6 +64,19 @@ export function inspector(explorer: Explorer, bringIntoSight: (item: Item) => vo
     attributes,
     remark,
   );
+}
+
+/**
+ * Rebuilds the links; the focus stays at the same place in the list. Where that is gone or leads nowhere, which no
+ * focus can be on, it goes to the title.
+ */
+function keepFocus(links: HTMLElement, title: HTMLElement, rebuild: () => void): void {
+  const buttons = () => [...links.querySelectorAll('button')];
+  const focused = buttons().indexOf(document.activeElement as HTMLButtonElement);
+  rebuild();
+  if (focused < 0) return;
+  const same = buttons()[focused];
+  (same && !same.disabled ? same : title).focus();
 }
 
 /** What to do while nothing is selected. */
@@ -87,7 +97,7 @@ function attributeLine({ name, type, text }: ShownAttribute): HTMLElement {
     'div',
     { 'data-attribute': name },
     h('dt', { title: `${name}: ${type}` }, name),
-    h('dd', { title: text }, text),
+    h('dd', { title: text, translate: 'no' }, text),
   );
 }
 
@@ -115,9 +125,9 @@ function linkButton(explorer: Explorer, { number, name, hint, target, key, role 
         },
       },
       h('span', { class: `number role-${role}` }, number === undefined ? '' : String(number)),
-      h('span', { class: named === null ? 'api nameless' : 'api' }, shown),
+      h('span', { class: named === null ? 'api nameless' : 'api', translate: 'no' }, shown),
       h('span', { class: 'hint' }, hint),
-      h('span', { class: 'target' }, itemName(target)),
+      h('span', { class: 'target', translate: 'no' }, itemName(target)),
       h('kbd', { class: 'kbd', 'aria-hidden': 'true' }, key),
     ),
   );

@@ -37,6 +37,7 @@ export class RecordsGrid {
     this.#head = h('div', { class: 'record head', role: 'row', 'aria-rowindex': 1 });
     this.element = h('div', {
       class: 'records-grid rows',
+      translate: 'no',
       role: 'grid',
       tabindex: 0,
       'aria-label': 'Records',

@@ -2,13 +2,16 @@
 const TRACK =
   'linear-gradient(var(--accent), var(--accent)) 0 / var(--filled, 0%) 100% no-repeat var(--line)';
 
-/** The style sheet of sliders; the colours are custom properties, see `declarations`. */
+/**
+ * The style sheet of sliders; the colours are custom properties, see `declarations`. Fingers have 24 pixels, of which
+ * the parts around leave 20.
+ */
 export const SLIDER_STYLES = `
 input[type="range"] {
   width: 100%;
   min-width: 0;
-  height: 20px;
-  margin: 0;
+  height: 24px;
+  margin: -2px 0;
   background: none;
   appearance: none;
   cursor: pointer;
