@@ -3,6 +3,7 @@
 #include <halfedge/connectivity/circulators.h>
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/dialects/openmesh_iterators.h>
+#include <halfedge/dialects/openmesh_points.h>
 #include <halfedge/mesh.h>
 
 #include <type_traits>
@@ -32,7 +33,8 @@ class PolyMesh {
   using HalfedgeHandle = openmesh::HalfedgeHandle;
   using EdgeHandle = openmesh::EdgeHandle;
   using FaceHandle = openmesh::FaceHandle;
-  using Point = halfedge::Point;
+  using Scalar = float;
+  using Point = openmesh::Vec3f;
   static constexpr VertexHandle InvalidVertexHandle{};
   static constexpr HalfedgeHandle InvalidHalfedgeHandle{};
   static constexpr EdgeHandle InvalidEdgeHandle{};

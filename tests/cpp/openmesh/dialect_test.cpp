@@ -7,6 +7,7 @@
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -306,6 +307,71 @@ TEST(OpenMeshDialect, BuildsATriangleByLowLevelFunctions) {
   Dialect dialect(ours);
   EXPECT_EQ(build_triangle(dialect), build_triangle(theirs));
   EXPECT_EQ(dialect.valence(Dialect::VertexHandle(0)), 2U);
+}
+
+// The smoother of OpenMesh's tutorial, which calculates with points.
+template <class MyMesh>
+std::string smooth(MyMesh& mesh) {
+  std::vector<typename MyMesh::Point> means;
+  for (auto v_it = mesh.vertices_begin(); v_it != mesh.vertices_end(); ++v_it) {
+    typename MyMesh::Point mean(0, 0, 0);
+    typename MyMesh::Scalar valence = 0;
+    for (auto vv_it = mesh.vv_iter(*v_it); vv_it.is_valid(); ++vv_it) {
+      mean += mesh.point(*vv_it);
+      ++valence;
+    }
+    means.push_back(mean / valence);
+  }
+  std::ostringstream said;
+  auto mean = means.begin();
+  for (auto v_it = mesh.vertices_begin(); v_it != mesh.vertices_end(); ++v_it, ++mean) {
+    if (!mesh.is_boundary(*v_it)) mesh.set_point(*v_it, *mean);
+    said << mesh.point(*v_it) << '\n';
+  }
+  return said.str();
+}
+
+TEST(OpenMeshDialect, SmoothsAsTheTutorialDoes) {
+  const Shape shape = triangle_grid(4, 5);
+  Mesh ours;
+  Theirs theirs;
+  ASSERT_TRUE(build_both(shape, ours, theirs));
+  for (const Vertex v : ours.vertices()) {
+    const Point p = {float(v.index()), float(v.index() % 3), 1};
+    ours.set_position(v, p);
+    theirs.set_point(Theirs::VertexHandle(int(v.index())), {p.x, p.y, p.z});
+  }
+  Dialect dialect(ours);
+  EXPECT_EQ(smooth(dialect), smooth(theirs));
+}
+
+// All that a point can do, as one text.
+template <class Vec>
+std::string calculate() {
+  const Vec a(1, 2.5F, -3);
+  const Vec b(0.5F, -4, 8);
+  Vec c;
+  std::ostringstream said;
+  c.vectorize(2);
+  said << a + b << '|' << a - b << '|' << a * b << '|' << a / b << '|' << -a << '|' << c << '|';
+  said << a * 3.0F << '|' << 3.0F * a << '|' << a / 4.0F << '|' << (a | b) << '|' << a % b << '|';
+  said << a.norm() << '|' << a.length() << '|' << a.sqrnorm() << '|' << a.normalized() << '|';
+  said << a.dot(b) << '|' << a.cross(b) << '|' << Vec(7) << '|' << a[2] << '|' << Vec().size()
+       << '|';
+  c += a;
+  c -= b;
+  c *= a;
+  c /= b;
+  c *= 2.0F;
+  c /= 3.0F;
+  c[1] = c.data()[0];
+  said << c << '|' << (a == b) << (a != b) << (c == c) << '|' << c.normalize() << '|';
+  said << Vec(0, 0, 0).normalize_cond() << '|' << c.normalize_cond();
+  return said.str();
+}
+
+TEST(OpenMeshDialect, CalculatesWithPointsAsOpenMeshDoes) {
+  EXPECT_EQ(calculate<Dialect::Point>(), calculate<OpenMesh::Vec3f>());
 }
 
 TEST(OpenMeshDialect, GivesEmptyRangesAroundAnIsolatedVertexWhereOpenMeshReadsOutOfBounds) {
