@@ -179,7 +179,7 @@ test('Parts, benchmarks and options that there are not are refused in a sentence
 
 describe('The build', () => {
   test('can not do without the npm packages', async () => {
-    write('a checkout/dist/core.wasm', '');
+    for (const name of ['core.js', 'core.wasm']) write(`a checkout/dist/${name}`, '');
     const packages = 'The npm packages are missing: `npm run setup` installs them.';
     expect(await node(['scripts/build.mjs', 'web'])).toEqual(fails(packages));
   });

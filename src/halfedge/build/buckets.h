@@ -27,7 +27,8 @@ class Buckets {
   [[nodiscard]] static bool pay(const Polygons& triangles);
 
   /// Gives each bucket its places, before any side has got one of them. False if one bucket has
-  /// more of them than there are vertices, as with a vertex of huge valence: too many for a cache.
+  /// more of them than there are vertices, as with a vertex of huge valence: too many for a cache,
+  /// and for what Groups::scratch() has room for, two words of each.
   [[nodiscard]] bool set_up(const Groups& groups, std::size_t vertices);
 
   /// Calls `visit(face, its corners, slots)` for each triangle: its side from corner `i` is kept in

@@ -276,7 +276,7 @@ class SideConnector {
         before = slots[i];
       }
     });
-    Index* const kept = groups_.scratch().data();
+    Index* const kept = groups_.scratch().data();  // set_up() has seen to it that there is room
     buckets_.for_each_bucket([=](Index begin, Index end, Index places_end) {
       const Index count = end - begin;
       std::copy_n(next + begin, count, kept);
