@@ -153,37 +153,53 @@ test('The field for an item hands the keys back: after Enter they walk, and Esca
   await explorer.close();
 });
 
-test('The focus stays in the panel when the control that has it goes, or leads nowhere', async () => {
-  const explorer = await ExplorerPage.open({ link: 'sample=annulus&select=v0', mesh: 'Annulus' });
-  const { page } = explorer;
-  const focused = () =>
-    page.evaluate(() => {
-      const { id, tagName, className } = document.activeElement as HTMLElement;
-      return id || className || tagName;
-    });
-  // From a halfedge with a face, of which the focus is on the link, to its opposite at the boundary.
-  for (let h = 0; ; h++) {
-    await page.fill('.goto input', `h${h}`);
-    await page.press('.goto input', 'Enter');
-    if (await page.isVisible('.facts .on-boundary')) break;
-  }
-  if (await page.isDisabled('[data-link=face]')) await page.click('[data-link=opposite]');
-  await page.focus('[data-link=face]');
-  await explorer.press('o');
-  expect(await page.isDisabled('[data-link=face]')).toBe(true);
-  expect(await focused()).toBe('inspector-title');
-  await page.focus('[data-link=opposite]');
-  await explorer.press('Escape');
-  expect(await explorer.state('selected')).toBe(null);
-  expect(await focused()).toBe('inspector-title');
-  // A visit that is taken back goes, and it was the last one.
-  await page.fill('.goto input', 'v0');
-  await page.press('.goto input', 'Enter');
-  await page.click('[aria-label="Step forward"]');
-  await page.focus('.visited button');
-  await explorer.press(',');
-  expect(await page.locator('.visited button').count()).toBe(0);
-  expect(await focused()).toBe('visited');
-  expect(explorer.complaints).toEqual([]);
-  await explorer.close();
+/** What has the focus. */
+const focused = (page: Page) =>
+  page.evaluate(() => {
+    const { id, tagName, className } = document.activeElement as HTMLElement;
+    return id || className || tagName;
+  });
+
+describe('The focus stays in the panel', () => {
+  test('when the link that has it leads nowhere', async () => {
+    const explorer = await ExplorerPage.open({ link: 'sample=annulus', mesh: 'Annulus' });
+    const { page } = explorer;
+    // From a halfedge with a face, of which the focus is on the link, to its opposite at the boundary.
+    for (let h = 0; ; h++) {
+      await page.fill('.goto input', `h${h}`);
+      await page.press('.goto input', 'Enter');
+      if (await page.isVisible('.facts .on-boundary')) break;
+    }
+    if (await page.isDisabled('[data-link=face]')) await page.click('[data-link=opposite]');
+    await page.focus('[data-link=face]');
+    await explorer.press('o');
+    expect(await page.isDisabled('[data-link=face]')).toBe(true);
+    expect(await focused(page)).toBe('inspector-title');
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  });
+
+  test('when all links go', async () => {
+    const link = 'sample=annulus&select=h0';
+    const explorer = await ExplorerPage.open({ link, mesh: 'Annulus' });
+    await explorer.page.focus('[data-link=opposite]');
+    await explorer.press('Escape');
+    expect(await explorer.state('selected')).toBe(null);
+    expect(await focused(explorer.page)).toBe('inspector-title');
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  });
+
+  test('when the last visit is taken back', async () => {
+    const link = 'sample=annulus&select=v0';
+    const explorer = await ExplorerPage.open({ link, mesh: 'Annulus' });
+    const { page } = explorer;
+    await page.click('[aria-label="Step forward"]');
+    await page.focus('.visited button');
+    await explorer.press(',');
+    expect(await page.locator('.visited button').count()).toBe(0);
+    expect(await focused(page)).toBe('visited');
+    expect(explorer.complaints).toEqual([]);
+    await explorer.close();
+  });
 });

@@ -77,25 +77,34 @@ test('Code and coordinates run from left to right on a page that runs from right
   await explorer.closeTab();
 });
 
-test.each([
+describe.each([
   [1280, 800],
   [390, 844],
-])(
-  'No tab covers another one, and nothing is out of a window of %i × %i, where words are longer',
-  async (width, height) => {
+])('Where words are longer, in a window of %i × %i,', (width, height) => {
+  const translated = async () => {
     const explorer = await ExplorerPage.open({ width, height, link: WALK, mesh: 'Icosahedron' });
-    const { page } = explorer;
-    await translate(page);
-    const tabs = await spans(page, '.tabs button');
+    await translate(explorer.page);
+    return explorer;
+  };
+
+  test('no tab covers another one or leaves the window', async () => {
+    const explorer = await translated();
+    const tabs = await spans(explorer.page, '.tabs button');
+    expect(tabs.length).toBeGreaterThan(3);
     for (const [i, { x, y, right }] of tabs.entries()) {
       const next = tabs[i + 1];
       if (next && Math.abs(next.y - y) < 2) expect(right).toBeLessThan(next.x);
       expect(x).toBeGreaterThanOrEqual(0);
       expect(right).toBeLessThanOrEqual(width);
     }
-    for (const { right } of await spans(page, '.pick-bar label, .pick-bar button')) {
-      expect(right).toBeLessThanOrEqual(width);
-    }
     await explorer.closeTab();
-  },
-);
+  });
+
+  test('what chooses the kind to pick stays in the window', async () => {
+    const explorer = await translated();
+    const choices = await spans(explorer.page, '.pick-bar label, .pick-bar button');
+    expect(choices.length).toBeGreaterThan(3);
+    for (const { right } of choices) expect(right).toBeLessThanOrEqual(width);
+    await explorer.closeTab();
+  });
+});

@@ -126,9 +126,14 @@ TEST(Parse, SaysThatPositionsAreTooFarFromTheOriginForTheirSize) {
   EXPECT_EQ(notes_of("v 5e6 1 0\nv 5e6 1 0.0\nv 5000000.1 1 0\nf 1 2 3\n"),
             Notes{"the positions are far from the origin for their size: as floats, which are up "
                   "to 0.5 apart there, they lose what is finer"});
+  // Just over 2,048 times its size.
+  EXPECT_EQ(notes_of("v 2048 0 0\nv 2049 0 0"),
+            Notes{"the positions are far from the origin for their size: as floats, which are up "
+                  "to 0.000244141 apart there, they lose what is finer"});
   for (const std::string near :
-       {"v 0 0 0\nv 1e-30 0 0", "v 1000 0 0\nv 1001 0 0", "v 4e6 5e6 0\nv 4.1e6 5e6 0",
-        "v 0 0 0\nv 1 0 0\nv 5e6 5e6 0", "v 5e6 5e6 5e6", "v nan nan nan", "v 0 0 0\nf 1 1 1"}) {
+       {"v 2047 0 0\nv 2048 0 0", "v 0 0 0\nv 1e-30 0 0", "v 1000 0 0\nv 1001 0 0",
+        "v 4e6 5e6 0\nv 4.1e6 5e6 0", "v 0 0 0\nv 1 0 0\nv 5e6 5e6 0", "v 5e6 5e6 5e6",
+        "v nan nan nan", "v 0 0 0\nf 1 1 1"}) {
     EXPECT_EQ(notes_of(near), Notes{}) << near;
   }
 }

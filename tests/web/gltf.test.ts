@@ -80,6 +80,17 @@ describe('readGltf', () => {
     },
   );
 
+  test('takes no vertex that is nowhere for one that is far away', async () => {
+    const values = new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, Number.NaN, Infinity, 0]);
+    const accessors = [
+      { values, type: 'VEC3' },
+      { values: CORNERS, type: 'SCALAR' },
+    ];
+    const meshes = [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }];
+    const { report } = await read(document(accessors, { meshes }));
+    expect(JSON.stringify(report.problems)).not.toContain('far from the origin');
+  });
+
   test('puts each mesh where its node stands; mirrored ones are turned over', async () => {
     const nodes = [
       { children: [1, 2], translation: [10, 0, 0] },
