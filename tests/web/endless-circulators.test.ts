@@ -45,6 +45,51 @@ describe('The endless form', () => {
     expect(ring.moveTo(0).current).toBe(0);
   });
 
+  test.each(directions)(
+    'refuses all but moveTo after the connectivity has changed: %s',
+    (direction) => {
+      const kinds = [
+        'vertexVertices',
+        'vertexFaces',
+        'vertexEdges',
+        'faceFaces',
+        'edgeFaces',
+      ] as const;
+      for (const kind of kinds) {
+        using mesh = build(quadGrid());
+        const ring = mesh.circulate(kind, 4, direction);
+        changeConnectivity(mesh);
+        const uses = [
+          () => ring.current,
+          () => ring.halfedge,
+          () => ring.next(),
+          () => ring.prev(),
+        ];
+        for (const use of uses) expect(use).toThrow('after the connectivity changed');
+        expect(ring.moveTo(4).halfedge).toBe(mesh.circulate(kind, 4, direction).halfedge);
+      }
+    },
+  );
+
+  test.each(directions)(
+    'goes by the links of now, once the mesh has outgrown its arrays: %s',
+    (direction) => {
+      using mesh = build(quadGrid());
+      const rings = (['vertexVertices', 'vertexFaces', 'vertexEdges'] as const).map((kind) => ({
+        kind,
+        ring: mesh.circulate(kind, 4, direction),
+      }));
+      for (let i = 0; i < 1000; i++) mesh.addVertex([i, 0, 0]);
+      mesh.deleteVertex(0);
+      for (const { kind, ring } of rings) {
+        expect(() => ring.moveTo(0)).toThrow('v is vertex 0, which was deleted');
+        ring.moveTo(8);
+        const lap = [...mesh[kind](8, direction)] as number[];
+        expect(lap.map((_, i) => (i === 0 ? ring.current : ring.next()))).toEqual(lap);
+      }
+    },
+  );
+
   test.each(['vertexOutgoingHalfedges', 'vertexFaces', 'faceVertices', 'edgeFaces'] as const)(
     '%s moves on in the views of after a change, and of after growth of the memory',
     (kind) => {

@@ -9,8 +9,8 @@ export type {
   OnSplit,
 } from './attributes.js';
 export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './build.js';
-export type { CirculateOptions, CirculatorCentre, CirculatorKind } from './circulation.js';
-export type { Circulator } from './circulator.js';
+export type { CirculatorCentre, CirculatorKind } from './circulation.js';
+export type { CirculateOptions, Circulator } from './circulator.js';
 export type { CompactMaps, DeleteOptions, VertexOrder } from './construction.js';
 export { DirectedEdgesMesh } from './directed-edges/mesh.js';
 export type { DirectedEdgesViews } from './directed-edges/navigation.js';

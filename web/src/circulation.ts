@@ -1,7 +1,8 @@
 import { describe } from './arguments.js';
 import * as around from './around.js';
 import { BulkRings } from './bulk.js';
-import * as circulator from './circulator.js';
+import type * as circulator from './circulator.js';
+import * as making from './circulators.js';
 import { displayed } from './inspect.js';
 import type {
   Direction,
@@ -18,7 +19,6 @@ import type {
 import type { Links } from './links.js';
 import { LiveItems } from './live.js';
 import * as navigation from './navigation.js';
-import { checkOptions, type OptionNames } from './options.js';
 import * as orbit from './orbit.js';
 import type { RingKind } from './rings.js';
 import * as walks from './walks.js';
@@ -26,8 +26,10 @@ import * as walks from './walks.js';
 // Constants of this module's own: see walks.ts.
 const { linksOf } = navigation;
 const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
-const { Circulator, kindOf } = circulator;
+const { CLASSES, KINDS, circulateBy } = making;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
+type CirculateOptions = circulator.CirculateOptions;
+type Circulators = making.Circulators;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number, Around extends number> = circulator.Circulator<Item, Around>;
 
@@ -47,19 +49,6 @@ export type CirculatorCentre<Kind extends CirculatorKind> =
       [Name in CirculatorKind]: Parameters<Circulation[Name]>[0];
     }[Kind];
 
-/** Which way a circulator goes, and where it begins. */
-export interface CirculateOptions {
-  /** Default: 'ccw'. */
-  direction?: Direction | undefined;
-  /**
-   * A halfedge to begin at: one that leaves the vertex (`vertexIncomingHalfedges` also takes one that
-   * arrives there), or one of the face. Edges and loops have none.
-   */
-  start?: HalfedgeLike | undefined;
-}
-
-export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: true, start: true };
-
 /**
  * Circulators: one lap around an item, counter-clockwise unless `direction` says otherwise.
  *
@@ -69,6 +58,15 @@ export const CIRCULATE_OPTIONS: OptionNames<CirculateOptions> = { direction: tru
  * Circulators of faces skip sides without a face. An isolated vertex has nothing around it.
  */
 export abstract class Circulation extends BulkRings {
+  /** @internal Not enumerable: see the views in navigation.ts. */
+  declare readonly circulators: Circulators;
+
+  /** @internal */
+  constructor(links: Links) {
+    super(links);
+    Object.defineProperty(this, 'circulators', { value: new making.Circulators(links) });
+  }
+
   /** The one-ring: the vertices that share an edge with `v`. */
   vertexVertices(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Vertex> {
     return aroundVertex(linksOf(this), v, direction, start, TO_VERTEX);
@@ -177,57 +175,38 @@ export abstract class Circulation extends BulkRings {
     item: CirculatorCentre<Kind>,
     options: Direction | CirculateOptions = 'ccw',
   ): Circulator<Shown<Kind>, CirculatorCentre<Kind>> {
-    // What is seldom stands apart: V8 inlines so many bytecodes into a loop, and then no more.
-    if (typeof kind !== 'string' || typeof options !== 'string') {
-      return circulateBy(linksOf(this), kind, item, options as CirculateOptions);
-    }
-    const around = KINDS[kind];
-    if (around === undefined) throw noSuchKind(kind);
-    return new Circulator<Shown<Kind>, CirculatorCentre<Kind>>(
-      linksOf(this),
-      around,
-      options,
-    ).moveTo(item);
+    const { circulators } = this;
+    // V8 inlines so many bytecodes into a loop, and then no more: the other kinds are a step further.
+    if (kind === 'vertexVertices') return circulators.vertexVertices(item, options) as never;
+    if (kind === 'vertexFaces') return circulators.vertexFaces(item, options) as never;
+    return circulateOther(circulators, kind, item, options) as never;
   }
 }
 
-/** `circulate` with options that are no direction alone, or with what is no kind. */
-function circulateBy<Kind extends CirculatorKind>(
-  links: Links,
-  kind: Kind,
-  item: CirculatorCentre<Kind>,
-  options: CirculateOptions,
-): Circulator<Shown<Kind>, CirculatorCentre<Kind>> {
-  const around = typeof kind === 'string' ? KINDS[kind] : undefined;
-  if (around === undefined) throw noSuchKind(kind);
-  const { direction = 'ccw', start } = checkOptions(options, CIRCULATE_OPTIONS);
-  return new Circulator<Shown<Kind>, CirculatorCentre<Kind>>(links, around, direction).moveTo(
-    item,
-    start,
-  );
-}
+/** `circulate` for the other kinds, and for what is no kind. */
+const circulateOther = (
+  circulators: Circulators,
+  kind: CirculatorKind,
+  item: number,
+  way: Direction | CirculateOptions,
+) => {
+  if (kind === 'faceVertices') return circulators.faceVertices(item, way);
+  if (kind === 'faceFaces') return circulators.faceFaces(item, way);
+  if (kind === 'vertexOutgoingHalfedges') return circulators.vertexOutgoingHalfedges(item, way);
+  if (kind === 'vertexIncomingHalfedges') return circulators.vertexIncomingHalfedges(item, way);
+  if (kind === 'vertexEdges') return circulators.vertexEdges(item, way);
+  if (kind === 'faceHalfedges') return circulators.faceHalfedges(item, way);
+  if (kind === 'faceEdges') return circulators.faceEdges(item, way);
+  const found = typeof kind === 'string' ? KINDS[kind] : undefined;
+  if (found === undefined) throw noSuchKind(kind);
+  return circulateBy(circulators.links, found, item, way);
+};
 
 displayed('Orbit', orbit.Orbit, (lap) => lap.toArray());
 displayed('LiveItems', LiveItems, (items) => items.toArray());
-displayed('Circulator', Circulator, ({ current, halfedge }) => ({ current, halfedge }));
-
-const KINDS: Record<CirculatorKind, circulator.Kind> = {
-  vertexVertices: kindOf('vertex', TO_VERTEX),
-  vertexOutgoingHalfedges: kindOf('vertex', ITSELF),
-  vertexIncomingHalfedges: kindOf('vertex', OPPOSITE),
-  vertexEdges: kindOf('vertex', EDGE),
-  vertexFaces: kindOf('vertex', FACE),
-  faceVertices: kindOf('face', TO_VERTEX),
-  faceHalfedges: kindOf('face', ITSELF),
-  faceEdges: kindOf('face', EDGE),
-  faceFaces: kindOf('face', OPPOSITE_FACE),
-  edgeVertices: kindOf('edge', TO_VERTEX),
-  edgeHalfedges: kindOf('edge', ITSELF),
-  edgeFaces: kindOf('edge', FACE),
-  halfedgeLoop: kindOf('loop', ITSELF),
-};
-
-Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
+for (const Class of CLASSES) {
+  displayed('Circulator', Class, ({ current, halfedge }) => ({ current, halfedge }));
+}
 
 function noSuchKind(kind: unknown): Error {
   const kinds = Object.keys(KINDS).join(', ');

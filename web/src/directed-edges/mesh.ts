@@ -4,13 +4,8 @@
 import { describe } from '../arguments.js';
 import { buildDirectedEdges } from '../build.js';
 import { refuse } from '../checks.js';
-import {
-  CIRCULATE_OPTIONS,
-  type CirculateOptions,
-  type CirculatorCentre,
-  type CirculatorKind,
-  type Shown,
-} from '../circulation.js';
+import type { CirculatorCentre, CirculatorKind, Shown } from '../circulation.js';
+import { CIRCULATE_OPTIONS, type CirculateOptions } from '../circulator.js';
 import type { Problem } from '../errors.js';
 import { displayed, printed } from '../inspect.js';
 import type {
