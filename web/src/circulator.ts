@@ -9,7 +9,8 @@ import * as walks from './walks.js';
 const NONE: typeof none = none;
 const { lastAround, walkAround } = around;
 const { staleError } = orbit;
-const { recipe, reverse, shown, step } = walks;
+const { reverse, shown, step } = walks;
+const { SHOW_OPPOSITE, TURN } = walks.BITS;
 type Centre = around.Centre;
 
 /** Nothing to look up: what is read from it, undefined, leads to the slow path. */
@@ -64,7 +65,7 @@ export interface Course {
   readonly turn: number;
   /** 1 if it shows what is at the opposite. */
   readonly side: number;
-  /** What it shows where that needs no table is `(h ^ side) >> shift`. */
+  /** Halfedges and edges are shown as `(h ^ side) >> shift`. */
   readonly shift: number;
 }
 
@@ -78,8 +79,7 @@ export interface Kind {
 export function kindOf(centre: Centre, view: number): Kind {
   const course = (direction: Direction): Course => {
     const walk = walkAround(centre, direction);
-    const { before, after, side, shift } = recipe(walk, view);
-    return { centre, walk, view, turn: before | after, side, shift };
+    return { centre, walk, view, turn: walk & TURN, side: view & SHOW_OPPOSITE, shift: view >> 1 };
   };
   return { ccw: course('ccw'), cw: course('cw') };
 }
@@ -102,7 +102,7 @@ export function anchorsOf(links: Links, centre: Centre): Int32Array {
 
 /**
  * All that isn't as usual: views that growth of the memory has detached, an era that is over, isolated
- * vertices, several sides without a face. Methods, because V8 compiles no property access that has never
+ * vertices, sides without a face. Methods, because V8 compiles no property access that has never
  * happened.
  */
 export const slowly = {

@@ -25,6 +25,7 @@ type Place = circulator.Place;
 // - What is wrong is found by looking up what isn't there, as laps do: see laps.ts. Where the era is over,
 //   `at | era.first` is -1. The views of the links are always those of now, but `anchors` only those of the
 //   era: growth of the mesh can move them.
+// - What is shown is shown as it stands there, also where a program has written into the live views.
 // - What goes around vertices turns to the opposite, what goes around faces doesn't: `turn` is 1 or 0.
 
 /** Shows the vertices that its halfedges lead to, along prev. */

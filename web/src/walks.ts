@@ -105,19 +105,6 @@ export const shown = (links: Links, view: number, h: number): number => {
   return view < SHOW_FACE ? links.toVertex[side] : links.face[side];
 };
 
-/**
- * The same for those that have no time to decide: a step of any walk but ACROSS is
- * `(follow[h ^ before] ^ after) & SMALL`, and a view shows `(h ^ side) >> shift`, or
- * `table[h ^ side]` where shift is NONE.
- */
-export const recipe = (walk: number, view: number) => ({
-  alongNext: (walk & ALONG_NEXT) !== 0,
-  before: turnBefore(walk),
-  after: turnAfter(walk),
-  side: view & SHOW_OPPOSITE,
-  shift: view < SHOW_VERTEX ? view >> 1 : NONE,
-});
-
 /** The constants of this module, for others to make their own of. */
 export const BITS = {
   TURN,
