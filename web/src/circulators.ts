@@ -57,6 +57,15 @@ class VerticesAlongPrev {
     return item;
   }
 
+  prev(): number {
+    const { links, turn } = this;
+    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
+    const item = links.toVertex[h];
+    if (item === undefined) return this.prevSlowly();
+    this.at = h;
+    return item;
+  }
+
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
       const { links, turn } = this;
@@ -97,6 +106,15 @@ class VerticesAlongNext {
     const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
     const item = links.toVertex[h];
     if (item === undefined) return this.nextSlowly();
+    this.at = h;
+    return item;
+  }
+
+  prev(): number {
+    const { links, turn } = this;
+    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
+    const item = links.toVertex[h];
+    if (item === undefined) return this.prevSlowly();
     this.at = h;
     return item;
   }
@@ -142,6 +160,16 @@ class FacesAlongPrev {
     const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
     const item = face[h ^ this.side] ?? NONE;
     if (face[item >> 31] === undefined) return this.nextSlowly();
+    this.at = h;
+    return item;
+  }
+
+  prev(): number {
+    const { links, turn } = this;
+    const { face } = links;
+    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
+    const item = face[h ^ this.side] ?? NONE;
+    if (face[item >> 31] === undefined) return this.prevSlowly();
     this.at = h;
     return item;
   }
@@ -192,6 +220,16 @@ class FacesAlongNext {
     return item;
   }
 
+  prev(): number {
+    const { links, turn } = this;
+    const { face } = links;
+    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
+    const item = face[h ^ this.side] ?? NONE;
+    if (face[item >> 31] === undefined) return this.prevSlowly();
+    this.at = h;
+    return item;
+  }
+
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
       const { links } = this;
@@ -222,19 +260,27 @@ class IndicesAlongPrev {
 
   get current(): number {
     const at = this.at | this.era.first;
-    return this.links.prev[at] === undefined
+    return this.links.toVertex[at] === undefined
       ? this.currentSlowly()
       : (at ^ this.side) >> this.shift;
   }
 
   get halfedge(): number {
-    return this.links.prev[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
   }
 
   next(): number {
     const { links, turn } = this;
     const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    if (links.prev[h] === undefined) return this.nextSlowly();
+    if (links.toVertex[h] === undefined) return this.nextSlowly();
+    this.at = h;
+    return (h ^ this.side) >> this.shift;
+  }
+
+  prev(): number {
+    const { links, turn } = this;
+    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
+    if (links.toVertex[h] === undefined) return this.prevSlowly();
     this.at = h;
     return (h ^ this.side) >> this.shift;
   }
@@ -244,7 +290,7 @@ class IndicesAlongPrev {
       const { links, turn } = this;
       const anchor = (this.anchors[item] ?? NONE) | this.era.first;
       const h = ((links.prev[anchor] ?? NONE) ^ turn) & SMALL;
-      if (links.prev[h] !== undefined) {
+      if (links.toVertex[h] !== undefined) {
         this.at = h;
         return this;
       }
@@ -270,19 +316,27 @@ class IndicesAlongNext {
 
   get current(): number {
     const at = this.at | this.era.first;
-    return this.links.next[at] === undefined
+    return this.links.toVertex[at] === undefined
       ? this.currentSlowly()
       : (at ^ this.side) >> this.shift;
   }
 
   get halfedge(): number {
-    return this.links.next[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
   }
 
   next(): number {
     const { links, turn } = this;
     const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    if (links.next[h] === undefined) return this.nextSlowly();
+    if (links.toVertex[h] === undefined) return this.nextSlowly();
+    this.at = h;
+    return (h ^ this.side) >> this.shift;
+  }
+
+  prev(): number {
+    const { links, turn } = this;
+    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
+    if (links.toVertex[h] === undefined) return this.prevSlowly();
     this.at = h;
     return (h ^ this.side) >> this.shift;
   }
@@ -291,7 +345,7 @@ class IndicesAlongNext {
     if (typeof item === 'number' && start === undefined) {
       const { links } = this;
       const h = ((this.anchors[item] ?? NONE) | this.era.first) & SMALL;
-      if (links.next[h] !== undefined) {
+      if (links.toVertex[h] !== undefined) {
         this.at = h;
         return this;
       }
@@ -324,6 +378,10 @@ class Across {
     return this.nextSlowly();
   }
 
+  prev(): number {
+    return this.prevSlowly();
+  }
+
   moveTo(item: number, start?: HalfedgeLike): this {
     return this.moveSlowly(item, start);
   }
@@ -332,9 +390,6 @@ interface Across extends Going {}
 
 /** The methods that all of them share. */
 const shared = {
-  prev(this: Place): number {
-    return slowly.prev(this);
-  },
   currentSlowly(this: Place): number {
     return slowly.current(this);
   },
@@ -343,6 +398,9 @@ const shared = {
   },
   nextSlowly(this: Place): number {
     return slowly.next(this);
+  },
+  prevSlowly(this: Place): number {
+    return slowly.prev(this);
   },
   moveSlowly<It extends Place>(this: It, item: number, start: HalfedgeLike | undefined): It {
     slowly.moveTo(this, item, start);
@@ -355,10 +413,10 @@ interface Going extends Place {
   turn: number;
   side: number;
   shift: number;
-  prev(): number;
   currentSlowly(): number;
   halfedgeSlowly(): number;
   nextSlowly(): number;
+  prevSlowly(): number;
   moveSlowly(item: number, start: HalfedgeLike | undefined): this;
 }
 
