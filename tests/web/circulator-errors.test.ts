@@ -158,6 +158,29 @@ describe('With corrupted links', () => {
     }
   });
 
+  const open = corruptions.filter(([name]) => name !== 'a cycle that misses the anchor');
+  test.each(open)('(%s) a buffer is left alone past what a lap reached', (_, corrupt) => {
+    using mesh = build(quadGrid());
+    corrupt(mesh.connectivity as never, mesh.vertexHalfedge(5));
+    for (const kind of aroundVertices) {
+      for (const direction of directions) {
+        const buffer = new Int32Array(100).fill(12345);
+        expect(() => mesh[kind](5, direction).into(buffer)).toThrow('corrupt');
+        expect([...buffer.subarray(mesh.halfedgeSlots)].every((item) => item === 12345)).toBe(true);
+      }
+    }
+  });
+
+  test('a lap without any face that does not close ends', () => {
+    using mesh = build(quadGrid());
+    const { face, next, prev } = mesh.connectivity;
+    face.fill(NONE);
+    for (const links of [next, prev]) links.fill(7);
+    for (const direction of directions) {
+      expect(() => mesh.vertexFaces(5, direction).into(new Int32Array(9))).toThrow('corrupt');
+    }
+  });
+
   test('a circulator that shows nothing any more throws', () => {
     using mesh = build(quadGrid());
     const circulator = mesh.circulate('vertexFaces', 5);
@@ -169,6 +192,9 @@ describe('With corrupted links', () => {
     expect(() => [...mesh.vertexFaces(5)]).toThrow('corrupt');
     mesh.connectivity.toVertex.fill(-7);
     expect(() => [...mesh.vertexVertices(5)]).toThrow('corrupt');
+    for (const direction of directions) {
+      expect(() => mesh.vertexVertices(5, direction).into(new Int32Array(9))).toThrow('corrupt');
+    }
   });
 });
 

@@ -1,5 +1,6 @@
 import { roomIn, tooSmall } from './buffer.js';
 import { HalfedgeError } from './errors.js';
+import * as fills from './fills.js';
 import { NONE as none } from './items.js';
 import * as laps from './laps.js';
 import { corrupt, type Links } from './links.js';
@@ -8,9 +9,8 @@ import * as walks from './walks.js';
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
 const { NEXT, nextOfEdge } = laps;
-const { ACROSS, beginsAtHome, shown, step, turnAfter, turnBefore } = walks;
-const { ALONG_NEXT, SHOW_FACE, SHOW_OPPOSITE, SHOW_THEN_STEP, SHOW_VERTEX, SMALL, STAY } =
-  walks.BITS;
+const { FILL } = fills;
+const { ACROSS, beginsAtHome, shown, step } = walks;
 type Lap = laps.Lap;
 
 /**
@@ -65,35 +65,13 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    * @throws RangeError if they don't all fit, naming the length that is needed
    */
   into(buffer: Int32Array | Uint32Array): number {
-    const { links, home, walk, view } = this;
-    if (links.next[this.era.first] === undefined) this.revive();
-    const room = roomIn(buffer);
+    const { home, walk, view } = this;
+    if (this.links.next[this.era.first] === undefined) this.revive();
+    roomIn(buffer); // refuses what is no buffer
     if (home < 0) return 0;
-    // This loop decides as little as it can, and stops at whatever is not as usual.
-    const follow = (walk & ALONG_NEXT) === 0 ? links.prev : links.next;
-    const before = turnBefore(walk);
-    const after = turnAfter(walk);
-    const side = view & SHOW_OPPOSITE;
-    const table = view < SHOW_FACE ? links.toVertex : links.face;
-    const end = walk < STAY ? room : 0;
-    const stepFirst = (walk & SHOW_THEN_STEP) === 0;
-    let at = home;
-    let gaps = 0;
-    for (let count = 0; count < end; ) {
-      const link = follow[at ^ before];
-      if (!(link >= 0)) break;
-      const h = (link ^ after) & SMALL;
-      const seen = (stepFirst ? h : at) ^ side;
-      const item = view < SHOW_VERTEX ? seen >> (view >> 1) : table[seen];
-      at = h;
-      if (item >= 0) {
-        buffer[count] = item;
-        count += 1;
-      } else {
-        gaps += 1;
-        if (item !== NONE || gaps > end) break;
-      }
-      if (h === home) return count;
+    if (walk !== ACROSS) {
+      const count = FILL[((view >> 1) & ~1) | (walk >> 1)](this, buffer);
+      if (count >= 0) return count;
     }
     return this.intoSlowly(buffer);
   }
