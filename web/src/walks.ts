@@ -61,8 +61,8 @@ export function reverse(walk: number): number {
 }
 
 /** What a walk exchanges for the opposite: 1 for yes, before it looks the next halfedge up or after. */
-export const turnBefore = (walk: number): number => (walk >> 1) & walk & TURN;
-export const turnAfter = (walk: number): number => ~(walk >> 1) & walk & TURN;
+const turnBefore = (walk: number): number => (walk >> 1) & walk & TURN;
+const turnAfter = (walk: number): number => ~(walk >> 1) & walk & TURN;
 
 /**
  * All indices of halfedges lie below: 2^30 of them would need more memory than there is. Masking
@@ -106,13 +106,4 @@ export const shown = (links: Links, view: number, h: number): number => {
 };
 
 /** The constants of this module, for others to make their own of. */
-export const BITS = {
-  TURN,
-  ALONG_NEXT,
-  STAY,
-  SHOW_THEN_STEP,
-  SHOW_OPPOSITE,
-  SHOW_VERTEX,
-  SHOW_FACE,
-  SMALL,
-} as const;
+export const BITS = { TURN, SHOW_OPPOSITE, SMALL } as const;
