@@ -216,6 +216,26 @@ describe('A range', () => {
     expect(corners).toBe(4 * 9 * (1000 + 4 * 3));
   });
 
+  test.each(['vertices', 'halfedges', 'edges', 'faces'] as const)(
+    '%s() goes by the arrays of now, once `reserve` has moved them in the middle',
+    (items) => {
+      using mesh = build(quadGrid(20, 20));
+      for (const v of [50, 100, 150, 200, 210, 220, 230]) mesh.deleteVertex(v);
+      const expected = [...mesh[items]()];
+      const seen: number[] = [];
+      const later: HalfedgeMesh[] = [];
+      for (const item of mesh[items]()) {
+        seen.push(item);
+        if (seen.length !== 100) continue;
+        mesh.reserve(2000, 6000, 4000);
+        // These take the memory in which the arrays were, and have no deleted items.
+        for (let i = 0; i < 30; i++) later.push(build(quadGrid(20, 20)));
+      }
+      expect(seen).toEqual(expected);
+      for (const other of later) other.dispose();
+    },
+  );
+
   test('can be left early, and begins anew', () => {
     using mesh = build(quadGrid());
     const ring = mesh.vertexVertices(5);

@@ -1,5 +1,5 @@
 import { type CirculatorKind, init, NONE } from 'halfedge';
-import { directions, range } from './support/circulators.js';
+import { aroundFaces, aroundVertices, directions, range } from './support/circulators.js';
 import { changeConnectivity, growMemory } from './support/core.js';
 import { build, quadGrid, triangleAndIsolatedVertex } from './support/meshes.js';
 
@@ -110,6 +110,49 @@ describe('The endless form', () => {
       }
     },
   );
+
+  test.each([...aroundVertices, ...aroundFaces])(
+    '%s goes by the arrays of now, once `reserve` has moved them',
+    (kind) => {
+      const { positions, faces: quads } = quadGrid(30, 30);
+      const faces = quads.flatMap(([a, b, c, d]) => [
+        [a, b, c],
+        [a, c, d],
+      ]);
+      using mesh = build({ positions, faces });
+      const rings = directions.map((direction) => ({
+        direction,
+        ring: mesh.circulate(kind, 0, direction),
+      }));
+      mesh.reserve(2000, 6000, 4000);
+      // These take the memory in which the arrays were, and their links are others.
+      faces.reverse();
+      const later = Array.from({ length: 30 }, () => build({ positions, faces }));
+      for (const { direction, ring } of rings) {
+        const lap = [...range(mesh, kind)(200, direction)];
+        ring.moveTo(200);
+        expect(lap.map((_, i) => (i === 0 ? ring.current : ring.next()))).toEqual(lap);
+      }
+      for (const other of later) other.dispose();
+    },
+  );
+
+  test.each(aroundVertices)('%s moves to an isolated vertex, and on', (kind) => {
+    using mesh = build(triangleAndIsolatedVertex());
+    const isolated = mesh.vertexSlots - 1;
+    for (const direction of directions) {
+      for (const ring of [
+        mesh.circulate(kind, isolated, direction),
+        mesh.circulate(kind, 0, direction).moveTo(isolated),
+      ]) {
+        expect([ring.current, ring.halfedge, ring.next(), ring.prev()]).toEqual([-1, -1, -1, -1]);
+        expect([ring.current, ring.halfedge]).toEqual([-1, -1]);
+        const fresh = mesh.circulate(kind, 1, direction);
+        expect(ring.moveTo(1).current).toBe(fresh.current);
+        expect(ring.halfedge).toBe(fresh.halfedge);
+      }
+    }
+  });
 
   test.each(directions)('refuses an anchor that is out of range: %s', (direction) => {
     using mesh = build(quadGrid());

@@ -2,9 +2,9 @@ import { describe } from './arguments.js';
 
 // What `into` of a range writes to.
 
-/** How many items there is room for. */
+/** How many items there is room for. V8 finds out what is no `Uint32Array` last of all. */
 export function roomIn(buffer: Int32Array | Uint32Array): number {
-  if (buffer instanceof Uint32Array || buffer instanceof Int32Array) return buffer.length;
+  if (buffer instanceof Int32Array || buffer instanceof Uint32Array) return buffer.length;
   return roomInForeign(buffer);
 }
 

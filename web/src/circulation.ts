@@ -1,8 +1,8 @@
-import { describe } from './arguments.js';
 import * as around from './around.js';
 import { BulkRings } from './bulk.js';
+import * as making from './circulate.js';
 import type * as circulator from './circulator.js';
-import * as making from './circulators.js';
+import { CLASSES } from './circulators.js';
 import { displayed } from './inspect.js';
 import type {
   Direction,
@@ -16,7 +16,6 @@ import type {
   Vertex,
   VertexLike,
 } from './items.js';
-import type { Links } from './links.js';
 import { LiveItems } from './live.js';
 import * as navigation from './navigation.js';
 import * as orbit from './orbit.js';
@@ -26,10 +25,9 @@ import * as walks from './walks.js';
 // Constants of this module's own: see walks.ts.
 const { linksOf } = navigation;
 const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
-const { CLASSES, KINDS, circulateBy } = making;
+const { LONGEST, MAKERS, noSuchKind } = making;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
 type CirculateOptions = circulator.CirculateOptions;
-type Circulators = making.Circulators;
 type Orbit<Item extends number> = orbit.Orbit<Item>;
 type Circulator<Item extends number, Around extends number> = circulator.Circulator<Item, Around>;
 
@@ -58,15 +56,6 @@ export type CirculatorCentre<Kind extends CirculatorKind> =
  * Circulators of faces skip sides without a face. An isolated vertex has nothing around it.
  */
 export abstract class Circulation extends BulkRings {
-  /** @internal Not enumerable: see the views in navigation.ts. */
-  declare readonly circulators: Circulators;
-
-  /** @internal */
-  constructor(links: Links) {
-    super(links);
-    Object.defineProperty(this, 'circulators', { value: new making.Circulators(links) });
-  }
-
   /** The one-ring: the vertices that share an edge with `v`. */
   vertexVertices(v: VertexLike, direction: Direction = 'ccw', start?: HalfedgeLike): Orbit<Vertex> {
     return aroundVertex(linksOf(this), v, direction, start, TO_VERTEX);
@@ -165,8 +154,7 @@ export abstract class Circulation extends BulkRings {
 
   /**
    * An endless circulator around one item; `kind` is the name of one of the methods above. It begins where a
-   * lap of that method begins. For a single lap, `for...of` over that method is faster in a program that goes
-   * around several kinds of items.
+   * lap of that method begins.
    *
    * @param options or just a direction, which is faster in a loop that makes many circulators
    */
@@ -175,41 +163,13 @@ export abstract class Circulation extends BulkRings {
     item: CirculatorCentre<Kind>,
     options: Direction | CirculateOptions = 'ccw',
   ): Circulator<Shown<Kind>, CirculatorCentre<Kind>> {
-    const { circulators } = this;
-    // V8 inlines so many bytecodes into a loop, and then no more: the other kinds are a step further.
-    if (kind === 'vertexVertices') return circulators.vertexVertices(item, options) as never;
-    if (kind === 'vertexFaces') return circulators.vertexFaces(item, options) as never;
-    return circulateOther(circulators, kind, item, options) as never;
+    if (typeof kind !== 'string' || kind.length > LONGEST) throw noSuchKind(kind);
+    return MAKERS[kind.length](linksOf(this), kind, item, options) as never;
   }
 }
-
-/** `circulate` for the other kinds, and for what is no kind. */
-const circulateOther = (
-  circulators: Circulators,
-  kind: CirculatorKind,
-  item: number,
-  way: Direction | CirculateOptions,
-) => {
-  if (kind === 'faceVertices') return circulators.faceVertices(item, way);
-  if (kind === 'faceFaces') return circulators.faceFaces(item, way);
-  if (kind === 'vertexOutgoingHalfedges') return circulators.vertexOutgoingHalfedges(item, way);
-  if (kind === 'vertexIncomingHalfedges') return circulators.vertexIncomingHalfedges(item, way);
-  if (kind === 'vertexEdges') return circulators.vertexEdges(item, way);
-  if (kind === 'faceHalfedges') return circulators.faceHalfedges(item, way);
-  if (kind === 'faceEdges') return circulators.faceEdges(item, way);
-  const found = typeof kind === 'string' ? KINDS[kind] : undefined;
-  if (found === undefined) throw noSuchKind(kind);
-  return circulateBy(circulators.links, found, item, way);
-};
 
 displayed('Orbit', orbit.Orbit, (lap) => lap.toArray());
 displayed('LiveItems', LiveItems, (items) => items.toArray());
 for (const Class of CLASSES) {
   displayed('Circulator', Class, ({ current, halfedge }) => ({ current, halfedge }));
-}
-
-function noSuchKind(kind: unknown): Error {
-  const kinds = Object.keys(KINDS).join(', ');
-  const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
-  return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
 }

@@ -1,6 +1,6 @@
 import * as around from './around.js';
 import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from './items.js';
-import { corrupt, type Links } from './links.js';
+import { corrupt, type Era, type Latest, type Links } from './links.js';
 import type { OptionNames } from './options.js';
 import * as orbit from './orbit.js';
 import * as walks from './walks.js';
@@ -14,7 +14,7 @@ const { SHOW_OPPOSITE, TURN } = walks.BITS;
 type Centre = around.Centre;
 
 /** Nothing to look up: what is read from it, undefined, leads to the slow path. */
-const NOTHING = new Int32Array(0);
+const NO_ANCHORS: Latest = { view: new Int32Array(0) };
 
 /**
  * An endless, bidirectional circulator: it has no end, and you decide when to stop. It is at one halfedge at
@@ -84,74 +84,69 @@ export function kindOf(centre: Centre, view: number): Kind {
   return { ccw: course('ccw'), cw: course('cw') };
 }
 
-/** A circulator, as the slow paths see it. */
+/** The view of the anchors of what a circulator goes around. */
+export function anchorsOf(links: Links, centre: Centre): Latest {
+  if (centre === 'vertex') return links.vertexAnchors;
+  return centre === 'face' ? links.faceAnchors : NO_ANCHORS;
+}
+
+/** A circulator, as what it shows slowly sees it. */
 export interface Place {
   links: Links;
   course: Course;
-  /** By item, the halfedge where it begins or one step before; edges and loops have no such view. */
-  anchors: Int32Array;
-  era: Links['era'];
+  era: Era;
   at: number;
 }
 
-/** The view of the anchors of what a circulator goes around. */
-export function anchorsOf(links: Links, centre: Centre): Int32Array {
-  if (centre === 'vertex') return links.vertexHalfedge;
-  return centre === 'face' ? links.faceHalfedge : NOTHING;
-}
-
 /**
- * All that isn't as usual: views that growth of the memory has detached, an era that is over, isolated
- * vertices, sides without a face. Methods, because V8 compiles no property access that has never
- * happened.
+ * All that isn't as usual: an era that is over, isolated vertices, sides without a face, a start. The
+ * circulator itself isn't handed over where such things happen in sound programs: V8 keeps in registers what
+ * no call gets to see. Methods, because V8 compiles no property access that has never happened.
  */
 export const slowly = {
-  current(place: Place): number {
-    const at = slowly.halfedge(place);
-    return at === NONE ? NONE : shown(place.links, place.course.view, at);
+  current({ links, course, era, at }: Place): number {
+    checkEra(links, era);
+    return at === NONE ? NONE : shown(links, course.view, at);
   },
 
-  halfedge(place: Place): number {
-    const { links } = place;
-    if (place.era.first < 0) throw staleError(links);
-    links.revive();
-    place.anchors = anchorsOf(links, place.course.centre);
-    return place.at;
+  halfedge({ links, era, at }: Place): number {
+    checkEra(links, era);
+    return at;
   },
 
-  /** Steps to the next halfedge that shows something, if there is one. */
-  next(place: Place): number {
-    return slowly.walk(place, place.course.walk);
-  },
-
-  prev(place: Place): number {
-    return slowly.walk(place, reverse(place.course.walk));
-  },
-
-  moveTo(place: Place, item: number, start?: HalfedgeLike): void {
-    const { links, course } = place;
+  /** Where it begins around `item`; NONE if there is nothing to show. */
+  begin(links: Links, course: Course, item: number, start?: HalfedgeLike): number {
     const { centre, walk, view } = course;
     const last = lastAround(links, centre, item, walk, start, view);
-    place.era = links.era;
-    place.at = last;
-    slowly.walk(place, walk);
+    return slowly.walk(links, links.era, view, walk, last);
   },
 
-  walk(place: Place, walk: number): number {
-    const begin = slowly.halfedge(place);
+  /** The next halfedge that shows something, if there is one. */
+  next(links: Links, era: Era, course: Course, at: number): number {
+    return slowly.walk(links, era, course.view, course.walk, at);
+  },
+
+  prev(links: Links, era: Era, course: Course, at: number): number {
+    return slowly.walk(links, era, course.view, reverse(course.walk), at);
+  },
+
+  walk(links: Links, era: Era, view: number, walk: number, begin: number): number {
+    checkEra(links, era);
     if (begin === NONE) return NONE;
-    const { links } = place;
-    const { view } = place.course;
     let h = begin;
     for (let left = links.halfedgeSlots; left > 0; left--) {
       h = step(links, walk, h);
       const item = shown(links, view, h);
       if (!(h >= 0 && item >= NONE)) break;
-      if (item !== NONE || h === begin) {
-        place.at = item === NONE ? NONE : h;
-        return item;
-      }
+      if (item !== NONE) return h;
+      if (h === begin) return NONE;
     }
     throw corrupt(`The orbit of halfedge ${begin} does not close`);
   },
 };
+
+/** Throws once the era is over; mends views that growth of the memory has detached. */
+function checkEra(links: Links, era: Era): void {
+  if (era.isOver) throw staleError(links);
+  links.revive();
+}

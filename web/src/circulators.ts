@@ -1,19 +1,17 @@
-import { refuse } from './checks.js';
 import * as circulator from './circulator.js';
-import { type Direction, type HalfedgeLike, NONE as none } from './items.js';
-import type { Links } from './links.js';
-import { checkOptions } from './options.js';
+import { type HalfedgeLike, NONE as none } from './items.js';
+import type { Latest, Links } from './links.js';
 import * as walks from './walks.js';
 
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
-const { CIRCULATE_OPTIONS, anchorsOf, kindOf, slowly } = circulator;
-const { ACROSS, EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX, beginsAtHome } = walks;
+const { slowly } = circulator;
 const { SMALL } = walks.BITS;
-type CirculateOptions = circulator.CirculateOptions;
 type Course = circulator.Course;
-type Kind = circulator.Kind;
 type Place = circulator.Place;
+
+/** Instead of an anchor where there is none to look up: none has that number. */
+const NOTHING = -2;
 
 // All circulators, in seven classes: for what is shown (vertices, faces, halfedges and edges), along prev
 // and along next, and across edges. The loops of other people in which they run are fast if V8 inlines all
@@ -21,232 +19,273 @@ type Place = circulator.Place;
 //
 // - V8 inlines 920 bytecodes into a loop, and counts those that it has inlined into a function before. So
 //   each class has a text of its own, which decides nothing, and whatever isn't as usual is a call.
+// - Functions of at most 27 bytecodes are inlined in any case. The getters are that short, because they would
+//   come last. What isn't as usual is a getter there, too, which takes fewer bytecodes than a call.
+// - V8 keeps a circulator in memory if a call gets to see it, or if one of its methods has ever called something.
+//   So where it begins is found before it is made, and its methods call something only where `slowly` is needed.
 // - They extend nothing: to call the constructor of a base class takes twice the bytecodes.
-// - What is wrong is found by looking up what isn't there, as laps do: see laps.ts. Where the era is over,
-//   `at | era.first` is -1. The views of the links are always those of now, but `anchors` only those of the
-//   era: growth of the mesh can move them.
+// - What is wrong is found by looking up what isn't there, as laps do: see laps.ts. Once the era is over, there
+//   is nothing at all.
 // - What is shown is shown as it stands there, also where a program has written into the live views.
 // - What goes around vertices turns to the opposite, what goes around faces doesn't: `turn` is 1 or 0.
 
 /** Shows the vertices that its halfedges lead to, along prev. */
-class VerticesAlongPrev {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class VerticesAlongPrev {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
     this.turn = course.turn;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
   }
 
   get current(): number {
-    return this.links.toVertex[this.at | this.era.first] ?? this.currentSlowly();
+    return this.era.toVertex[this.at] ?? this.currentSlowly;
   }
 
   get halfedge(): number {
-    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.toVertex[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    const item = links.toVertex[h];
-    if (item === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    return era.toVertex[h] ?? NONE;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    const item = links.toVertex[h];
-    if (item === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    return era.toVertex[h] ?? NONE;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links, turn } = this;
-      const anchor = (this.anchors[item] ?? NONE) | this.era.first;
-      const h = ((links.prev[anchor] ?? NONE) ^ turn) & SMALL;
-      if (links.toVertex[h] !== undefined) {
+      const { era, turn } = this;
+      const anchor = this.anchors.view[item] ?? NONE;
+      const h = ((era.prev[anchor] ?? NONE) ^ turn) & SMALL;
+      if (era.toVertex[h] !== undefined) {
         this.at = h;
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginAlongPrev(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.era = links.era;
+    return this;
   }
 }
-interface VerticesAlongPrev extends Going {}
+export interface VerticesAlongPrev extends Going {}
 
 /** Shows the vertices that its halfedges lead to, along next. */
-class VerticesAlongNext {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class VerticesAlongNext {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
     this.turn = course.turn;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
   }
 
   get current(): number {
-    return this.links.toVertex[this.at | this.era.first] ?? this.currentSlowly();
+    return this.era.toVertex[this.at] ?? this.currentSlowly;
   }
 
   get halfedge(): number {
-    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.toVertex[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    const item = links.toVertex[h];
-    if (item === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    return era.toVertex[h] ?? NONE;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    const item = links.toVertex[h];
-    if (item === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    return era.toVertex[h] ?? NONE;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links } = this;
-      const h = ((this.anchors[item] ?? NONE) | this.era.first) & SMALL;
-      if (links.toVertex[h] !== undefined) {
+      const { era } = this;
+      const h = (this.anchors.view[item] ?? NONE) & SMALL;
+      if (era.toVertex[h] !== undefined) {
         this.at = h;
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginAlongNext(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.era = links.era;
+    return this;
   }
 }
-interface VerticesAlongNext extends Going {}
+export interface VerticesAlongNext extends Going {}
 
 /** Shows faces, of its halfedges or their opposites, along prev. */
-class FacesAlongPrev {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class FacesAlongPrev {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
     this.turn = course.turn;
     this.side = course.side;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
+    this.seen = at ^ this.side;
   }
 
   get current(): number {
-    return this.links.face[(this.at | this.era.first) ^ this.side] ?? this.currentSlowly();
+    return this.era.face[this.seen] ?? this.currentSlowly;
   }
 
   get halfedge(): number {
-    return this.links.face[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.face[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const { face } = links;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    const item = face[h ^ this.side] ?? NONE;
-    if (face[item >> 31] === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    this.seen = h ^ this.side;
+    return era.face[h ^ this.side] ?? NONE;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const { face } = links;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    const item = face[h ^ this.side] ?? NONE;
-    if (face[item >> 31] === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    this.seen = h ^ this.side;
+    return era.face[h ^ this.side] ?? NONE;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links, turn } = this;
-      const anchor = (this.anchors[item] ?? NONE) | this.era.first;
-      const h = ((links.prev[anchor] ?? NONE) ^ turn) & SMALL;
-      if (links.face[h ^ this.side] >= 0) {
+      const { era, turn } = this;
+      const anchor = this.anchors.view[item] ?? NONE;
+      const h = ((era.prev[anchor] ?? NONE) ^ turn) & SMALL;
+      if (era.face[h ^ this.side] >= 0) {
         this.at = h;
+        this.seen = h ^ this.side;
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginFacesAlongPrev(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.seen = h ^ this.side;
+    this.era = links.era;
+    return this;
   }
 }
-interface FacesAlongPrev extends Going {}
+export interface FacesAlongPrev extends Going {}
 
 /** Shows faces, of its halfedges or their opposites, along next. */
-class FacesAlongNext {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class FacesAlongNext {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
     this.turn = course.turn;
     this.side = course.side;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
+    this.seen = at ^ this.side;
   }
 
   get current(): number {
-    return this.links.face[(this.at | this.era.first) ^ this.side] ?? this.currentSlowly();
+    return this.era.face[this.seen] ?? this.currentSlowly;
   }
 
   get halfedge(): number {
-    return this.links.face[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.face[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const { face } = links;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    const item = face[h ^ this.side] ?? NONE;
-    if (face[item >> 31] === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    this.seen = h ^ this.side;
+    return era.face[h ^ this.side] ?? NONE;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const { face } = links;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    const item = face[h ^ this.side] ?? NONE;
-    if (face[item >> 31] === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return item;
+    this.seen = h ^ this.side;
+    return era.face[h ^ this.side] ?? NONE;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links } = this;
-      const h = ((this.anchors[item] ?? NONE) | this.era.first) & SMALL;
-      if (links.face[h ^ this.side] >= 0) {
+      const { era } = this;
+      const h = (this.anchors.view[item] ?? NONE) & SMALL;
+      if (era.face[h ^ this.side] >= 0) {
         this.at = h;
+        this.seen = h ^ this.side;
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginFacesAlongNext(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.seen = h ^ this.side;
+    this.era = links.era;
+    return this;
   }
 }
-interface FacesAlongNext extends Going {}
+export interface FacesAlongNext extends Going {}
 
 /** Shows halfedges or edges, which takes no look-up, along prev. */
-class IndicesAlongPrev {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class IndicesAlongPrev {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
@@ -254,55 +293,67 @@ class IndicesAlongPrev {
     this.side = course.side;
     this.shift = course.shift;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
+    this.item = ((at ^ this.side) >> this.shift) | (at >> 31);
   }
 
   get current(): number {
-    const at = this.at | this.era.first;
-    return this.links.toVertex[at] === undefined
-      ? this.currentSlowly()
-      : (at ^ this.side) >> this.shift;
+    return this.era.toVertex[0] === undefined ? this.currentSlowly : this.item;
   }
 
   get halfedge(): number {
-    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.toVertex[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    if (links.toVertex[h] === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return (h ^ this.side) >> this.shift;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    return this.item;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    if (links.toVertex[h] === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return (h ^ this.side) >> this.shift;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    return this.item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links, turn } = this;
-      const anchor = (this.anchors[item] ?? NONE) | this.era.first;
-      const h = ((links.prev[anchor] ?? NONE) ^ turn) & SMALL;
-      if (links.toVertex[h] !== undefined) {
+      const { era, turn } = this;
+      const anchor = this.anchors.view[item] ?? NONE;
+      const h = ((era.prev[anchor] ?? NONE) ^ turn) & SMALL;
+      if (era.toVertex[h] !== undefined) {
         this.at = h;
+        this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginAlongPrev(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.era = links.era;
+    return this;
   }
 }
-interface IndicesAlongPrev extends Going {}
+export interface IndicesAlongPrev extends Going {}
 
 /** Shows halfedges or edges, which takes no look-up, along next. */
-class IndicesAlongNext {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class IndicesAlongNext {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
@@ -310,115 +361,198 @@ class IndicesAlongNext {
     this.side = course.side;
     this.shift = course.shift;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
+    this.item = ((at ^ this.side) >> this.shift) | (at >> 31);
   }
 
   get current(): number {
-    const at = this.at | this.era.first;
-    return this.links.toVertex[at] === undefined
-      ? this.currentSlowly()
-      : (at ^ this.side) >> this.shift;
+    return this.era.toVertex[0] === undefined ? this.currentSlowly : this.item;
   }
 
   get halfedge(): number {
-    return this.links.toVertex[this.era.first] === undefined ? this.halfedgeSlowly() : this.at;
+    return this.era.toVertex[0] === undefined ? this.halfedgeSlowly : this.at;
   }
 
   next(): number {
-    const { links, turn } = this;
-    const h = (links.next[(this.at | this.era.first) ^ turn] ?? NONE) & SMALL;
-    if (links.toVertex[h] === undefined) return this.nextSlowly();
+    const { era, turn } = this;
+    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.next(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return (h ^ this.side) >> this.shift;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    return this.item;
   }
 
   prev(): number {
-    const { links, turn } = this;
-    const h = ((links.prev[this.at | this.era.first] ?? NONE) ^ turn) & SMALL;
-    if (links.toVertex[h] === undefined) return this.prevSlowly();
+    const { era, turn } = this;
+    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) {
+      h = slowly.prev(this.links, era, this.course, this.at) | 0;
+    }
     this.at = h;
-    return (h ^ this.side) >> this.shift;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    return this.item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { links } = this;
-      const h = ((this.anchors[item] ?? NONE) | this.era.first) & SMALL;
-      if (links.toVertex[h] !== undefined) {
+      const { era } = this;
+      const h = (this.anchors.view[item] ?? NONE) & SMALL;
+      if (era.toVertex[h] !== undefined) {
         this.at = h;
+        this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
         return this;
       }
     }
-    return this.moveSlowly(item, start);
+    const { links, course } = this;
+    const h =
+      start === undefined
+        ? beginAlongNext(links, course, this.anchors, item)
+        : slowly.begin(links, course, item, start) | 0;
+    this.at = h;
+    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.era = links.era;
+    return this;
   }
 }
-interface IndicesAlongNext extends Going {}
+export interface IndicesAlongNext extends Going {}
 
 /** Goes across an edge, from one of its halfedges to the other. */
-class Across {
-  constructor(links: Links, course: Course, anchors: Int32Array, item: number) {
+export class Across {
+  constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
     this.era = links.era;
-    this.at = NONE;
-    this.moveTo(item);
+    this.at = at;
   }
 
   get current(): number {
-    return this.currentSlowly();
+    return this.currentSlowly;
   }
 
   get halfedge(): number {
-    return this.halfedgeSlowly();
+    return this.halfedgeSlowly;
   }
 
   next(): number {
-    return this.nextSlowly();
+    this.at = slowly.next(this.links, this.era, this.course, this.at);
+    return this.currentSlowly;
   }
 
   prev(): number {
-    return this.prevSlowly();
+    this.at = slowly.prev(this.links, this.era, this.course, this.at);
+    return this.currentSlowly;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
-    return this.moveSlowly(item, start);
+    const { links } = this;
+    this.at = slowly.begin(links, this.course, item, start);
+    this.era = links.era;
+    return this;
   }
 }
-interface Across extends Going {}
+export interface Across extends Going {}
 
-/** The methods that all of them share. */
-const shared = {
-  currentSlowly(this: Place): number {
-    return slowly.current(this);
+/** What is shown in all cases, by getters that all of them share. */
+const shared: PropertyDescriptorMap = {
+  currentSlowly: {
+    get(this: Place): number {
+      return slowly.current(this);
+    },
   },
-  halfedgeSlowly(this: Place): number {
-    return slowly.halfedge(this);
-  },
-  nextSlowly(this: Place): number {
-    return slowly.next(this);
-  },
-  prevSlowly(this: Place): number {
-    return slowly.prev(this);
-  },
-  moveSlowly<It extends Place>(this: It, item: number, start: HalfedgeLike | undefined): It {
-    slowly.moveTo(this, item, start);
-    return this;
+  halfedgeSlowly: {
+    get(this: Place): number {
+      return slowly.halfedge(this);
+    },
   },
 };
 
-/** What all of them have. */
-interface Going extends Place {
+/** What all of them are; `seen` and `item` only what shows from there. */
+export interface Going extends Place {
+  anchors: Latest;
   turn: number;
   side: number;
   shift: number;
-  currentSlowly(): number;
-  halfedgeSlowly(): number;
-  nextSlowly(): number;
-  prevSlowly(): number;
-  moveSlowly(item: number, start: HalfedgeLike | undefined): this;
+  /** The halfedge whose face is shown. */
+  seen: number;
+  /** What is shown, where that takes no look-up. */
+  item: number;
+  readonly current: number;
+  readonly halfedge: number;
+  next(): number;
+  prev(): number;
+  moveTo(item: number, start?: HalfedgeLike): this;
+  readonly currentSlowly: number;
+  readonly halfedgeSlowly: number;
 }
+
+// Where a circulator begins around an item, NONE if there is nothing to show.
+
+export const beginAlongPrev = (
+  links: Links,
+  course: Course,
+  anchors: Latest,
+  item: number,
+): number => {
+  if (typeof item === 'number') {
+    const { era } = links;
+    const anchor = anchors.view[item] ?? NOTHING;
+    if (anchor === NONE) return NONE;
+    const h = ((era.prev[anchor] ?? NONE) ^ course.turn) & SMALL;
+    if (era.toVertex[h] !== undefined) return h;
+  }
+  return slowly.begin(links, course, item) | 0;
+};
+
+export const beginAlongNext = (
+  links: Links,
+  course: Course,
+  anchors: Latest,
+  item: number,
+): number => {
+  if (typeof item === 'number') {
+    const { era } = links;
+    const anchor = anchors.view[item] ?? NOTHING;
+    if (anchor === NONE) return NONE;
+    const h = anchor & SMALL;
+    if (era.toVertex[h] !== undefined) return h;
+  }
+  return slowly.begin(links, course, item) | 0;
+};
+
+export const beginFacesAlongPrev = (
+  links: Links,
+  course: Course,
+  anchors: Latest,
+  item: number,
+): number => {
+  if (typeof item === 'number') {
+    const { era } = links;
+    const anchor = anchors.view[item] ?? NOTHING;
+    if (anchor === NONE) return NONE;
+    const h = ((era.prev[anchor] ?? NONE) ^ course.turn) & SMALL;
+    if (era.face[h ^ course.side] >= 0) return h;
+  }
+  return slowly.begin(links, course, item) | 0;
+};
+
+export const beginFacesAlongNext = (
+  links: Links,
+  course: Course,
+  anchors: Latest,
+  item: number,
+): number => {
+  if (typeof item === 'number') {
+    const { era } = links;
+    const anchor = anchors.view[item] ?? NOTHING;
+    if (anchor === NONE) return NONE;
+    const h = anchor & SMALL;
+    if (era.face[h ^ course.side] >= 0) return h;
+  }
+  return slowly.begin(links, course, item) | 0;
+};
 
 /** All classes of circulators. */
 export const CLASSES = [
@@ -430,146 +564,4 @@ export const CLASSES = [
   IndicesAlongNext,
   Across,
 ];
-for (const { prototype } of CLASSES) {
-  for (const [name, value] of Object.entries(shared)) {
-    Object.defineProperty(prototype, name, { value });
-  }
-}
-
-/** How `circulate` makes one: by a direction alone, or by options. */
-type Way = Direction | CirculateOptions;
-
-const VERTEX_VERTICES = kindOf('vertex', TO_VERTEX);
-const VERTEX_OUTGOING_HALFEDGES = kindOf('vertex', ITSELF);
-const VERTEX_INCOMING_HALFEDGES = kindOf('vertex', OPPOSITE);
-const VERTEX_EDGES = kindOf('vertex', EDGE);
-const VERTEX_FACES = kindOf('vertex', FACE);
-const FACE_VERTICES = kindOf('face', TO_VERTEX);
-const FACE_HALFEDGES = kindOf('face', ITSELF);
-const FACE_EDGES = kindOf('face', EDGE);
-const FACE_FACES = kindOf('face', OPPOSITE_FACE);
-
-/** All kinds, by their names. */
-export const KINDS = {
-  vertexVertices: VERTEX_VERTICES,
-  vertexOutgoingHalfedges: VERTEX_OUTGOING_HALFEDGES,
-  vertexIncomingHalfedges: VERTEX_INCOMING_HALFEDGES,
-  vertexEdges: VERTEX_EDGES,
-  vertexFaces: VERTEX_FACES,
-  faceVertices: FACE_VERTICES,
-  faceHalfedges: FACE_HALFEDGES,
-  faceEdges: FACE_EDGES,
-  faceFaces: FACE_FACES,
-  edgeVertices: kindOf('edge', TO_VERTEX),
-  edgeHalfedges: kindOf('edge', ITSELF),
-  edgeFaces: kindOf('edge', FACE),
-  halfedgeLoop: kindOf('loop', ITSELF),
-};
-Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
-
-/**
- * What makes the circulators of a mesh, a method for each kind. If one method made all, V8 would inline into
- * each loop whatever the program needs of it anywhere.
- */
-export class Circulators {
-  readonly links: Links;
-
-  constructor(links: Links) {
-    this.links = links;
-  }
-
-  vertexVertices(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.vertexHalfedge;
-    if (way === 'ccw') return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, anchors, item);
-    if (way === 'cw') return new VerticesAlongNext(links, VERTEX_VERTICES.cw, anchors, item);
-    return circulateBy(links, VERTEX_VERTICES, item, way);
-  }
-
-  vertexOutgoingHalfedges(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.vertexHalfedge;
-    if (way === 'ccw')
-      return new IndicesAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, anchors, item);
-    if (way === 'cw')
-      return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, anchors, item);
-    return circulateBy(links, VERTEX_OUTGOING_HALFEDGES, item, way);
-  }
-
-  vertexIncomingHalfedges(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.vertexHalfedge;
-    if (way === 'ccw')
-      return new IndicesAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, anchors, item);
-    if (way === 'cw')
-      return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, anchors, item);
-    return circulateBy(links, VERTEX_INCOMING_HALFEDGES, item, way);
-  }
-
-  vertexEdges(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.vertexHalfedge;
-    if (way === 'ccw') return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, anchors, item);
-    if (way === 'cw') return new IndicesAlongNext(links, VERTEX_EDGES.cw, anchors, item);
-    return circulateBy(links, VERTEX_EDGES, item, way);
-  }
-
-  vertexFaces(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.vertexHalfedge;
-    if (way === 'ccw') return new FacesAlongPrev(links, VERTEX_FACES.ccw, anchors, item);
-    if (way === 'cw') return new FacesAlongNext(links, VERTEX_FACES.cw, anchors, item);
-    return circulateBy(links, VERTEX_FACES, item, way);
-  }
-
-  faceVertices(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.faceHalfedge;
-    if (way === 'ccw') return new VerticesAlongNext(links, FACE_VERTICES.ccw, anchors, item);
-    if (way === 'cw') return new VerticesAlongPrev(links, FACE_VERTICES.cw, anchors, item);
-    return circulateBy(links, FACE_VERTICES, item, way);
-  }
-
-  faceHalfedges(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.faceHalfedge;
-    if (way === 'ccw') return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, anchors, item);
-    if (way === 'cw') return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, anchors, item);
-    return circulateBy(links, FACE_HALFEDGES, item, way);
-  }
-
-  faceEdges(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.faceHalfedge;
-    if (way === 'ccw') return new IndicesAlongNext(links, FACE_EDGES.ccw, anchors, item);
-    if (way === 'cw') return new IndicesAlongPrev(links, FACE_EDGES.cw, anchors, item);
-    return circulateBy(links, FACE_EDGES, item, way);
-  }
-  faceFaces(item: number, way: Way) {
-    const { links } = this;
-    const anchors = links.faceHalfedge;
-    if (way === 'ccw') return new FacesAlongNext(links, FACE_FACES.ccw, anchors, item);
-    if (way === 'cw') return new FacesAlongPrev(links, FACE_FACES.cw, anchors, item);
-    return circulateBy(links, FACE_FACES, item, way);
-  }
-}
-
-/** A circulator of any kind, by options or with a direction that is none. */
-export function circulateBy(links: Links, kind: Kind, item: number, way: Way) {
-  const { direction = 'ccw', start } =
-    typeof way === 'string' ? { direction: way } : checkOptions(way, CIRCULATE_OPTIONS);
-  if (direction !== 'ccw' && direction !== 'cw') {
-    return refuse('direction', direction, "'ccw' or 'cw'", 'string');
-  }
-  const course = kind[direction];
-  const { centre, walk, view } = course;
-  const [prevClass, nextClass] =
-    view === TO_VERTEX
-      ? [VerticesAlongPrev, VerticesAlongNext]
-      : view < TO_VERTEX
-        ? [IndicesAlongPrev, IndicesAlongNext]
-        : [FacesAlongPrev, FacesAlongNext];
-  const Class = walk === ACROSS ? Across : beginsAtHome(walk) ? nextClass : prevClass;
-  const made = new Class(links, course, anchorsOf(links, centre), item);
-  return start === undefined ? made : made.moveTo(item, start);
-}
+for (const { prototype } of CLASSES) Object.defineProperties(prototype, shared);

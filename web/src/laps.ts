@@ -31,9 +31,9 @@ export interface Lap {
 // way out that V8 copies no loop around. So:
 //
 // - They are many and short, rather than few that decide. They have no loops.
-// - What is wrong is found by looking up what isn't there: element 0 of views that were detached, element -1
-//   when the era is over, and for a link that can't be. V8 makes a comparison of that, without a branch, and
-//   without the look-up, since it knows that what is there is a number.
+// - What is wrong is found by looking up what isn't there: element 0 of the views of an era that is over, and
+//   element -1 for a link that can't be. V8 makes a comparison of that, without a branch, and without the
+//   look-up, since it knows that what is there is a number.
 // - Branches that most programs never take are taken once by `warmUp`.
 // - Whatever hands the lap on is a method: V8 compiles no property access that has never happened.
 // - They are constants, because a declared function is compared at each call with what it was when the
@@ -79,8 +79,8 @@ export const NEXT = [
 const indexAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, view } = orbit;
-  const { prev } = orbit.links;
-  if (prev[orbit.era.first] === undefined) return orbit.advanceSlowly(lap);
+  const { prev } = orbit.era;
+  if (prev[0] === undefined) return orbit.advanceSlowly(lap);
   if (at < 0) return at;
   const h = ((prev[at] ?? NONE) ^ (walk & TURN)) & SMALL;
   if (prev[left] === undefined || prev[h] === undefined) return orbit.advanceSlowly(lap);
@@ -92,8 +92,8 @@ const indexAlongPrev = (lap: Lap): number => {
 const indexAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, view } = orbit;
-  const { next } = orbit.links;
-  if (next[orbit.era.first] === undefined) return orbit.advanceSlowly(lap);
+  const { next } = orbit.era;
+  if (next[0] === undefined) return orbit.advanceSlowly(lap);
   if (at < 0) return at;
   const h = (next[at ^ (walk & TURN)] ?? NONE) & SMALL;
   if (next[left] === undefined || next[h] === undefined) return orbit.advanceSlowly(lap);
@@ -106,8 +106,8 @@ const indexAlongNext = (lap: Lap): number => {
 
 const vertexAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
-  const { prev, toVertex } = orbit.links;
-  if (prev[orbit.era.first] === undefined || toVertex[0] === undefined) {
+  const { prev, toVertex } = orbit.era;
+  if (prev[0] === undefined || toVertex[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -121,8 +121,8 @@ const vertexAlongPrev = (lap: Lap): number => {
 
 const vertexAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
-  const { next, toVertex } = orbit.links;
-  if (next[orbit.era.first] === undefined || toVertex[0] === undefined) {
+  const { next, toVertex } = orbit.era;
+  if (next[0] === undefined || toVertex[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -140,8 +140,8 @@ const vertexAlongNext = (lap: Lap): number => {
 const faceAlongPrev = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, home } = orbit;
-  const { prev, face } = orbit.links;
-  if (prev[orbit.era.first] === undefined || face[0] === undefined) {
+  const { prev, face } = orbit.era;
+  if (prev[0] === undefined || face[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -169,8 +169,8 @@ const faceAlongPrev = (lap: Lap): number => {
 const faceAlongNext = (lap: Lap): number => {
   const { orbit, at, left } = lap;
   const { walk, home } = orbit;
-  const { next, face } = orbit.links;
-  if (next[orbit.era.first] === undefined || face[0] === undefined) {
+  const { next, face } = orbit.era;
+  if (next[0] === undefined || face[0] === undefined) {
     return orbit.advanceSlowly(lap);
   }
   if (at < 0) return at;
@@ -204,7 +204,7 @@ export const nextOfEdge = function (this: Lap): Result {
 const advanceAcross = (lap: Lap): number => {
   const { orbit, at } = lap;
   const { links, view, home } = orbit;
-  if (orbit.era.first < 0) orbit.refuse();
+  if (orbit.era.isOver) orbit.refuse();
   if (at < 0) return at;
   let h = at ^ 1;
   let item = shown(links, view, h);

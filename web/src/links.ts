@@ -14,7 +14,7 @@ const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ c
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, Links>();
 
-const NO_LINKS = new Int32Array(0);
+const NO_LINKS: Int32Array = new Int32Array(0);
 const NO_POSITIONS = new Float32Array(0);
 const NO_WORDS = new Uint32Array(0);
 
@@ -26,6 +26,37 @@ const WORDS = 19;
 const ADDRESSES = 7;
 /** What the views hold beyond the last slot: neither an item nor NONE, as in a deleted slot. */
 const BEYOND = -2;
+
+/**
+ * The views of the links, those of now, for as long as `version` stays as it is. Then they are empty for good:
+ * whatever goes around by them finds nothing any more, and looks why. V8 has less to inline than to compare.
+ */
+export class Era {
+  next = NO_LINKS;
+  prev = NO_LINKS;
+  toVertex = NO_LINKS;
+  face = NO_LINKS;
+  isOver = false;
+
+  /** Looks at the memory where `links` do. */
+  follow({ next, prev, toVertex, face }: Links): this {
+    this.next = next;
+    this.prev = prev;
+    this.toVertex = toVertex;
+    this.face = face;
+    return this;
+  }
+
+  end(): void {
+    this.next = this.prev = this.toVertex = this.face = NO_LINKS;
+    this.isOver = true;
+  }
+}
+
+/** One view, always that of now: growth of the mesh moves arrays, and no version tells of that. */
+export interface Latest {
+  view: Int32Array;
+}
 
 /** Slots of vertices, halfedges and faces. */
 type Slots = [vertices: number, halfedges: number, faces: number];
@@ -97,11 +128,12 @@ export class Links implements Viewer {
   edgeCount = 0;
   faceCount = 0;
 
-  /**
-   * Where laps look first: at element 0 of a view, and at -1, where there is none, as soon as `version` has
-   * changed. The mesh has another era then. V8 has less to inline than to compare.
-   */
-  era = { first: 0 };
+  /** For whatever goes around: it looks at the era in which it was made. */
+  era = new Era();
+  /** For whatever keeps `vertexHalfedge`, `faceHalfedge` or `next`. */
+  readonly vertexAnchors: Latest = { view: NO_LINKS };
+  readonly faceAnchors: Latest = { view: NO_LINKS };
+  readonly nextLinks: Latest = { view: NO_LINKS };
   disposed = false;
   /** Whether the mesh has the array prev. */
   storesPrev = true;
@@ -170,6 +202,10 @@ export class Links implements Viewer {
     this.face = view(3, halfedges);
     this.vertexHalfedge = view(4, vertices);
     this.faceHalfedge = view(5, faces);
+    this.era.follow(this);
+    this.vertexAnchors.view = this.vertexHalfedge;
+    this.faceAnchors.view = this.faceHalfedge;
+    this.nextLinks.view = this.next;
     this.#exact = undefined;
     this.#positions = NO_POSITIONS;
     this.changes += 1;
@@ -348,6 +384,7 @@ export class Links implements Viewer {
     this.#core.destroyMesh(this.#address);
     this.next = this.prev = this.toVertex = this.face = NO_LINKS;
     this.vertexHalfedge = this.faceHalfedge = NO_LINKS;
+    this.vertexAnchors.view = this.faceAnchors.view = this.nextLinks.view = NO_LINKS;
     this.#positions = NO_POSITIONS;
     this.#words = NO_WORDS;
     this.#exact = undefined;
@@ -366,8 +403,8 @@ export class Links implements Viewer {
   set version(version: number) {
     if (version === this.#version) return;
     this.#version = version;
-    this.era.first = -1;
-    this.era = { first: 0 };
+    this.era.end();
+    this.era = new Era().follow(this);
   }
 
   /** The address of the mesh for calls into the core. Throws if disposed. */

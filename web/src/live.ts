@@ -1,6 +1,6 @@
 import { type ItemKind, NONE as none } from './items.js';
 import type { Result } from './laps.js';
-import { type Links, slotCount } from './links.js';
+import { type Era, type Latest, type Links, slotCount } from './links.js';
 import * as orbit from './orbit.js';
 
 // Constants of this module's own: see walks.ts.
@@ -11,7 +11,7 @@ const { staleError } = orbit;
 interface Pass {
   next: () => Result;
   items: LiveItems<number>;
-  slots: Int32Array;
+  slots: Latest;
   at: number;
 }
 
@@ -23,7 +23,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly era: Links['era'];
+  declare readonly era: Era;
   /** @internal */
   declare readonly kind: ItemKind;
   /** @internal An item has 1 << shift slots, of which the first tells whether it was deleted. */
@@ -60,7 +60,7 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
    */
   liveFrom(item: number): number {
     this.links.revive();
-    const slots = slotsOf(this.links, this.kind);
+    const slots = slotsOf(this.links, this.kind).view;
     for (let i = item; i < this.count; i++) if (slots[i << this.shift] >= NONE) return i;
     return NONE;
   }
@@ -73,16 +73,16 @@ export class LiveItems<Item extends number> implements Iterable<Item> {
 
 function nextLive(this: Pass): Result {
   const { items, at } = this;
-  if (items.era.first < 0) items.refuse();
+  if (items.era.isOver) items.refuse();
   let item: number = NONE;
   if (at < items.count) {
-    item = this.slots[at << items.shift] >= NONE ? at : items.liveFrom(at);
+    item = this.slots.view[at << items.shift] >= NONE ? at : items.liveFrom(at);
     this.at = item < 0 ? items.count : item + 1;
   }
   return { value: item, done: item < 0 } as Result;
 }
 
-function slotsOf(links: Links, kind: ItemKind): Int32Array {
-  if (kind === 'vertex') return links.vertexHalfedge;
-  return kind === 'face' ? links.faceHalfedge : links.next;
+function slotsOf(links: Links, kind: ItemKind): Latest {
+  if (kind === 'vertex') return links.vertexAnchors;
+  return kind === 'face' ? links.faceAnchors : links.nextLinks;
 }

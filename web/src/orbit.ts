@@ -3,7 +3,7 @@ import { HalfedgeError } from './errors.js';
 import * as fills from './fills.js';
 import { NONE as none } from './items.js';
 import * as laps from './laps.js';
-import { corrupt, type Links } from './links.js';
+import { corrupt, type Era, type Links } from './links.js';
 import * as walks from './walks.js';
 
 // Constants of this module's own: see walks.ts.
@@ -24,7 +24,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
   declare readonly links: Links;
   /** @internal */
-  declare readonly era: Links['era'];
+  declare readonly era: Era;
   /** @internal The halfedge where a lap begins or ends (see SHOW_THEN_STEP); NONE for no lap. */
   declare readonly home: number;
   /** @internal */
@@ -66,7 +66,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
    */
   into(buffer: Int32Array | Uint32Array): number {
     const { home, walk, view } = this;
-    if (this.links.next[this.era.first] === undefined) this.revive();
+    if (this.era.next[0] === undefined) this.revive();
     roomIn(buffer); // refuses what is no buffer
     if (home < 0) return 0;
     if (walk !== ACROSS) {
@@ -112,7 +112,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
 
   /** @internal Mends views that growth of the memory had detached. Throws after a change. */
   revive(): void {
-    if (this.era.first < 0) this.refuse();
+    if (this.era.isOver) this.refuse();
     this.links.revive();
   }
 

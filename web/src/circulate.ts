@@ -1,0 +1,244 @@
+import { describe } from './arguments.js';
+import { refuse } from './checks.js';
+import * as circulator from './circulator.js';
+import * as circulators from './circulators.js';
+import type { Direction } from './items.js';
+import type { Links } from './links.js';
+import { checkOptions } from './options.js';
+import * as walks from './walks.js';
+
+// Constants of this module's own: see walks.ts.
+const { CIRCULATE_OPTIONS, anchorsOf, kindOf, slowly } = circulator;
+const {
+  Across,
+  FacesAlongNext,
+  FacesAlongPrev,
+  IndicesAlongNext,
+  IndicesAlongPrev,
+  VerticesAlongNext,
+  VerticesAlongPrev,
+  beginAlongNext,
+  beginAlongPrev,
+  beginFacesAlongNext,
+  beginFacesAlongPrev,
+} = circulators;
+const { ACROSS, EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX, beginsAtHome } = walks;
+type CirculateOptions = circulator.CirculateOptions;
+type Going = circulators.Going;
+type Kind = circulator.Kind;
+
+/** How `circulate` makes one: by a direction alone, or by options. */
+type Way = Direction | CirculateOptions;
+
+const VERTEX_VERTICES = kindOf('vertex', TO_VERTEX);
+const VERTEX_OUTGOING_HALFEDGES = kindOf('vertex', ITSELF);
+const VERTEX_INCOMING_HALFEDGES = kindOf('vertex', OPPOSITE);
+const VERTEX_EDGES = kindOf('vertex', EDGE);
+const VERTEX_FACES = kindOf('vertex', FACE);
+const FACE_VERTICES = kindOf('face', TO_VERTEX);
+const FACE_HALFEDGES = kindOf('face', ITSELF);
+const FACE_EDGES = kindOf('face', EDGE);
+const FACE_FACES = kindOf('face', OPPOSITE_FACE);
+
+/** All kinds, by their names. */
+const KINDS = {
+  vertexVertices: VERTEX_VERTICES,
+  vertexOutgoingHalfedges: VERTEX_OUTGOING_HALFEDGES,
+  vertexIncomingHalfedges: VERTEX_INCOMING_HALFEDGES,
+  vertexEdges: VERTEX_EDGES,
+  vertexFaces: VERTEX_FACES,
+  faceVertices: FACE_VERTICES,
+  faceHalfedges: FACE_HALFEDGES,
+  faceEdges: FACE_EDGES,
+  faceFaces: FACE_FACES,
+  edgeVertices: kindOf('edge', TO_VERTEX),
+  edgeHalfedges: kindOf('edge', ITSELF),
+  edgeFaces: kindOf('edge', FACE),
+  halfedgeLoop: kindOf('loop', ITSELF),
+};
+Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
+
+/** Makes a circulator of one kind. */
+type Maker = (links: Links, item: number, way: Way) => Going;
+
+const vertexVertices: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, item);
+    return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, item);
+    return new VerticesAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, at);
+  }
+  return circulateBy(links, VERTEX_VERTICES, item, way);
+};
+
+const vertexOutgoingHalfedges: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, item);
+    return new IndicesAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, item);
+    return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, at);
+  }
+  return circulateBy(links, VERTEX_OUTGOING_HALFEDGES, item, way);
+};
+
+const vertexIncomingHalfedges: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, item);
+    return new IndicesAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, item);
+    return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, at);
+  }
+  return circulateBy(links, VERTEX_INCOMING_HALFEDGES, item, way);
+};
+
+const vertexEdges: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, item);
+    return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, item);
+    return new IndicesAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, at);
+  }
+  return circulateBy(links, VERTEX_EDGES, item, way);
+};
+
+const vertexFaces: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginFacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, item);
+    return new FacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginFacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, item);
+    return new FacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, at);
+  }
+  return circulateBy(links, VERTEX_FACES, item, way);
+};
+
+const faceVertices: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, item);
+    return new VerticesAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, item);
+    return new VerticesAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, at);
+  }
+  return circulateBy(links, FACE_VERTICES, item, way);
+};
+
+const faceHalfedges: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, item);
+    return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, item);
+    return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, at);
+  }
+  return circulateBy(links, FACE_HALFEDGES, item, way);
+};
+
+const faceEdges: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, item);
+    return new IndicesAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, item);
+    return new IndicesAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, at);
+  }
+  return circulateBy(links, FACE_EDGES, item, way);
+};
+
+const faceFaces: Maker = (links, item, way) => {
+  if (way === 'ccw') {
+    const at = beginFacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, item);
+    return new FacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, at);
+  }
+  if (way === 'cw') {
+    const at = beginFacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, item);
+    return new FacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, at);
+  }
+  return circulateBy(links, FACE_FACES, item, way);
+};
+
+/** Makes a circulator of the kind of that name. */
+type MakerByName = (links: Links, kind: string, item: number, way: Way) => Going;
+
+const circulateOther: MakerByName = (links, kind, item, way) => {
+  const found = KINDS[kind as keyof typeof KINDS];
+  if (found === undefined) throw noSuchKind(kind);
+  return circulateBy(links, found, item, way);
+};
+
+/** How long the longest name of a kind is. */
+export const LONGEST = 'vertexOutgoingHalfedges'.length;
+
+/**
+ * By the length of the name. While V8 inlines it knows how long a name in a program is, and what a frozen array
+ * has there, but not yet that two names are the same: it would inline whatever the program goes around anywhere.
+ */
+export const MAKERS: readonly MakerByName[] = Object.freeze(
+  Object.assign(new Array<MakerByName>(LONGEST + 1).fill(circulateOther), {
+    9: (links, kind, item, way) => {
+      if (kind === 'faceFaces') return faceFaces(links, item, way);
+      if (kind === 'faceEdges') return faceEdges(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+    11: (links, kind, item, way) => {
+      if (kind === 'vertexFaces') return vertexFaces(links, item, way);
+      if (kind === 'vertexEdges') return vertexEdges(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+    12: (links, kind, item, way) => {
+      if (kind === 'faceVertices') return faceVertices(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+    13: (links, kind, item, way) => {
+      if (kind === 'faceHalfedges') return faceHalfedges(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+    14: (links, kind, item, way) => {
+      if (kind === 'vertexVertices') return vertexVertices(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+    23: (links, kind, item, way) => {
+      if (kind === 'vertexOutgoingHalfedges') return vertexOutgoingHalfedges(links, item, way);
+      if (kind === 'vertexIncomingHalfedges') return vertexIncomingHalfedges(links, item, way);
+      return circulateOther(links, kind, item, way);
+    },
+  } satisfies Record<number, MakerByName>),
+);
+
+/** A circulator of any kind, by options or with a direction that is none. */
+function circulateBy(links: Links, kind: Kind, item: number, way: Way): Going {
+  const { direction = 'ccw', start } =
+    typeof way === 'string' ? { direction: way } : checkOptions(way, CIRCULATE_OPTIONS);
+  if (direction !== 'ccw' && direction !== 'cw') {
+    return refuse('direction', direction, "'ccw' or 'cw'", 'string');
+  }
+  const course = kind[direction];
+  const { centre, walk, view } = course;
+  const [prevClass, nextClass] =
+    view === TO_VERTEX
+      ? [VerticesAlongPrev, VerticesAlongNext]
+      : view < TO_VERTEX
+        ? [IndicesAlongPrev, IndicesAlongNext]
+        : [FacesAlongPrev, FacesAlongNext];
+  const Class = walk === ACROSS ? Across : beginsAtHome(walk) ? nextClass : prevClass;
+  const at = slowly.begin(links, course, item, start);
+  return new Class(links, course, anchorsOf(links, centre), at);
+}
+
+export function noSuchKind(kind: unknown): Error {
+  const kinds = Object.keys(KINDS).join(', ');
+  const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
+  return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+}
