@@ -58,121 +58,11 @@ const KINDS = {
 };
 Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
 
-/** Makes a circulator of one kind. */
-type Maker = (links: Links, item: number, way: Way) => Going;
-
-const vertexVertices: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, item);
-    return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, item);
-    return new VerticesAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, at);
-  }
-  return circulateBy(links, VERTEX_VERTICES, item, way);
-};
-
-const vertexOutgoingHalfedges: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, item);
-    return new IndicesAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, item);
-    return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, at);
-  }
-  return circulateBy(links, VERTEX_OUTGOING_HALFEDGES, item, way);
-};
-
-const vertexIncomingHalfedges: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, item);
-    return new IndicesAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, item);
-    return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, at);
-  }
-  return circulateBy(links, VERTEX_INCOMING_HALFEDGES, item, way);
-};
-
-const vertexEdges: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, item);
-    return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, item);
-    return new IndicesAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, at);
-  }
-  return circulateBy(links, VERTEX_EDGES, item, way);
-};
-
-const vertexFaces: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginFacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, item);
-    return new FacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginFacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, item);
-    return new FacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, at);
-  }
-  return circulateBy(links, VERTEX_FACES, item, way);
-};
-
-const faceVertices: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, item);
-    return new VerticesAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, item);
-    return new VerticesAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, at);
-  }
-  return circulateBy(links, FACE_VERTICES, item, way);
-};
-
-const faceHalfedges: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, item);
-    return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, item);
-    return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, at);
-  }
-  return circulateBy(links, FACE_HALFEDGES, item, way);
-};
-
-const faceEdges: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, item);
-    return new IndicesAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, item);
-    return new IndicesAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, at);
-  }
-  return circulateBy(links, FACE_EDGES, item, way);
-};
-
-const faceFaces: Maker = (links, item, way) => {
-  if (way === 'ccw') {
-    const at = beginFacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, item);
-    return new FacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, at);
-  }
-  if (way === 'cw') {
-    const at = beginFacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, item);
-    return new FacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, at);
-  }
-  return circulateBy(links, FACE_FACES, item, way);
-};
-
 /** Makes a circulator of the kind of that name. */
-type MakerByName = (links: Links, kind: string, item: number, way: Way) => Going;
+type Maker = (links: Links, kind: string, item: number, way: Way) => Going;
 
-const circulateOther: MakerByName = (links, kind, item, way) => {
+/** By options, of a rare kind, or of none. */
+const circulateOther: Maker = (links, kind, item, way) => {
   const found = KINDS[kind as keyof typeof KINDS];
   if (found === undefined) throw noSuchKind(kind);
   return circulateBy(links, found, item, way);
@@ -185,36 +75,137 @@ export const LONGEST = 'vertexOutgoingHalfedges'.length;
  * By the length of the name. While V8 inlines it knows how long a name in a program is, and what a frozen array
  * has there, but not yet that two names are the same: it would inline whatever the program goes around anywhere.
  */
-export const MAKERS: readonly MakerByName[] = Object.freeze(
-  Object.assign(new Array<MakerByName>(LONGEST + 1).fill(circulateOther), {
+export const MAKERS: readonly Maker[] = Object.freeze(
+  Object.assign(new Array<Maker>(LONGEST + 1).fill(circulateOther), {
     9: (links, kind, item, way) => {
-      if (kind === 'faceFaces') return faceFaces(links, item, way);
-      if (kind === 'faceEdges') return faceEdges(links, item, way);
+      if (kind === 'faceFaces') {
+        if (way === 'ccw') {
+          const at = beginFacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, item);
+          return new FacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginFacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, item);
+          return new FacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, at);
+        }
+      }
+      if (kind === 'faceEdges') {
+        if (way === 'ccw') {
+          const at = beginAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, item);
+          return new IndicesAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, item);
+          return new IndicesAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
     11: (links, kind, item, way) => {
-      if (kind === 'vertexFaces') return vertexFaces(links, item, way);
-      if (kind === 'vertexEdges') return vertexEdges(links, item, way);
+      if (kind === 'vertexFaces') {
+        if (way === 'ccw') {
+          const at = beginFacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, item);
+          return new FacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginFacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, item);
+          return new FacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, at);
+        }
+      }
+      if (kind === 'vertexEdges') {
+        if (way === 'ccw') {
+          const at = beginAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, item);
+          return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, item);
+          return new IndicesAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
     12: (links, kind, item, way) => {
-      if (kind === 'faceVertices') return faceVertices(links, item, way);
+      if (kind === 'faceVertices') {
+        if (way === 'ccw') {
+          const at = beginAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, item);
+          return new VerticesAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, item);
+          return new VerticesAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
     13: (links, kind, item, way) => {
-      if (kind === 'faceHalfedges') return faceHalfedges(links, item, way);
+      if (kind === 'faceHalfedges') {
+        if (way === 'ccw') {
+          const at = beginAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, item);
+          return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, item);
+          return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
     14: (links, kind, item, way) => {
-      if (kind === 'vertexVertices') return vertexVertices(links, item, way);
+      if (kind === 'vertexVertices') {
+        if (way === 'ccw') {
+          const at = beginAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, item);
+          return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, at);
+        }
+        if (way === 'cw') {
+          const at = beginAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, item);
+          return new VerticesAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
     23: (links, kind, item, way) => {
-      if (kind === 'vertexOutgoingHalfedges') return vertexOutgoingHalfedges(links, item, way);
-      if (kind === 'vertexIncomingHalfedges') return vertexIncomingHalfedges(links, item, way);
+      if (kind === 'vertexOutgoingHalfedges') {
+        if (way === 'ccw') {
+          const at = beginAlongPrev(
+            links,
+            VERTEX_OUTGOING_HALFEDGES.ccw,
+            links.vertexAnchors,
+            item,
+          );
+          return new IndicesAlongPrev(
+            links,
+            VERTEX_OUTGOING_HALFEDGES.ccw,
+            links.vertexAnchors,
+            at,
+          );
+        }
+        if (way === 'cw') {
+          const at = beginAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, item);
+          return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, at);
+        }
+      }
+      if (kind === 'vertexIncomingHalfedges') {
+        if (way === 'ccw') {
+          const at = beginAlongPrev(
+            links,
+            VERTEX_INCOMING_HALFEDGES.ccw,
+            links.vertexAnchors,
+            item,
+          );
+          return new IndicesAlongPrev(
+            links,
+            VERTEX_INCOMING_HALFEDGES.ccw,
+            links.vertexAnchors,
+            at,
+          );
+        }
+        if (way === 'cw') {
+          const at = beginAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, item);
+          return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, at);
+        }
+      }
       return circulateOther(links, kind, item, way);
     },
-  } satisfies Record<number, MakerByName>),
+  } satisfies Record<number, Maker>),
 );
 
 /** A circulator of any kind, by options or with a direction that is none. */

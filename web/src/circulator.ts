@@ -99,9 +99,8 @@ export interface Place {
 }
 
 /**
- * All that isn't as usual: an era that is over, isolated vertices, sides without a face, a start. The
- * circulator itself isn't handed over where such things happen in sound programs: V8 keeps in registers what
- * no call gets to see. Methods, because V8 compiles no property access that has never happened.
+ * All that isn't as usual: an era that is over, sides without a face, a start. Methods, because V8 compiles no
+ * property access that has never happened.
  */
 export const slowly = {
   current({ links, course, era, at }: Place): number {
@@ -122,11 +121,11 @@ export const slowly = {
   },
 
   /** The next halfedge that shows something, if there is one. */
-  next(links: Links, era: Era, course: Course, at: number): number {
+  next({ links, era, course, at }: Place): number {
     return slowly.walk(links, era, course.view, course.walk, at);
   },
 
-  prev(links: Links, era: Era, course: Course, at: number): number {
+  prev({ links, era, course, at }: Place): number {
     return slowly.walk(links, era, course.view, reverse(course.walk), at);
   },
 

@@ -21,8 +21,8 @@ const NOTHING = -2;
 //   each class has a text of its own, which decides nothing, and whatever isn't as usual is a call.
 // - Functions of at most 27 bytecodes are inlined in any case. The getters are that short, because they would
 //   come last. What isn't as usual is a getter there, too, which takes fewer bytecodes than a call.
-// - V8 keeps a circulator in memory if a call gets to see it, or if one of its methods has ever called something.
-//   So where it begins is found before it is made, and its methods call something only where `slowly` is needed.
+// - V8 keeps a circulator in memory if one of its methods has ever called something. So where it begins is found
+//   before it is made.
 // - They extend nothing: to call the constructor of a base class takes twice the bytecodes.
 // - What is wrong is found by looking up what isn't there, as laps do: see laps.ts. Once the era is over, there
 //   is nothing at all.
@@ -50,22 +50,20 @@ export class VerticesAlongPrev {
 
   next(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    const item = era.toVertex[h];
+    if (item === undefined) return this.nextSlowly();
     this.at = h;
-    return era.toVertex[h] ?? NONE;
+    return item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    const item = era.toVertex[h];
+    if (item === undefined) return this.prevSlowly();
     this.at = h;
-    return era.toVertex[h] ?? NONE;
+    return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
@@ -78,14 +76,11 @@ export class VerticesAlongPrev {
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginAlongPrev(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
-    this.era = links.era;
-    return this;
   }
 }
 export interface VerticesAlongPrev extends Going {}
@@ -111,22 +106,20 @@ export class VerticesAlongNext {
 
   next(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    const item = era.toVertex[h];
+    if (item === undefined) return this.nextSlowly();
     this.at = h;
-    return era.toVertex[h] ?? NONE;
+    return item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    const item = era.toVertex[h];
+    if (item === undefined) return this.prevSlowly();
     this.at = h;
-    return era.toVertex[h] ?? NONE;
+    return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
@@ -138,14 +131,11 @@ export class VerticesAlongNext {
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginAlongNext(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
-    this.era = links.era;
-    return this;
   }
 }
 export interface VerticesAlongNext extends Going {}
@@ -173,24 +163,24 @@ export class FacesAlongPrev {
 
   next(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    const seen = h ^ this.side;
+    const item = era.face[seen] ?? NONE;
+    if (era.face[item >> 31] === undefined) return this.nextSlowly();
     this.at = h;
-    this.seen = h ^ this.side;
-    return era.face[h ^ this.side] ?? NONE;
+    this.seen = seen;
+    return item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    const seen = h ^ this.side;
+    const item = era.face[seen] ?? NONE;
+    if (era.face[item >> 31] === undefined) return this.prevSlowly();
     this.at = h;
-    this.seen = h ^ this.side;
-    return era.face[h ^ this.side] ?? NONE;
+    this.seen = seen;
+    return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
@@ -204,15 +194,12 @@ export class FacesAlongPrev {
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginFacesAlongPrev(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
     this.seen = h ^ this.side;
-    this.era = links.era;
-    return this;
   }
 }
 export interface FacesAlongPrev extends Going {}
@@ -240,24 +227,24 @@ export class FacesAlongNext {
 
   next(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    const seen = h ^ this.side;
+    const item = era.face[seen] ?? NONE;
+    if (era.face[item >> 31] === undefined) return this.nextSlowly();
     this.at = h;
-    this.seen = h ^ this.side;
-    return era.face[h ^ this.side] ?? NONE;
+    this.seen = seen;
+    return item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.face[(era.face[h ^ this.side] ?? NONE) >> 31] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    const seen = h ^ this.side;
+    const item = era.face[seen] ?? NONE;
+    if (era.face[item >> 31] === undefined) return this.prevSlowly();
     this.at = h;
-    this.seen = h ^ this.side;
-    return era.face[h ^ this.side] ?? NONE;
+    this.seen = seen;
+    return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
@@ -270,15 +257,12 @@ export class FacesAlongNext {
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginFacesAlongNext(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
     this.seen = h ^ this.side;
-    this.era = links.era;
-    return this;
   }
 }
 export interface FacesAlongNext extends Going {}
@@ -307,23 +291,19 @@ export class IndicesAlongPrev {
 
   next(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) return this.nextSlowly();
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.item = (h ^ this.side) >> this.shift;
     return this.item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) return this.prevSlowly();
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.item = (h ^ this.side) >> this.shift;
     return this.item;
   }
 
@@ -334,19 +314,16 @@ export class IndicesAlongPrev {
       const h = ((era.prev[anchor] ?? NONE) ^ turn) & SMALL;
       if (era.toVertex[h] !== undefined) {
         this.at = h;
-        this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+        this.item = (h ^ this.side) >> this.shift;
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginAlongPrev(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
-    this.era = links.era;
-    return this;
+    this.item = h < 0 ? NONE : (h ^ this.side) >> this.shift;
   }
 }
 export interface IndicesAlongPrev extends Going {}
@@ -375,23 +352,19 @@ export class IndicesAlongNext {
 
   next(): number {
     const { era, turn } = this;
-    let h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.next(this.links, era, this.course, this.at) | 0;
-    }
+    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
+    if (era.toVertex[h] === undefined) return this.nextSlowly();
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.item = (h ^ this.side) >> this.shift;
     return this.item;
   }
 
   prev(): number {
     const { era, turn } = this;
-    let h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    if (era.toVertex[h] === undefined) {
-      h = slowly.prev(this.links, era, this.course, this.at) | 0;
-    }
+    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
+    if (era.toVertex[h] === undefined) return this.prevSlowly();
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+    this.item = (h ^ this.side) >> this.shift;
     return this.item;
   }
 
@@ -401,19 +374,16 @@ export class IndicesAlongNext {
       const h = (this.anchors.view[item] ?? NONE) & SMALL;
       if (era.toVertex[h] !== undefined) {
         this.at = h;
-        this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
+        this.item = (h ^ this.side) >> this.shift;
         return this;
       }
     }
-    const { links, course } = this;
-    const h =
-      start === undefined
-        ? beginAlongNext(links, course, this.anchors, item)
-        : slowly.begin(links, course, item, start) | 0;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
     this.at = h;
-    this.item = ((h ^ this.side) >> this.shift) | (h >> 31);
-    this.era = links.era;
-    return this;
+    this.item = h < 0 ? NONE : (h ^ this.side) >> this.shift;
   }
 }
 export interface IndicesAlongNext extends Going {}
@@ -437,34 +407,52 @@ export class Across {
   }
 
   next(): number {
-    this.at = slowly.next(this.links, this.era, this.course, this.at);
-    return this.currentSlowly;
+    return this.nextSlowly();
   }
 
   prev(): number {
-    this.at = slowly.prev(this.links, this.era, this.course, this.at);
-    return this.currentSlowly;
+    return this.prevSlowly();
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
-    const { links } = this;
-    this.at = slowly.begin(links, this.course, item, start);
-    this.era = links.era;
-    return this;
+    return this.moveSlowly(item, start);
+  }
+
+  arrive(h: number): void {
+    this.at = h;
   }
 }
 export interface Across extends Going {}
 
-/** What is shown in all cases, by getters that all of them share. */
-const shared: PropertyDescriptorMap = {
+/** What is done in all cases, by getters and methods that all of them share. */
+const shared = {
   currentSlowly: {
-    get(this: Place): number {
+    get(this: Going): number {
       return slowly.current(this);
     },
   },
   halfedgeSlowly: {
-    get(this: Place): number {
+    get(this: Going): number {
       return slowly.halfedge(this);
+    },
+  },
+  nextSlowly: {
+    value(this: Going): number {
+      this.arrive(slowly.next(this));
+      return this.current;
+    },
+  },
+  prevSlowly: {
+    value(this: Going): number {
+      this.arrive(slowly.prev(this));
+      return this.current;
+    },
+  },
+  moveSlowly: {
+    value(this: Going, item: number, start: HalfedgeLike | undefined): Going {
+      this.arrive(slowly.begin(this.links, this.course, item, start));
+      this.era = this.links.era;
+      return this;
     },
   },
 };
@@ -479,13 +467,20 @@ export interface Going extends Place {
   seen: number;
   /** What is shown, where that takes no look-up. */
   item: number;
+
   readonly current: number;
   readonly halfedge: number;
   next(): number;
   prev(): number;
   moveTo(item: number, start?: HalfedgeLike): this;
+
   readonly currentSlowly: number;
   readonly halfedgeSlowly: number;
+  nextSlowly(): number;
+  prevSlowly(): number;
+  moveSlowly(item: number, start: HalfedgeLike | undefined): this;
+  /** Stands on a halfedge, or on NONE. */
+  arrive(h: number): void;
 }
 
 // Where a circulator begins around an item, NONE if there is nothing to show.
