@@ -1,7 +1,7 @@
 import { type CirculatorKind, init, NONE } from 'halfedge';
 import { aroundFaces, aroundVertices, directions, range } from './support/circulators.js';
-import { changeConnectivity, growMemory } from './support/core.js';
-import { build, quadGrid, triangleAndIsolatedVertex } from './support/meshes.js';
+import { changeConnectivity, growMemory, moveArrays } from './support/core.js';
+import { annulus, build, quadGrid, triangleAndIsolatedVertex } from './support/meshes.js';
 
 beforeAll(() => init());
 
@@ -114,28 +114,39 @@ describe('The endless form', () => {
   test.each([...aroundVertices, ...aroundFaces])(
     '%s goes by the arrays of now, once `reserve` has moved them',
     (kind) => {
-      const { positions, faces: quads } = quadGrid(30, 30);
-      const faces = quads.flatMap(([a, b, c, d]) => [
-        [a, b, c],
-        [a, c, d],
-      ]);
-      using mesh = build({ positions, faces });
+      using mesh = build(quadGrid(30, 30));
       const rings = directions.map((direction) => ({
         direction,
         ring: mesh.circulate(kind, 0, direction),
       }));
-      mesh.reserve(2000, 6000, 4000);
-      // These take the memory in which the arrays were, and their links are others.
-      faces.reverse();
-      const later = Array.from({ length: 30 }, () => build({ positions, faces }));
+      moveArrays(mesh);
       for (const { direction, ring } of rings) {
         const lap = [...range(mesh, kind)(200, direction)];
-        ring.moveTo(200);
-        expect(lap.map((_, i) => (i === 0 ? ring.current : ring.next()))).toEqual(lap);
+        for (const moved of [ring.moveTo(200), mesh.circulate(kind, 200, direction)]) {
+          expect(lap.map((_, i) => (i === 0 ? moved.current : moved.next()))).toEqual(lap);
+        }
       }
-      for (const other of later) other.dispose();
     },
   );
+
+  test.each([...aroundVertices, ...aroundFaces])('%s begins where a lap begins', (kind) => {
+    using mesh = build(annulus());
+    const items = kind.startsWith('vertex') ? mesh.vertexCount : mesh.faceCount;
+    for (const direction of directions) {
+      for (let item = 0; item < items; item++) {
+        const lap = [...range(mesh, kind)(item, direction)];
+        const made = mesh.circulate(kind, item, direction);
+        const moved = mesh.circulate(kind, 0, { direction }).moveTo(item);
+        expect([made.current, moved.current]).toEqual([lap[0], lap[0]]);
+        expect(moved.halfedge).toBe(made.halfedge);
+        expect(lap.map((_, i) => (i === 0 ? made.current : made.next()))).toEqual(lap);
+        expect(made.next()).toBe(lap[0]);
+        expect(made.current).toBe(lap[0]);
+        expect(made.prev()).toBe(lap.at(-1));
+        expect(made.current).toBe(lap.at(-1));
+      }
+    }
+  });
 
   test.each(aroundVertices)('%s moves to an isolated vertex, and on', (kind) => {
     using mesh = build(triangleAndIsolatedVertex());
@@ -179,6 +190,12 @@ describe('The endless form', () => {
       'vertexHoles',
       RangeError,
       'kind is "vertexHoles"; expected one of vertexVertices, ',
+    ],
+    [
+      'one that is longer than all',
+      'vertexOutgoingHalfedgesOf',
+      RangeError,
+      'kind is "vertexOutgoingHalfedgesOf"; expected one of',
     ],
     ['a property of objects', 'constructor', RangeError, 'kind is "constructor"; expected one of'],
     ['no string', 7, TypeError, 'kind is 7; expected one of'],

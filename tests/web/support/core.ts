@@ -95,3 +95,17 @@ export const giveCornerAttributes = addAttributes as unknown as (
 export function changeConnectivity(mesh: HalfedgeMesh): void {
   linksOf(mesh as never).version += 1;
 }
+
+/** Makes room for so much that the arrays of the mesh move, and overwrites what they leave behind. */
+export function moveArrays(mesh: HalfedgeMesh): void {
+  const { next } = mesh.connectivity;
+  mesh.reserve(3 * mesh.vertexSlots, 3 * mesh.edgeSlots, 3 * mesh.faceSlots);
+  // Small blocks, because those are taken from what is free between others.
+  const bytes = 512;
+  const blocks = Array.from({ length: 2000 }, () => core().allocate(bytes));
+  for (const block of blocks) new Uint32Array(core().memory.buffer, block, bytes / 4).fill(0);
+  for (const block of blocks) core().free(block);
+  if (next.length === 0) throw new Error('The memory has grown, and detached the views.');
+  const kept = next.filter((h, i) => h === mesh.connectivity.next[i]).length;
+  if (2 * kept > next.length) throw new Error('The arrays were not overwritten.');
+}
