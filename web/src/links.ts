@@ -14,7 +14,7 @@ const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ c
 /** From each live view to the links whose memory it looks at: keeping a view keeps the memory. */
 const owners = new WeakMap<object, Links>();
 
-const NO_LINKS: Int32Array = new Int32Array(0);
+const NO_LINKS = new Int32Array(0);
 const NO_POSITIONS = new Float32Array(0);
 const NO_WORDS = new Uint32Array(0);
 
@@ -32,10 +32,10 @@ const BEYOND = -2;
  * whatever goes around by them finds nothing any more, and looks why. V8 has less to inline than to compare.
  */
 export class Era {
-  next = NO_LINKS;
-  prev = NO_LINKS;
-  toVertex = NO_LINKS;
-  face = NO_LINKS;
+  next: Int32Array = NO_LINKS;
+  prev: Int32Array = NO_LINKS;
+  toVertex: Int32Array = NO_LINKS;
+  face: Int32Array = NO_LINKS;
   isOver = false;
 
   /** Looks at the memory where `links` do. */
