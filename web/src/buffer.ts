@@ -2,7 +2,7 @@ import { describe } from './arguments.js';
 
 // What `into` of a range writes to.
 
-/** How many items there is room for. V8 finds out what is no `Uint32Array` last of all. */
+/** How many items there is room for. To find out what something isn't, V8 goes through all its prototypes. */
 export function roomIn(buffer: Int32Array | Uint32Array): number {
   if (buffer instanceof Int32Array || buffer instanceof Uint32Array) return buffer.length;
   return roomInForeign(buffer);

@@ -74,6 +74,7 @@ export const LONGEST = 'vertexOutgoingHalfedges'.length;
 /**
  * By the length of the name. While V8 inlines it knows how long a name in a program is, and what a frozen array
  * has there, but not yet that two names are the same: it would inline whatever the program goes around anywhere.
+ * Each is written out, because V8 keeps its notes by the text of a function.
  */
 export const MAKERS: readonly Maker[] = Object.freeze(
   Object.assign(new Array<Maker>(LONGEST + 1).fill(circulateOther), {

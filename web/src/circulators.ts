@@ -483,7 +483,7 @@ export interface Going extends Place {
   arrive(h: number): void;
 }
 
-// Where a circulator begins around an item, NONE if there is nothing to show.
+// Where a circulator begins around an item, NONE if there is nothing to show. `| 0` tells V8 that it is a number.
 
 export const beginAlongPrev = (
   links: Links,
