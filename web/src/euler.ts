@@ -182,16 +182,16 @@ export abstract class EulerOperations extends Construction {
 
   /**
    * Divides the vertex that `hl` and `hr` leave into two, joined by a new edge. The halfedges strictly
-   * between them, counter-clockwise from `hl` to `hr`, go to the new vertex, and two new triangles fill the
-   * gap (none on the boundary). The new vertex has the attributes of the old one and, by default, its
-   * position.
+   * between them, counter-clockwise from `hl` to `hr`, go to the new vertex, all others if `hl` is `hr`. Two
+   * new triangles fill the gap (none on the boundary). The new vertex has the attributes of the old one and,
+   * by default, its position.
    *
    * Inverse: `collapse` of the halfedge from the new vertex to the old one, unless the split has separated
    * the fans of a pinched vertex.
    *
    * @returns the new vertex
-   * @throws HalfedgeError `different-vertices`, `loop-edge`, `same-vertex` (`hl` is `hr`), `nothing-between`,
-   * `edge-without-face`
+   * @throws HalfedgeError `different-vertices`, `loop-edge`, `same-vertex` (`hl` is `hr`, with a triangle on
+   * either side), `nothing-between`, `edge-without-face`
    */
   splitVertex(
     hl: HalfedgeLike,

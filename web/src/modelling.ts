@@ -16,8 +16,9 @@ export abstract class Modelling extends Surgery {
    * Inverse: `removeEdge` of the new edges, in reverse order.
    *
    * @returns the number of new faces
-   * @throws HalfedgeError `no-triangulation` (each way would join vertices that are joined already; if all
-   * faces are cut, also those that diagonals of other faces join: only a few orders of the faces are tried)
+   * @throws HalfedgeError `no-triangulation` (each way without a fold would join vertices that are joined
+   * already, of more than 32 corners each way tried; if all faces are cut, also those that diagonals of other
+   * faces join: only a few orders of the faces are tried)
    */
   triangulate(f?: FaceLike): number {
     const links = linksOf(this);

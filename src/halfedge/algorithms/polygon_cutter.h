@@ -37,7 +37,8 @@ class PolygonCutter {
 
   /// Appends the ears of a polygon, as PolygonTriangulator does. `corners` are its vertices, at
   /// `points`; `is_edge(a, b)` tells whether an edge joins two of them. kBlocked: each way to cut
-  /// it takes a diagonal that joins what is joined; `blocked()` is one of them.
+  /// it without a fold takes a diagonal that joins what is joined; `blocked()` is one of them. Of
+  /// many corners not all ways are tried.
   ///
   /// pre: 3 corners or more
   template <class IsEdge>

@@ -46,7 +46,8 @@ class PolygonTriangulator {
   /// corners.
   ///
   /// `forbidden` lists diagonals that may not be used, in order. If a triangle would have to fold
-  /// over without them, the outcome is kBlocked, `blocked()` one of them, and `ears` as before.
+  /// over without them, the outcome is kBlocked, `blocked()` one of them, and `ears` as before. So
+  /// it may be of more than kSmall corners if another order of ears would do without them.
   ///
   /// pre: 3 corners or more
   /// cost: O(n^3) of n <= kSmall corners; of more O(n log n) and, for each corner, a look for

@@ -54,8 +54,9 @@ const Index* cut_into_triangles(Mesh& mesh, Halfedge first, const Index* ear, Co
 
 }  // namespace internal
 
-/// Whether triangulate(f) can be done: else not-a-face; no-triangulation, if each way joins two
-/// vertices that are joined already; out-of-memory. cost: as triangulate
+/// Whether triangulate(f) can be done: else not-a-face; no-triangulation, if each way without a
+/// fold joins two vertices that are joined already, of more than 32 corners each way that was
+/// tried; out-of-memory. cost: as triangulate
 template <EditableSurface Mesh>
 [[nodiscard]] Result<void> check_triangulate(const Mesh& mesh, Face f) {
   if (Result<void> live = check_live(mesh, f); !live) return live;
