@@ -111,6 +111,46 @@ describe('An attribute', () => {
     expect(values('default')).toEqual([5, 5]);
   });
 
+  test.each([
+    ['infinite', Infinity],
+    ['no number', NaN],
+  ])('is not touched by a value that is %s where it has no share', (_, value) => {
+    /** A square, of which all but vertex 0 and the corner there have the value. */
+    const square = () => {
+      const mesh = HalfedgeMesh.fromPolygons([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [[0, 1, 2, 3]]);
+      const atVertex = mesh.attributes.add('vertex', 'a', { default: value });
+      const atCorner = mesh.attributes.add('halfedge', 'a', { default: value });
+      atVertex[0] = 7;
+      for (const h of mesh.vertexIncomingHalfedges(0)) atCorner[h] = 7;
+      return mesh;
+    };
+    const valuesAt = (mesh: HalfedgeMesh, v: number) => [
+      mesh.attributes.get('vertex', 'a')[v],
+      ...mesh
+        .vertexIncomingHalfedges(v)
+        .toArray()
+        .map((h) => mesh.attributes.get('halfedge', 'a')[h]),
+    ];
+    using split = square();
+    const middle = split.insertVertexOnEdge(split.findEdge(0, 1), split.position(0));
+    expect(valuesAt(split, middle)).toEqual([7, 7, 7]);
+    using collapsed = square();
+    const kept = collapsed.collapse(collapsed.findHalfedge(0, 1), collapsed.position(0));
+    expect(valuesAt(collapsed, kept)).toEqual([7, 7, 7]);
+    using inset = square();
+    const corners = inset.faceVertices(inset.insetFace(0, 0)).toArray();
+    expect(corners.map((v) => inset.attributes.get('vertex', 'a')[v])).toEqual([
+      7,
+      value,
+      value,
+      value,
+    ]);
+    using bevelled = HalfedgeMesh.cube();
+    bevelled.attributes.add('vertex', 'a', { default: value })[0] = 7;
+    const cut = bevelled.faceVertices(bevelled.bevelVertex(0, 0)).toArray();
+    expect(cut.map((v) => bevelled.attributes.get('vertex', 'a')[v])).toEqual([7, 7, 7]);
+  });
+
   test('keeps the seam of texture coordinates when an edge is split', () => {
     using mesh = HalfedgeMesh.fromTriangles(
       [0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0],

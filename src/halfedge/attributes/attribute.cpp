@@ -173,6 +173,7 @@ void Attribute::set(Index item, Index component, double value, Journal* journal)
 }
 
 void Attribute::add(Sum& sum, Index item, double weight) const {
+  if (weight == 0) return;  // 0 times infinity is no number
   if (interpolates()) {
     for (Index i = 0; i < components_; ++i) sum.values[i] += weight * get(item, i);
   }
@@ -184,7 +185,7 @@ void Attribute::add(Sum& sum, Index item, double weight) const {
 }
 
 void Attribute::store(const Sum& sum, Index to, Journal* journal) {
-  if (sum.heaviest == kNone || sum.weight == 0 || on_split_ == OnSplit::kDefault) return;
+  if (sum.heaviest == kNone || on_split_ == OnSplit::kDefault) return;
   if (!interpolates()) return copy(to, sum.heaviest, journal);
   double scale = sum.weight;
   if (on_split_ == OnSplit::kNormalize) {
