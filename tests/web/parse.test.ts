@@ -311,6 +311,21 @@ describe('parse', () => {
     expect(mesh.faceCount).toBe(1);
   });
 
+  test('spells what cannot be seen in a number that is none', () => {
+    for (const [hidden, spelt] of [
+      ['\ufeff', '\\xef\\xbb\\xbf'],
+      ['\u00a0', '\\xc2\\xa0'],
+      ['\u200b', '\\xe2\\x80\\x8b'],
+    ]) {
+      const { message } = errorOf(() => HalfedgeMesh.parse(`v 0 0 0\nv 1${hidden}2 0 0\n`));
+      expect(message).toContain(
+        `Line 2: expected a number for x of the vertex, found "1${spelt}2"`,
+      );
+    }
+    const { message } = errorOf(() => HalfedgeMesh.parse('v 0 0 0\nv \u22121 0 0\n'));
+    expect(message).toContain('found "\u22121"');
+  });
+
   test('refuses wrong options', () => {
     const parse = (options: unknown) => () => HalfedgeMesh.parse(triangle, options as never);
     expect(parse(null)).toThrow(new TypeError('options is null; expected an object.'));

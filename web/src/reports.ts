@@ -103,8 +103,10 @@ function lettersOf(spelt: string): string {
     .split('\\x')
     .map((byte) => Number.parseInt(byte, 16));
   try {
-    const letters = new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(bytes));
-    return /\p{C}/u.test(letters) ? spelt : letters; // what can't be seen, or turns a line around
+    const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
+    const letters = decoder.decode(Uint8Array.from(bytes));
+    // What can't be seen, or turns a line around.
+    return /[\p{C}\p{Z}]/u.test(letters) ? spelt : letters;
   } catch {
     return spelt;
   }
