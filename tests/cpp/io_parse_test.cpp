@@ -65,6 +65,14 @@ TEST(Parse, FallsBackOnTheClaim) {
             "any), found \"OOF\" (read as OFF)");
 }
 
+TEST(Parse, KnowsAnObjFileByNumbersThatCannotBeRead) {
+  for (const std::string number : {"0,5", "-0,25", "0x1", "1l"}) {
+    EXPECT_EQ(error_of("v " + number + " 0 0\n"),
+              "parse-error: line 1: expected a number for x of the vertex, found \"" + number +
+                  "\" (read as OBJ)");
+  }
+}
+
 TEST(Parse, SaysWhatAnUnreadableFileIs) {
   EXPECT_EQ(error_of(""),
             "unknown-format: the file is empty (0 bytes), expected an OBJ, OFF, PLY or STL file");
@@ -238,7 +246,7 @@ TEST(Parse, NamesTheLinesOfFacesAndVertices) {
             Strings{"Vertex 3 is at (nan, 0, 0); expected three finite numbers. (Line 13)"});
   const std::string twice = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\nf 1 2 3\n";
   EXPECT_EQ(findings_of(twice),
-            Strings{"Face 1 has the vertices of face 0: it was left out. (Lines 4, 6)"});
+            Strings{"Face 0 has the vertices of face 1, which was left out. (Lines 4, 6)"});
 }
 
 TEST(Parse, NamesMissingVerticesOfObjAsTheyAreWritten) {

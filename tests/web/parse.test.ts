@@ -113,7 +113,7 @@ describe('parse', () => {
     }
     const { mesh, report } = HalfedgeMesh.parse(data.buffer);
     expect(report.problems[0]?.message).toBe(
-      'Face 1 has the vertices of face 0: it was left out. (Bytes 84, 134)',
+      'Face 0 has the vertices of face 1, which was left out. (Bytes 84, 134)',
     );
     mesh.dispose();
     const strict = () => HalfedgeMesh.parse(data.buffer, { repair: false });
@@ -245,6 +245,25 @@ describe('parse', () => {
     expect(strict(`${vertices}f 1 2 2\n`)).toThrow(/\(Line 6\)/);
     expect(strict('v 0 0 0\nv 1 0 0\nv 0 nan 0\nf 1 2 3\n')).toThrow(
       /^Vertex 2 is at \(0, nan, 0\); expected three finite numbers\. \(Line 3\)/,
+    );
+  });
+
+  test('names duplicate faces in the order of their lines', () => {
+    const vertices = 'v 0 0 0\nv 1 0 0\nv 0 1 0\n';
+    const { mesh, report } = HalfedgeMesh.parse(`${vertices}f 3 2 1\nf 1 2 3\n\nf 1 2 3\n`);
+    expect(report.problems.map(({ message }) => message)).toEqual([
+      'Face 1 has the vertices of face 0, which was left out. (Lines 5, 4)',
+      'Face 1 has the vertices of face 2, which was left out. (Lines 5, 7)',
+    ]);
+    mesh.dispose();
+  });
+
+  test('tells an OBJ file whose numbers have commas from a file of no known format', () => {
+    const vertices = 'v 0,5 -0,25 1\n'.repeat(10_000);
+    const { code, message } = errorOf(() => HalfedgeMesh.parse(`${vertices}f 1 2 3\n`));
+    expect(code).toBe('parse-error');
+    expect(message).toBe(
+      'Line 1: expected a number for x of the vertex, found "0,5" (read as OBJ).',
     );
   });
 

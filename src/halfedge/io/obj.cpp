@@ -393,7 +393,8 @@ bool looks_like_obj(TextScanner text) {
     text.skip_blanks();
     std::int64_t index = 0;
     float number = 0;
-    if (word == "f" ? text.read_integer(index) : text.read_float(number)) return true;
+    // What is glued to the number, as in 0,5, is for the reader to explain.
+    if (text.read_integer(index) || (word != "f" && text.read_float(number))) return true;
   }
   return false;
 }
