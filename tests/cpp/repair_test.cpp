@@ -230,7 +230,7 @@ TEST(Repair, KeepsOneOfDuplicateFaces) {
   EXPECT_EQ(result.mesh.vertex_count(), 4U);
   EXPECT_EQ(result.report.summary, "3 duplicate faces left out.");
   EXPECT_EQ(result.messages()[0],
-            "duplicate-face: Face 4 has the vertices of face 0: it was left out.");
+            "duplicate-face: Face 0 has the vertices of face 4, which was left out.");
   EXPECT_EQ(result.report.problems[0].witness.faces, (std::vector<Index>{0, 4}));
 }
 

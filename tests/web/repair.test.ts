@@ -382,7 +382,7 @@ describe('parse with repair', () => {
     );
     expect(report.problems.map(({ message }) => message)).toEqual([
       'Face 5 uses vertex 1 more than once, and encloses nothing: it was left out. (Line 10)',
-      'Face 4 has the vertices of face 0: it was left out. (Lines 5, 9)',
+      'Face 0 has the vertices of face 4, which was left out. (Lines 5, 9)',
     ]);
     mesh.dispose();
   });

@@ -77,9 +77,10 @@ class Matcher {
     log_.mark(face, RepairCode::kDuplicateFace);
     log_.add(RepairCode::kDuplicateFace, [&] {
       const Index original = input_.source[surface_.kept[f]];
+      // Named in the order of the witness, as their places in a file are.
       return Error{
           {},
-          sentence::of("Face {} has the vertices of face {}: it was left out.", face, original),
+          sentence::of("Face {} has the vertices of face {}, which was left out.", original, face),
           {.faces = {original, face}}};
     });
   }
