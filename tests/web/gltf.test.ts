@@ -1,4 +1,6 @@
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
 import { readGltf, readGltfParts } from 'halfedge/gltf';
@@ -472,6 +474,25 @@ describe('readGltf', () => {
       `glTF: buffers[0] has 3 bytes, expected ${byteLength} as the document says.`,
     );
   });
+
+  test.each(['part #1 at 100%.bin', 'part%20%231%20at%20100%25.bin'])(
+    'gets a buffer by the bare name of its file or by its address: %s',
+    async (uri) => {
+      const json = square();
+      const [buffer] = json.buffers;
+      const bytes = Buffer.from(buffer.uri.slice(buffer.uri.indexOf(',') + 1), 'base64');
+      const folder = mkdtempSync(join(tmpdir(), 'gltf-'));
+      try {
+        writeFileSync(join(folder, 'part #1 at 100%.bin'), bytes);
+        const baseUrl = pathToFileURL(join(folder, 'part.gltf'));
+        const { mesh } = await read({ ...json, buffers: [{ ...buffer, uri }] }, { baseUrl });
+        expect(mesh.faceCount).toBe(2);
+        mesh.dispose();
+      } finally {
+        rmSync(folder, { recursive: true });
+      }
+    },
+  );
 });
 
 describe('A wrong option of readGltf', () => {

@@ -128,7 +128,7 @@ async function content(i: number, uri: string, resources: GltfResources): Promis
   }
   let address: URL;
   try {
-    address = new URL(uri, resources.baseUrl);
+    address = new URL(escaped(uri), resources.baseUrl);
   } catch {
     checkBase(resources.baseUrl);
     throw fileError(
@@ -138,6 +138,10 @@ async function content(i: number, uri: string, resources: GltfResources): Promis
   }
   return load(address);
 }
+
+/** As an address has it, where a program wrote the bare name of a file: buffers have no fragments. */
+const escaped = (uri: string) =>
+  uri.replace(/#|%(?![\da-f]{2})/gi, (letter) => encodeURIComponent(letter));
 
 /** Throws for an address that leads nowhere by itself, such as `/models/` in a page. */
 function checkBase(baseUrl: URL | string | undefined): void {
