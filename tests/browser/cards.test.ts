@@ -130,3 +130,31 @@ test('A repair that finds nothing to do leaves the list under the pointer', asyn
   expect(explorer.complaints).toEqual([]);
   await explorer.close();
 });
+
+test.each([
+  [390, 844],
+  [844, 390],
+  [1280, 800],
+])('What a saved file lacks comes into sight, in a window of %i by %i', async (width, height) => {
+  const explorer = await ExplorerPage.open({ width, height });
+  const { page } = explorer;
+  const named = 'g wheel\nusemtl steel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+  await explorer.drop('wheel.obj', named);
+  await explorer.ready('wheel.obj');
+  await explorer.press('3');
+  await page.click('.mesh-facts [data-download=stl]');
+  await page.waitForSelector('.outcome:has-text("Left out the face attribute")');
+  const areInSight = await page.$eval('.mesh-facts .outcome', (outcome) => {
+    const range = document.createRange();
+    range.selectNodeContents(outcome);
+    return [...range.getClientRects()].map(
+      ({ left, top, bottom }) =>
+        document.elementFromPoint(left + 1, top + 1) === outcome &&
+        document.elementFromPoint(left + 1, bottom - 1) === outcome,
+    );
+  });
+  expect(areInSight.length).toBeGreaterThan(1);
+  expect(areInSight).not.toContain(false);
+  expect(explorer.complaints).toEqual([]);
+  await explorer.close();
+});

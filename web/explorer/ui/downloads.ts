@@ -22,9 +22,14 @@ export type TakePicture = (format: 'png' | 'svg') => Promise<Blob>;
 /** Buttons that hand the mesh on show, or its picture, to the browser as a file. */
 export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLElement {
   const outcome = h('p', { class: 'outcome', role: 'status' });
+  // What is left out of a file is told at the end of the panel, which may be out of sight.
+  const tell = (words: string) => {
+    outcome.textContent = words;
+    outcome.scrollIntoView({ block: 'nearest' });
+  };
   const handOver = ({ name, content, notes }: MeshFile) => {
     offer(name, content);
-    outcome.textContent = [`Saved ${name}, ${sizeWords(content.size)}.`, ...notes].join(' ');
+    tell([`Saved ${name}, ${sizeWords(content.size)}.`, ...notes].join(' '));
   };
   const save = async (act: (opened: MeshDocument) => void | Promise<void>) => {
     const opened = explorer.document.value;
@@ -32,7 +37,7 @@ export function downloads(explorer: Explorer, takePicture: TakePicture): HTMLEle
     try {
       await act(opened);
     } catch (error) {
-      outcome.textContent = `Not saved: ${error instanceof Error ? error.message : error}`;
+      tell(`Not saved: ${error instanceof Error ? error.message : error}`);
     }
   };
   const saveMesh = (format: FileFormat) =>
