@@ -1,6 +1,7 @@
 // Links to states of the explorer, without its page.
 
 import { HalfedgeMesh, init } from 'halfedge';
+import { fileName } from '../../web/explorer/app/files.js';
 import type { Sight, Viewpoint } from '../../web/explorer/app/share.js';
 import { importWithoutSamples } from './support/explorer.js';
 
@@ -218,5 +219,32 @@ describe('a link', () => {
     const link = share.linkOf(explorer, sightAt([1, 2, 3, 0, 0, 0]));
     const following = share.follow(link + word, explorer, sightAt([1, 2, 3, 0, 0, 0]));
     await expect(following).rejects.toThrow(sentence);
+  });
+
+  test.each([
+    ['insertEdge h0 h99', 'There is no h99: this mesh has halfedge 0 to 23.'],
+    ['insertEdge h99 h0', 'There is no h99: this mesh has halfedge 0 to 23.'],
+    ['keepLargestComponents', 'Nothing to do: keep the largest.'],
+  ])('with the edit %s tells why that is not done', async (edit, why) => {
+    const explorer = new Explorer();
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    explorer.openMesh('cube', HalfedgeMesh.cube());
+    const link = `${share.linkOf(explorer, sight)}&edits=${edit}`;
+    await expect(share.follow(link, explorer, sight)).rejects.toThrow(
+      `The edit “${edit}” in it could not be done. ${why}`,
+    );
+  });
+
+  test('of a file leads to a mesh that is saved under the same name, as its dual is', async () => {
+    const sight = sightAt([1, 2, 3, 0, 0, 0]);
+    const explorer = new Explorer();
+    await explorer.open(new File(['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'], 'part v1.2.OBJ'));
+    const saved = () => explorer.document.value && fileName(explorer.document.value, 'off');
+    expect(saved()).toBe('part-v1.2.off');
+    await share.follow(share.linkOf(explorer, sight), explorer, sight);
+    expect(explorer.document.value?.name).toBe('part v1.2.OBJ');
+    expect(saved()).toBe('part-v1.2.off');
+    explorer.editor.runKey('M');
+    expect(saved()).toBe('Dual-of-part-v1.2.off');
   });
 });

@@ -55,6 +55,9 @@ const FORMATS = ['obj', 'off', 'ply', 'stl'] as const;
 /** What the page reads, as extensions. */
 export const EXTENSIONS = [...FORMATS, 'glb', 'gltf'] as const;
 
+/** The end of the name of such a file. */
+const OF_FILE = new RegExp(`\\.(${EXTENSIONS.join('|')})$`, 'i');
+
 /** Files that are larger are read in another thread, so that the page can go on. */
 const LARGE_FILE = 2 ** 20;
 
@@ -201,6 +204,11 @@ export function newDocument(name: string, mesh: HalfedgeMesh): MeshDocument {
     names: {},
     view: [0.35, 0.3, 1],
   };
+}
+
+/** What a file of a mesh is called that was made of a file, or came from one by a link: `Dual of scan` of `Dual of scan.ply`. */
+export function stemOfMade(name: string): string {
+  return name.replace(OF_FILE, '') || name;
 }
 
 /** The text of a mesh as a file, by what it begins with; null if it is none. */

@@ -20,6 +20,7 @@ import {
   type OpenFailure,
   openSource,
   type Source,
+  stemOfMade,
 } from './documents.js';
 import { Editor } from './editor.js';
 import { factsOfMesh, type MeshFacts, type Problems } from './facts.js';
@@ -163,7 +164,7 @@ export class Explorer {
     this.cancel();
     this.walker.pause();
     try {
-      this.#show({ ...newDocument(name, mesh), stem: name, names }, madeBy);
+      this.#show({ ...newDocument(name, mesh), stem: stemOfMade(name), names }, madeBy);
       return true;
     } catch (error) {
       this.failure.value = failureOf(error, { name });

@@ -189,15 +189,17 @@ function repeatEdits(text: string | null, explorer: Explorer): void {
   for (const deed of text ? text.split(',') : []) {
     const { operation, first, second } = deedOf(deed);
     const before = editor.past.value.undoCount;
-    if (first) explorer.select(first);
-    // Without its item it would be done to the one that is selected.
+    // The first one last: the edit is done to what is selected, which must not be another item.
+    for (const item of [second, first]) {
+      if (item && explorer.remark.value === '') explorer.select(item);
+    }
     const { value: absence } = explorer.remark;
     if (absence === '') {
       editor.run(operation);
       if (second) editor.complete(second);
     }
     if (editor.past.value.undoCount === before) {
-      const why = absence || (editor.refused.value?.refusal.message ?? '');
+      const why = absence || editor.refused.value?.refusal.message || editor.report.value;
       editor.cancel(); // what is wrong with the link is told as a whole
       throw new Error(`The edit “${deed}” in it could not be done. ${why}`.trim());
     }
