@@ -127,7 +127,8 @@ function showValidity(line: HTMLElement, facts: MeshFacts | null): void {
   if (numbers.faces === 0) {
     parts.push('no faces');
   } else {
-    parts.push(numbers.components === 1 ? 'one component' : `${numbers.components} components`);
+    const { components } = numbers;
+    parts.push(components === 1 ? 'one component' : `${grouped(components)} components`);
     parts.push(numbers.loops === 0 ? 'closed' : 'with a boundary');
   }
   if (isolatedVertices > 0) {
