@@ -1,5 +1,5 @@
 import { HalfedgeError, HalfedgeMesh, init } from 'halfedge';
-import { fromBufferGeometry, toBufferGeometry } from 'halfedge/three';
+import { fromBufferGeometry, MeshGeometry, toBufferGeometry } from 'halfedge/three';
 import * as THREE from 'three';
 import { concavePolygon } from './support/concave.js';
 import { bytesInUse } from './support/core.js';
@@ -188,6 +188,20 @@ describe('fromBufferGeometry', () => {
       normalized: false,
       array: new Uint16Array(get('skinIndex')),
     });
+  });
+
+  test('takes colours in other integers than bytes as the numbers that they are', () => {
+    const geometry = square((g) => {
+      const numbers = Array.from({ length: 12 }, (_, i) => 10 * i - 40);
+      g.setAttribute('color', new THREE.Int16BufferAttribute(numbers, 3));
+      g.morphAttributes.color = [new THREE.Int16BufferAttribute(new Array(12).fill(60), 3)];
+    });
+    using mesh = fromBufferGeometry(geometry).mesh;
+    const back = toBufferGeometry(mesh).geometry;
+    expect(back.attributes.color.normalized).toBe(false);
+    expect(back.attributes.color.getX(0)).toBe(-40);
+    expect(back.morphAttributes.color?.[0].getX(0)).toBe(100);
+    expect(new MeshGeometry(mesh).attributes.color.normalized).toBe(false);
   });
 
   test('leaves a vertex that is made between two the bones of one of them, with their weights', () => {

@@ -136,6 +136,12 @@ export function columnOf(name: string, attribute: AnyAttribute, rows: number): C
   return { name, components, values, ...(isColor ? {} : { onSplit: 'copy' }) };
 }
 
+/** What stands for 1: the largest integer in colours of bytes, which are fractions of it. */
+function scaleOf({ name, values }: CornerAttribute): number {
+  if (name !== 'color') return 1;
+  return values instanceof Uint8Array ? 255 : values instanceof Uint16Array ? 65535 : 1;
+}
+
 /** By name, what the morph targets add to positions, normals and colours. */
 export function morphColumns(
   geometry: BufferGeometry,
@@ -155,8 +161,7 @@ export function morphColumns(
             `geometry.morphAttributes.${name}[${i}] has ${counted(attribute.itemSize, 'component')}; expected those of geometry.attributes.${name}, ${base?.components ?? 'which is missing'}.`,
           );
         }
-        const scale =
-          base.values instanceof Float32Array ? 1 : base.values instanceof Uint8Array ? 255 : 65535;
+        const scale = scaleOf(base);
         for (let k = 0; k < values.length; k++) values[k] -= base.values[k] / scale;
       }
       // Differences: they have no length to be kept.

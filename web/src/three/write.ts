@@ -84,7 +84,8 @@ function addTo(
   { name, components, values }: CornerAttribute,
   target: MorphTarget | undefined,
 ): void {
-  const isNormalized = name === 'color' && !(values instanceof Float32Array);
+  const isNormalized =
+    name === 'color' && (values instanceof Uint8Array || values instanceof Uint16Array);
   const attribute = new BufferAttribute(values, components, isNormalized);
   if (target === undefined) {
     geometry.setAttribute(name, attribute);
