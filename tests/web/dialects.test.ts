@@ -200,6 +200,17 @@ describe("OpenMesh's names", () => {
     expect(new VertexHandle().idx()).toBe(-1); // as in OpenMesh
   });
 
+  test('move points in steps that can be undone', () => {
+    using mesh = build(tetrahedron());
+    mesh.history.enabled = true;
+    const om = new PolyMesh(mesh);
+    const v = om.vertex_handle(2);
+    const before = om.point(v);
+    om.set_point(v, [7, 8, 9]);
+    expect(mesh.history.undo()).toBe(true);
+    expect(om.point(v)).toEqual(before);
+  });
+
   test('refuse what is no handle of the kind, and no point, in a sentence', () => {
     using mesh = build(tetrahedron());
     const om = new PolyMesh(mesh);
@@ -320,9 +331,32 @@ describe("CGAL's names", () => {
     expect(() => polyhedron.halfedge(-1)).toThrow(RangeError);
     expect(() => polyhedron.facet(4)).toThrow(RangeError);
   });
+
+  test('refuse to tell the point of a vertex that is gone', () => {
+    using mesh = build(tetrahedron());
+    const vertex = new Polyhedron(mesh).vertex(3);
+    mesh.deleteVertex(3);
+    expect(() => vertex.point()).toThrow('v is vertex 3, which was deleted');
+    mesh.compact();
+    expect(() => vertex.point()).toThrow('v is 3');
+  });
 });
 
 describe("McGuire's names", () => {
+  test('refuse to tell, and to move, a vertex that is gone', () => {
+    using mesh = build(tetrahedron());
+    const vert = new HE_mesh(mesh).vert(3);
+    vert.x = 4;
+    expect([vert.x, vert.y, vert.z]).toEqual([4, 0, 1]);
+    mesh.deleteVertex(3);
+    expect(() => vert.x).toThrow('v is vertex 3, which was deleted');
+    mesh.compact();
+    expect(() => vert.z).toThrow('v is 3');
+    expect(() => {
+      vert.y = 1;
+    }).toThrow(RangeError);
+  });
+
   test.each(cases)('run the loops of the article over %s as printed', (_, shape) => {
     using mesh = build(shape());
     const he = new HE_mesh(mesh);

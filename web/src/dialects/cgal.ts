@@ -209,6 +209,7 @@ export class PolyhedronVertex {
   }
   /** A copy: to move a vertex write to `mesh.positions`. */
   point(): [x: number, y: number, z: number] {
+    this.#of.mesh.vertexHalfedge(this.index); // throws where it is gone
     const { positions } = this.#of.mesh;
     const at = 3 * this.index;
     return [positions[at] as number, positions[at + 1] as number, positions[at + 2] as number];

@@ -101,22 +101,32 @@ export class HE_vert {
   }
 
   get x(): number {
-    return this.#of.mesh.positions[3 * this.index] as number;
+    return this.#coordinate(0);
   }
   set x(x: number) {
-    this.#of.mesh.positions[3 * this.index] = x;
+    this.#move(0, x);
   }
   get y(): number {
-    return this.#of.mesh.positions[3 * this.index + 1] as number;
+    return this.#coordinate(1);
   }
   set y(y: number) {
-    this.#of.mesh.positions[3 * this.index + 1] = y;
+    this.#move(1, y);
   }
   get z(): number {
-    return this.#of.mesh.positions[3 * this.index + 2] as number;
+    return this.#coordinate(2);
   }
   set z(z: number) {
-    this.#of.mesh.positions[3 * this.index + 2] = z;
+    this.#move(2, z);
+  }
+
+  #coordinate(axis: number): number {
+    this.#of.mesh.vertexHalfedge(this.index); // throws where it is gone
+    return this.#of.mesh.positions[3 * this.index + axis] as number;
+  }
+
+  #move(axis: number, to: number): void {
+    this.#of.mesh.vertexHalfedge(this.index);
+    this.#of.mesh.positions[3 * this.index + axis] = to;
   }
 
   /** One of the half-edges that emanate from the vertex; null if there is none. */

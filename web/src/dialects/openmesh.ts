@@ -224,7 +224,7 @@ export class PolyMesh {
   set_point(v: VertexHandle, point: Position): void {
     const at = ofVertex(v);
     this.mesh.vertexHalfedge(at);
-    this.mesh.positions.set(checkGivenPosition(point, 'point'), 3 * at);
+    this.mesh.setPosition(at, checkGivenPosition(point, 'point')); // so that history records it
   }
 
   // ---- circulators --------------------------------------------------------------------------------
