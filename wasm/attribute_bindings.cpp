@@ -34,8 +34,10 @@ val add_attribute(Address mesh, int kind, Address name, std::size_t name_count, 
   return success("attribute", val(reinterpret_cast<Address>(added.value())));
 }
 
-void remove_attribute(Address mesh, int kind, Address name, std::size_t name_count) {
-  mesh_at(mesh).remove_attribute(static_cast<ItemKind>(kind), text_at(name, name_count));
+void remove_attribute(Address mesh, Address attribute) {
+  const ItemKind kind = attribute_at(attribute).kind();
+  const std::string name(attribute_at(attribute).name());  // which goes with it
+  mesh_at(mesh).remove_attribute(kind, name);
 }
 
 /// All columns but those of generations.
@@ -49,7 +51,7 @@ val list_attributes(Address mesh) {
       val item = val::object();
       item.set("attribute", reinterpret_cast<Address>(column.get()));
       item.set("kind", static_cast<int>(kind));
-      item.set("name", column->name());
+      item.set("name", letters_of(column->name()));
       item.set("type", static_cast<int>(column->type()));
       item.set("components", column->components());
       item.set("onSplit", static_cast<int>(column->on_split()));

@@ -72,6 +72,11 @@ std::span<const T> array_at(Address address, std::size_t count) {
   return {reinterpret_cast<const T*>(address), count};
 }
 
+/// A letter for each byte of a name: what a file spells in is for JavaScript to find out.
+inline val letters_of(const std::string& name) {
+  return val(std::basic_string<unsigned char>(name.begin(), name.end()));
+}
+
 /// What an address names. JavaScript chooses the storage at run time: one type, compiled once.
 using AnyMesh = BasicMesh<kPrevAtRunTime>;
 

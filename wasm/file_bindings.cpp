@@ -25,13 +25,12 @@ val strings_of(const std::vector<std::string>& strings) {
   return list;
 }
 
-/// A letter for each byte: what a file spells in is for JavaScript to find out.
 val names_of(const ParsedFile& file) {
   val names = val::object();
   for (const SoupNames& table : file.names) {
     val list = val::array();
     for (const std::string& name : table.names) {
-      list.call<void>("push", std::basic_string<unsigned char>(name.begin(), name.end()));
+      list.call<void>("push", letters_of(name));
     }
     names.set(table.attribute, list);
   }
@@ -114,7 +113,7 @@ val columns_of(std::vector<SoupAttribute>& columns) {
   val list = val::array();
   for (SoupAttribute& column : columns) {
     val item = val::object();
-    item.set("name", column.name);
+    item.set("name", letters_of(column.name));
     item.set("item", static_cast<int>(column.item));
     item.set("type", static_cast<int>(column.type));
     item.set("components", column.components);

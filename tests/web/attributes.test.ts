@@ -11,6 +11,18 @@ const grid = () => {
   return HalfedgeMesh.fromPolygons(positions, faces);
 };
 
+test('An attribute has no name that would be another one in a copy', () => {
+  using mesh = grid();
+  expect(() => mesh.attributes.add('vertex', 'a\ud800')).toThrow(
+    new RangeError(
+      'name is "a\\ud800"; expected a string of whole characters, without lone surrogates.',
+    ),
+  );
+  mesh.attributes.add('vertex', '😀');
+  using copy = mesh.clone();
+  expect(copy.attributes.list().map(({ name }) => name)).toEqual(['😀']);
+});
+
 describe('The positions', () => {
   test('are the attribute "position" of vertices', () => {
     using mesh = grid();

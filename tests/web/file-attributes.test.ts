@@ -188,6 +188,41 @@ describe('attributes of files', () => {
     mesh.dispose();
   });
 
+  test('of PLY may have names in UTF-8 or Latin-1, which stay the same in copies', () => {
+    const named = (name: string, encoding: BufferEncoding) =>
+      Buffer.concat([
+        Buffer.from(
+          'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n' +
+            'property float z\nproperty float ',
+        ),
+        Buffer.from(name, encoding),
+        Buffer.from(
+          '\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n' +
+            '0 0 0 1\n1 0 0 2\n0 1 0 3\n3 0 1 2\n',
+        ),
+      ]);
+    for (const encoding of ['utf8', 'latin1'] as const) {
+      for (const name of ['Höhe', 'ÿ', 'Ãÿ', 'größe_der_Löcher_in_mm']) {
+        const bytes = named(name, encoding);
+        expect(HalfedgeMesh.parseSoup(bytes).attributes.map((it) => it.name)).toEqual([name]);
+        using mesh = HalfedgeMesh.parse(bytes).mesh;
+        using copy = HalfedgeMesh.fromBytes(mesh.toBytes());
+        for (const { attributes } of [mesh, copy]) {
+          expect(attributes.list().map((it) => it.name)).toEqual([name]);
+          expect([...attributes.get('vertex', name)]).toEqual([1, 2, 3]);
+          expect(() => attributes.add('vertex', name)).toThrow(
+            `There is a vertex attribute ${JSON.stringify(name)} already.`,
+          );
+        }
+        const back = HalfedgeMesh.parseSoup(mesh.write('ply'));
+        expect(back.attributes.map((it) => it.name)).toEqual([name]);
+        expect(mesh.attributes.remove('vertex', name)).toBe(true);
+        using without = mesh.clone();
+        expect(without.attributes.list()).toEqual([]);
+      }
+    }
+  });
+
   test('of OBJ have names without control characters, and a note says of how many', () => {
     using mesh = HalfedgeMesh.cube();
     mesh.attributes.add('face', 'material', { type: 'int32', onSplit: 'copy' }).set([1, 2, 3]);

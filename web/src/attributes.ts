@@ -4,6 +4,7 @@ import { checkGivenPosition, done, KINDS, kindIndex, modeOf } from './edit.js';
 import { HalfedgeError } from './errors.js';
 import { printed } from './inspect.js';
 import type { ItemKind, ItemLike } from './items.js';
+import { nameIn } from './letters.js';
 import { checkItem, type Links, slotCount } from './links.js';
 import type { Core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -119,7 +120,7 @@ export class Attributes {
    *
    * @returns its live view, like {@link get}
    * @throws HalfedgeError `attribute-exists`, `bad-attribute` (its name is empty), `out-of-memory`;
-   * RangeError for components that don't fit
+   * RangeError for components that don't fit, and for a name with half a character (a lone surrogate)
    */
   add<Type extends AttributeType = 'float32'>(
     kind: ItemKind,
@@ -129,11 +130,20 @@ export class Attributes {
     checkName(kind, name);
     const { type, components, onSplit, defaults } = settingsOf(options);
     const { core } = this.#links;
+    if (/\p{Surrogate}/u.test(name)) {
+      refuse('name', name, 'a string of whole characters, without lone surrogates', 'string');
+    }
     const columns = this.#all()[kind];
     if (kind === 'vertex' && name === POSITION) {
       throw new HalfedgeError(
         'attribute-exists',
         'Every mesh has the attribute "position" of vertices: its positions.',
+      );
+    }
+    if (columns.has(name)) {
+      throw new HalfedgeError(
+        'attribute-exists',
+        `There is a ${kind} attribute ${describe(name)} already.`,
       );
     }
     const { attribute } = withInputs(core, (inputs) => {
@@ -190,12 +200,10 @@ export class Attributes {
       refuse('name', name, 'an attribute that was added, as a mesh keeps its positions', 'string');
     }
     const columns = this.#all()[kind];
-    if (!columns.has(name)) return false;
-    const { core } = this.#links;
-    withInputs(core, (inputs) => {
-      const text = inputs.bytes('name', new TextEncoder().encode(name));
-      core.removeAttribute(this.#links.address, KINDS.indexOf(kind), text.address, text.count);
-    });
+    const column = columns.get(name);
+    if (column === undefined) return false;
+    const { core, address } = this.#links;
+    core.removeAttribute(address, column.address);
     return columns.delete(name);
   }
 
@@ -269,7 +277,7 @@ export class Attributes {
       for (const raw of core.listAttributes(address)) {
         const info = {
           kind: KINDS[raw.kind],
-          name: raw.name,
+          name: nameIn(raw.name),
           type: TYPE_NAMES[raw.type],
           components: raw.components,
           onSplit: POLICIES[raw.onSplit],

@@ -37,6 +37,7 @@ export interface RawWords {
 
 /** A column beside the polygons of a file. */
 export interface RawColumn {
+  /** With a letter for each byte. */
   name: string;
   /** Values of the enums SoupItem and Scalar. */
   item: number;
@@ -87,6 +88,7 @@ export interface RawMending {
 export interface RawAttribute {
   attribute: number;
   kind: number;
+  /** With a letter for each byte. */
   name: string;
   type: number;
   components: number;
@@ -387,7 +389,7 @@ export interface RawCore {
     defaults: number,
     defaultCount: number,
   ): { attribute: number } | RawFailure;
-  removeAttribute(mesh: number, kind: number, name: number, nameCount: number): void;
+  removeAttribute(mesh: number, attribute: number): void;
   listAttributes(mesh: number): RawAttribute[];
   _attribute_values(attribute: number): number;
   _attribute_default(attribute: number): number;

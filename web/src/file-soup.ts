@@ -6,6 +6,7 @@ import type { Polygons } from './build.js';
 import { checkFlag } from './checks.js';
 import type { RawColumn, RawWords } from './core.js';
 import { contentOf, unwrapFile } from './file-content.js';
+import { nameIn } from './letters.js';
 import { type Core, core } from './loader.js';
 import { withInputs } from './memory.js';
 import { checkOptions, type OptionNames } from './options.js';
@@ -123,7 +124,8 @@ function copyOf<T extends { set(from: T): void }>(
 
 /** A column with a row for each of `count` items. */
 function attributeOf({ memory }: Core, column: RawColumn, count: number): FileAttribute {
-  const { name, components } = column;
+  const { components } = column;
+  const name = nameIn(column.name);
   const type = TYPE_NAMES[column.type];
   const Kind = TYPES[type] as Kind<AttributeView> & { BYTES_PER_ELEMENT: number };
   const size = column.values.count / Kind.BYTES_PER_ELEMENT;

@@ -2,6 +2,7 @@ import { STORAGE_OPTIONS, type StorageOptions, storesPrev } from './build.js';
 import { checkFlag, indexOfChoice } from './checks.js';
 import type { RawRepair } from './core.js';
 import { contentOf, unwrapFile } from './file-content.js';
+import { nameIn } from './letters.js';
 import { Links } from './links.js';
 import { core } from './loader.js';
 import { withInputs } from './memory.js';
@@ -82,22 +83,10 @@ export function parseFile(data: unknown, options: unknown): { links: Links; repo
   });
 }
 
-/**
- * The names of a file, of which the core gives a letter for each byte: of UTF-8 or, where that is none, of
- * Latin-1, as older programs write.
- */
+/** The names of a file, of which the core gives the letters of bytes. */
 export function namesIn(raw: AttributeNames): AttributeNames {
-  const decoder = new TextDecoder('utf-8', { fatal: true, ignoreBOM: true });
-  const decoded = (name: string) => {
-    if (!/[^\0-\x7f]/.test(name)) return name;
-    try {
-      return decoder.decode(Uint8Array.from(name, (letter) => letter.charCodeAt(0)));
-    } catch {
-      return name;
-    }
-  };
   return Object.fromEntries(
-    Object.entries(raw).map(([attribute, names]) => [attribute, names.map(decoded)]),
+    Object.entries(raw).map(([attribute, names]) => [attribute, names.map(nameIn)]),
   );
 }
 
