@@ -258,6 +258,15 @@ describe('MeshGeometry', () => {
     expect(geometry.boundingSphere?.containsPoint(new THREE.Vector3(-5, 0, 0))).toBe(true);
   });
 
+  test('follows the faces behind the first, which is deleted and compacted away in one go', () => {
+    using mesh = HalfedgeMesh.tetrahedron();
+    const geometry = new MeshGeometry(mesh);
+    mesh.deleteFace(0);
+    mesh.compact();
+    geometry.update();
+    expect(facesOf(geometry)).toEqual(facesOf(new MeshGeometry(mesh)));
+  });
+
   test('is picked by triangles, which tell their face', () => {
     const mesh = HalfedgeMesh.dodecahedron();
     const geometry = new MeshGeometry(mesh);

@@ -123,14 +123,17 @@ export class Digest {
     const blocks = Math.ceil(length / BLOCK);
     const known = Math.min(blocks, this.#hashes.length);
     const before = this.#hashes;
-    if (this.#length !== length) {
+    const old = this.#length;
+    if (old !== length) {
       this.#hashes = new Float64Array(blocks);
       this.#hashes.set(before.subarray(0, known));
     }
     for (let i = 0; i < blocks; i++) {
       const end = Math.min(length, (i + 1) * BLOCK);
       const value = hash(byteOffset + width * BLOCK * i, byteOffset + width * end);
-      if (i < known && value === this.#hashes[i]) continue;
+      // The hash doesn't tell how many zeros a block begins with, and so not whether one of them is gone.
+      const isAsLong = end === Math.min(old, (i + 1) * BLOCK);
+      if (i < known && isAsLong && value === this.#hashes[i]) continue;
       this.#hashes[i] = value;
       changed(i * BLOCK, end);
     }
