@@ -116,6 +116,10 @@ test('A key that is held edits once and plays once; steps, walks and undo go on'
   await hold('n');
   expect(await explorer.state('selected')).toBe('h0'); // around a square, twice
   expect(before).not.toBe('h0');
+  await explorer.press('n');
+  await hold('N'); // with capitals locked
+  await explorer.press('n', 'n', 'n');
+  expect(await explorer.state('selected')).toBe('h0');
   await hold('.');
   expect(Number(await explorer.state('position'))).toBeGreaterThan(2);
   await explorer.press('Home');

@@ -324,6 +324,40 @@ describe('A mesh worker', () => {
     expect(started).toBe(2); // the one that was ended, and one for the other job
   });
 
+  test('does the other jobs when what makes the second thread cancels one, or ends all when it terminates', async () => {
+    const { Worker } = process.getBuiltinModule('node:worker_threads');
+    const large = HalfedgeMesh.icoSphere(6).write('obj');
+    for (const meddles of ['cancels', 'terminates']) {
+      const threads: InstanceType<typeof Worker>[] = [];
+      const [first, second] = [new AbortController(), new AbortController()];
+      using worker: MeshWorker = createMeshWorker({
+        worker: () => {
+          if (threads.length === 1 && meddles === 'cancels') second.abort();
+          if (threads.length === 1 && meddles === 'terminates') worker.terminate();
+          threads.push(new Worker(new URL(threadScript)));
+          return threads.at(-1) as InstanceType<typeof Worker>;
+        },
+      });
+      const running = rejection(worker.parse(large, { signal: first.signal }));
+      const cancelled = rejection(worker.parse(SQUARE, { signal: second.signal }));
+      const others = [worker.parse(SQUARE), worker.parse(SQUARE)];
+      const outcomes = Promise.allSettled(others);
+      first.abort();
+      expect((await running).name).toBe('AbortError');
+      expect(threads).toHaveLength(2);
+      if (meddles === 'cancels') {
+        expect((await cancelled).name).toBe('AbortError');
+        for (const { mesh } of await Promise.all(others)) expect(mesh.faceCount).toBe(2);
+        expect(threads).toHaveLength(2);
+      } else {
+        const ended = new Promise((resolve) => threads[1].on('exit', resolve));
+        expect((await cancelled).code).toBe('worker-terminated');
+        for (const { status } of await outcomes) expect(status).toBe('rejected');
+        await ended;
+      }
+    }
+  });
+
   test('listens once to a signal of many jobs, and no longer than for them', async () => {
     const controller = new AbortController();
     const { signal } = controller;

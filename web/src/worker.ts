@@ -82,6 +82,8 @@ export class MeshWorker {
   readonly #queue: Task[] = [];
   #running: Task | undefined;
   #thread: Thread | undefined;
+  /** Whether the thread is being made, by a function of others. */
+  #isStarting = false;
   #terminated = false;
 
   /** Like {@link createMeshWorker}. */
@@ -193,7 +195,7 @@ export class MeshWorker {
   }
 
   #next(): void {
-    if (this.#running !== undefined) return;
+    if (this.#running !== undefined || this.#isStarting) return;
     let task = this.#queue.shift();
     // A signal cancels its jobs one after the other: no thread is started for the next one of them.
     while (task?.signal?.aborted) {
@@ -205,8 +207,14 @@ export class MeshWorker {
     this.#running = task;
     try {
       const thread = this.#start();
-      thread.keepAlive(true);
-      thread.post(task.job, task.transfer);
+      if (this.#running === task) {
+        thread.keepAlive(true);
+        thread.post(task.job, task.transfer);
+      } else if (this.#terminated) {
+        this.#stop(); // by what makes workers
+      } else {
+        this.#next(); // or the job was cancelled by it
+      }
     } catch (error) {
       this.#running = undefined;
       task.reject(error);
@@ -229,6 +237,7 @@ export class MeshWorker {
     const module = compiledModule();
     const isCurrent = () => this.#thread === thread;
     let thread: Thread;
+    this.#isStarting = true;
     try {
       thread = startThread(
         {
@@ -239,6 +248,8 @@ export class MeshWorker {
       );
     } catch (cause) {
       throw failed(String(cause), cause);
+    } finally {
+      this.#isStarting = false;
     }
     this.#thread = thread;
     thread.post({ kind: 'start', module }, []);

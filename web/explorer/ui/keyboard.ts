@@ -109,8 +109,9 @@ function actionOf(
 }
 
 /** Whether a key that is held does it again and again, as steps and turns do; an operation is done once. */
-function goesOn({ key, ctrlKey, metaKey }: KeyboardEvent): boolean {
-  return ctrlKey || metaKey || WALKS.has(key) || /^([,.+=-]|Arrow\w+)$/.test(key);
+function goesOn({ key, shiftKey, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  if (ctrlKey || metaKey || /^([,.+=-]|Arrow\w+)$/.test(key)) return true;
+  return !shiftKey && WALKS.has(key.toLowerCase()); // a capital, where capitals are locked
 }
 
 /** Whether the focused control has a use of its own for the key. */
