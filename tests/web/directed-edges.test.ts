@@ -1,12 +1,14 @@
 import {
+  type DirectedCirculator,
   DirectedEdgesMesh,
+  type DirectedOrbit,
   type Direction,
   HalfedgeError,
   HalfedgeMesh,
   init,
   NONE,
 } from 'halfedge';
-import { bytesInUse, growMemory, withLeft } from './support/core.js';
+import { bytesInUse, detach, growMemory, withLeft } from './support/core.js';
 import {
   annulus,
   bowTie,
@@ -61,6 +63,7 @@ const aroundVertices = [
 ] as const;
 const aroundFaces = ['faceVertices', 'faceHalfedges', 'faceEdges', 'faceFaces'] as const;
 const aroundEdges = ['edgeVertices', 'edgeHalfedges', 'edgeFaces'] as const;
+const kinds = [...aroundVertices, ...aroundFaces, ...aroundEdges, 'halfedgeLoop'] as const;
 
 /** The same mesh in both structures, and what the halfedges of the one are called in the other. */
 class Both {
@@ -187,7 +190,33 @@ describe('Directed Edges, as the full mesh', () => {
             compare(circulator.current, model.current);
             compare(circulator.next(), model.next());
           }
-          for (let i = 0; i < 9; i++) compare(circulator.prev(), model.prev());
+          for (let i = 0; i < 9; i++) {
+            compare(circulator.prev(), model.prev());
+            const { halfedge } = circulator;
+            expect(halfedge === NONE ? NONE : both.halfedge(halfedge)).toBe(model.halfedge);
+          }
+        }
+      }
+    });
+
+    test.each([...aroundVertices, ...aroundFaces])('moves a circulator of %s', (kind) => {
+      const { mesh } = both;
+      const isFace = kind.startsWith('face');
+      const items: number[] = (isFace ? mesh.faces() : mesh.vertices()).toArray();
+      for (const direction of directions) {
+        const moved = mesh.circulate(kind, items[0], direction);
+        for (const item of [...items, ...items.reverse()]) {
+          const starts = isFace ? mesh.faceHalfedges(item) : mesh.vertexOutgoingHalfedges(item);
+          for (const start of [undefined, ...starts.toArray()]) {
+            const fresh = mesh.circulate(kind, item, { direction, start });
+            expect(moved.moveTo(item, start)).toBe(moved);
+            const places = [moved, fresh].map((circulator) => [
+              placeOf(circulator),
+              [circulator.next(), placeOf(circulator)],
+              [circulator.prev(), circulator.prev(), placeOf(circulator)],
+            ]);
+            expect(places[0]).toEqual(places[1]);
+          }
         }
       }
     });
@@ -198,6 +227,27 @@ describe('Directed Edges, as the full mesh', () => {
         const expected = whole[kind](both.edge(e)).toArray() as number[];
         if (both.halfedge(e) !== whole.edgeHalfedge(both.edge(e))) expected.reverse();
         expect(both.named(kind, mesh[kind](e).toArray() as number[])).toEqual(expected);
+        for (const direction of directions) {
+          const circulator = mesh.circulate(kind, e, direction);
+          const seen = [circulator.current, circulator.next(), circulator.next()];
+          seen.push(circulator.prev(), circulator.prev(), circulator.prev());
+          const around = [0, 1, 2, 1, 0, 1].map((i) => expected[i % expected.length]);
+          expect(both.named(kind, seen as number[])).toEqual(around);
+        }
+      }
+    });
+
+    test('goes around every loop, on and back', () => {
+      const { mesh, whole } = both;
+      for (const h of mesh.halfedges()) {
+        for (const direction of directions) {
+          const circulator = mesh.circulate('halfedgeLoop', h, direction);
+          const model = whole.circulate('halfedgeLoop', both.halfedge(h), direction);
+          for (const step of ['next', 'next', 'next', 'next', 'prev', 'prev'] as const) {
+            expect(both.halfedge(circulator.current)).toBe(model.current);
+            expect(both.halfedge(circulator[step]())).toBe(model[step]());
+          }
+        }
       }
     });
 
@@ -212,6 +262,8 @@ describe('Directed Edges, as the full mesh', () => {
     });
   });
 });
+
+const placeOf = ({ current, halfedge }: DirectedCirculator) => ({ current, halfedge });
 
 function smallestOfLoop(mesh: HalfedgeMesh, h: number): number {
   return Math.min(...mesh.halfedgeLoop(h).toArray());
@@ -336,6 +388,52 @@ describe('Directed Edges', () => {
     growMemory();
     expect(mesh.indices).toHaveLength(3 * mesh.faceCount);
   });
+
+  test.each(kinds.flatMap((kind) => directions.map((direction) => [kind, direction] as const)))(
+    'find their memory wherever it has gone: %s, %s',
+    (kind, direction) => {
+      using mesh = gridMesh();
+      const lap = () =>
+        (mesh[kind] as (item: number, way: Direction) => Iterable<number>)(5, direction);
+      const expected = [...lap()];
+      const circulate = () => mesh.circulate(kind, 5 as never, direction) as DirectedCirculator;
+      const detached = (use: () => unknown): unknown => {
+        detach(mesh);
+        return use();
+      };
+      const [first, , last] = [expected[0], 0, expected.at(-1)];
+      const [kept, model] = [circulate(), circulate()];
+      expect(kept.current).toBe(first);
+      const { halfedge } = kept;
+      expect(detached(() => kept.current)).toBe(first);
+      expect(detached(() => kept.halfedge)).toBe(halfedge);
+      expect(detached(() => kept.prev())).toBe(last);
+      expect(detached(() => kept.next())).toBe(first);
+      expect(detached(() => kept.moveTo(5) === kept && kept.current)).toBe(first);
+      expect(detached(() => circulate().current)).toBe(first);
+      expect(detached(() => model.next())).toBe(expected[1 % expected.length]);
+      expect(detached(() => [...lap()])).toEqual(expected);
+      const underway = lap()[Symbol.iterator]();
+      for (const item of expected) expect(detached(() => underway.next().value)).toBe(item);
+      expect(detached(() => underway.next().done)).toBe(true);
+      const buffer = new Int32Array(expected.length + 1).fill(77);
+      expect(detached(() => (lap() as never as { into(b: Int32Array): number }).into(buffer))).toBe(
+        expected.length,
+      );
+      expect([...buffer]).toEqual([...expected, 77]);
+      mesh.dispose();
+      for (const use of [
+        () => kept.current,
+        () => kept.halfedge,
+        () => kept.next(),
+        () => kept.prev(),
+        () => kept.moveTo(5),
+        () => underway.next(),
+      ]) {
+        expect((caught(use) as HalfedgeError).code).toBe('disposed');
+      }
+    },
+  );
 
   test('say what is wrong with an argument', () => {
     using mesh = gridMesh();
@@ -485,11 +583,13 @@ describe('Directed Edges', () => {
           () => mesh.vertexFaces(v, 'cw').toArray(),
           () => mesh.vertexEdges(v).into(new Int32Array(99)),
           () => mesh.circulate('vertexFaces', v).prev(),
+          ...(seed % 5 === 0 ? aroundVertices.flatMap((kind) => uses(mesh, kind, v)) : []),
         ]),
         ...[...mesh.faces()].flatMap((f) => [
           () => mesh.faceFaces(f).toArray(),
           () => mesh.faceEdges(f, 'cw').toArray(),
           () => mesh.isBoundaryFace(f),
+          ...(seed % 5 === 0 ? aroundFaces.flatMap((kind) => uses(mesh, kind, f)) : []),
         ]),
       ]) {
         try {
@@ -503,6 +603,26 @@ describe('Directed Edges', () => {
     }
   });
 });
+
+/** All ways around an item, which end. */
+const uses = (mesh: DirectedEdgesMesh, kind: (typeof kinds)[number], item: number) =>
+  directions.flatMap((direction) => {
+    const lap = () =>
+      (mesh[kind] as (item: number, way: Direction) => DirectedOrbit<number>)(item, direction);
+    const circulate = () => mesh.circulate(kind, item as never, direction) as DirectedCirculator;
+    const walk = (step: 'next' | 'prev') => () => {
+      const circulator = circulate();
+      const shown = Array.from({ length: 9 }, () => circulator[step]());
+      shown.push(circulator.moveTo(item).halfedge);
+      expect(Math.min(...shown)).toBeGreaterThanOrEqual(NONE);
+    };
+    return [
+      () => lap().toArray(),
+      () => lap().into(new Int32Array(99)),
+      walk('next'),
+      walk('prev'),
+    ];
+  });
 
 function caught(act: () => unknown): Error {
   try {

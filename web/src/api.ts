@@ -12,9 +12,11 @@ export type { BuildOptions, FaceOptions, Polygons, StorageOptions } from './buil
 export type { CirculatorCentre, CirculatorKind } from './circulation.js';
 export type { CirculateOptions, Circulator } from './circulator.js';
 export type { CompactMaps, DeleteOptions, VertexOrder } from './construction.js';
+export type { DirectedCirculator } from './directed-edges/circulators.js';
+export type { DirectedItems } from './directed-edges/items.js';
 export { DirectedEdgesMesh } from './directed-edges/mesh.js';
 export type { DirectedEdgesViews } from './directed-edges/navigation.js';
-export type { DirectedCirculator, DirectedItems, DirectedOrbit } from './directed-edges/orbit.js';
+export type { DirectedOrbit } from './directed-edges/orbit.js';
 export type { Position, Refusal } from './edit.js';
 export { HalfedgeError, type Problem, type Witness } from './errors.js';
 export type { CollapseOptions, SplitVertexOptions } from './euler.js';

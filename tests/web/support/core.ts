@@ -1,5 +1,6 @@
 // A private door, for tests only: what a user of the package can't and needn't see.
-import type { HalfedgeMesh, RepairReport } from 'halfedge';
+import type { DirectedEdgesMesh, HalfedgeMesh, RepairReport } from 'halfedge';
+import { directedLinksOf } from '../../../dist/directed-edges/navigation.js';
 import { addAttributes } from '../../../dist/gltf/corners.js';
 import { core } from '../../../dist/loader.js';
 import { linksOf } from '../../../dist/navigation.js';
@@ -28,6 +29,18 @@ export function growSilently(): void {
   memory.grow = WebAssembly.Memory.prototype.grow;
   growMemory();
   memory.grow = grow;
+}
+
+/** Leaves the links of one mesh as silent growth does, but without any, of which there is not enough for all tests. */
+export function detach(mesh: DirectedEdgesMesh): void {
+  const none = new Int32Array(0);
+  Object.assign(directedLinksOf(mesh as never), {
+    opposite: none,
+    toVertex: none,
+    boundaryNext: none,
+    boundaryPrev: none,
+    vertexHalfedge: none,
+  });
 }
 
 /** Whether growth of the memory has detached the views through which a mesh is read. */

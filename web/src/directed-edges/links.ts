@@ -1,8 +1,9 @@
 import { HalfedgeError } from '../errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
-import { type Halfedge, NONE } from '../items.js';
+import type { Halfedge } from '../items.js';
 import { checkIndex, corrupt, disposedError } from '../links.js';
 import type { Core } from '../loader.js';
+import { after } from './walks.js';
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
 const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
@@ -18,9 +19,9 @@ const NO_POSITIONS = new Float32Array(0);
  * Live typed-array views of Directed Edges in WebAssembly memory; what `Links` is to a full mesh,
  * and apart from it, so that the code that reads either of them meets one kind of object only.
  *
- * Where a view was detached by growth of the memory, or where links are corrupt, `after`, `before`
- * and the views give undefined or something negative, and never throw. Whoever gets that calls
- * `revive()` or `checkHalfedge(h)` and reads again.
+ * Where a view was detached by growth of the memory, or where links are corrupt, the views, and what walks.ts
+ * reads from them, give undefined or something negative, and never throw. Whoever gets that calls `revive()` or
+ * `checkHalfedge(h)` and reads again.
  */
 export class DirectedLinks implements Viewer {
   opposite: Int32Array = NO_LINKS;
@@ -160,23 +161,6 @@ export class DirectedLinks implements Viewer {
     }
   }
 }
-
-/** The halfedge after `h` in its face loop or boundary loop; undefined for what is no halfedge. */
-export const after = (links: DirectedLinks, h: number): number =>
-  h >>> 0 < links.sides ? (h % 3 === 2 ? h - 2 : h + 1) : links.boundaryNext[h - links.sides];
-
-/** The halfedge before `h`; undefined for what is no halfedge. */
-export const before = (links: DirectedLinks, h: number): number =>
-  h >>> 0 < links.sides ? (h % 3 === 0 ? h + 2 : h - 1) : links.boundaryPrev[h - links.sides];
-
-/** The face of `h`, NONE for a boundary halfedge. */
-export const faceOf = (links: DirectedLinks, h: number): number =>
-  h >>> 0 < links.sides ? (h / 3) | 0 : NONE;
-
-/** The edge of `h`: the smaller of it and its opposite. */
-export const edgeOf = (links: DirectedLinks, h: number): number => {
-  return Math.min(links.opposite[h], h);
-};
 
 /** One halfedge of each boundary loop, in ascending order. */
 export function boundaryLoopsOf(links: DirectedLinks): Halfedge[] {

@@ -1,9 +1,10 @@
 import { newArray } from '../arguments.js';
 import { type Floats, parts, sumsOf, writeUnitVectors } from '../measures.js';
-import * as directed from './links.js';
+import type { DirectedLinks } from './links.js';
+import * as walks from './walks.js';
 
-// Constants of this module's own: see walks.ts.
-const { after, before, faceOf } = directed;
+// Constants of this module's own: see ../walks.ts.
+const { after, before, faceOf } = walks;
 const {
   LEAST,
   corner,
@@ -15,7 +16,6 @@ const {
   writeTriangleVector,
   writeUnit,
 } = parts;
-type DirectedLinks = directed.DirectedLinks;
 
 // The measures of measures.ts over Directed Edges, to the last bit. They stand apart from those, as the circulators do:
 // here the corners of a face lie side by side, and V8 compiles each of the two for the one kind of links that it meets.

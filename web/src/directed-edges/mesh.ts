@@ -1,11 +1,11 @@
 // Consumers whose own `lib` has no Symbol.dispose need this; the emitted types keep it.
 /// <reference lib="esnext.disposable" preserve="true" />
 
-import { describe } from '../arguments.js';
 import { buildDirectedEdges } from '../build.js';
 import { refuse } from '../checks.js';
+import * as circulate from '../circulate.js';
 import type { CirculatorCentre, CirculatorKind, Shown } from '../circulation.js';
-import { CIRCULATE_OPTIONS, type CirculateOptions } from '../circulator.js';
+import type { CirculateOptions } from '../circulator.js';
 import type { Problem } from '../errors.js';
 import { displayed, printed } from '../inspect.js';
 import type {
@@ -23,33 +23,29 @@ import { Links } from '../links.js';
 import { core } from '../loader.js';
 import { HalfedgeMesh } from '../mesh.js';
 import { linksOf } from '../navigation.js';
-import { checkOptions } from '../options.js';
 import { unwrap } from '../reports.js';
 import { type Computed, checkLevel, findings, type LinkLevel } from '../topology.js';
-import { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } from '../walks.js';
+import * as walks from '../walks.js';
+import * as around from './around.js';
+import * as circulators from './circulators.js';
 import { DirectedEdgesGeometry } from './geometry.js';
+import { DirectedItems } from './items.js';
 import { boundaryLoopsOf, DirectedLinks } from './links.js';
-import { directedLinksOf } from './navigation.js';
-import { DirectedCirculator, DirectedItems, DirectedOrbit, type Kind, lapAround } from './orbit.js';
+import * as navigation from './navigation.js';
+import { DirectedOrbit } from './orbit.js';
+
+// Constants of this module's own: see walks.ts.
+const { noSuchKind } = circulate;
+const { CLASSES, LONGEST, MAKERS } = circulators;
+const { directedLinksOf } = navigation;
+const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
+const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;
+type DirectedCirculator<
+  Item extends number,
+  Around extends number,
+> = circulators.DirectedCirculator<Item, Around>;
 
 const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
-
-const KINDS: Record<CirculatorKind, Kind> = {
-  vertexVertices: { centre: 'vertex', view: TO_VERTEX },
-  vertexOutgoingHalfedges: { centre: 'vertex', view: ITSELF },
-  vertexIncomingHalfedges: { centre: 'vertex', view: OPPOSITE },
-  vertexEdges: { centre: 'vertex', view: EDGE },
-  vertexFaces: { centre: 'vertex', view: FACE },
-  faceVertices: { centre: 'face', view: TO_VERTEX },
-  faceHalfedges: { centre: 'face', view: ITSELF },
-  faceEdges: { centre: 'face', view: EDGE },
-  faceFaces: { centre: 'face', view: OPPOSITE_FACE },
-  edgeVertices: { centre: 'edge', view: TO_VERTEX },
-  edgeHalfedges: { centre: 'edge', view: ITSELF },
-  edgeFaces: { centre: 'edge', view: FACE },
-  halfedgeLoop: { centre: 'loop', view: ITSELF },
-};
-Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
 
 /**
  * A triangle mesh in about half the memory: Directed Edges (Campagna, Kobbelt, Seidel 1998), 64 bytes per
@@ -129,7 +125,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Vertex> {
-    return lapAround(directedLinksOf(this), KINDS.vertexVertices, v, direction, start);
+    return aroundVertex(directedLinksOf(this), v, direction, start, TO_VERTEX);
   }
 
   /** The halfedges that leave `v`. */
@@ -138,7 +134,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Halfedge> {
-    return lapAround(directedLinksOf(this), KINDS.vertexOutgoingHalfedges, v, direction, start);
+    return aroundVertex(directedLinksOf(this), v, direction, start, ITSELF);
   }
 
   /** The halfedges that arrive at `v`. */
@@ -147,7 +143,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Halfedge> {
-    return lapAround(directedLinksOf(this), KINDS.vertexIncomingHalfedges, v, direction, start);
+    return aroundVertex(directedLinksOf(this), v, direction, start, OPPOSITE);
   }
 
   /** The edges at `v`. */
@@ -156,7 +152,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Edge> {
-    return lapAround(directedLinksOf(this), KINDS.vertexEdges, v, direction, start);
+    return aroundVertex(directedLinksOf(this), v, direction, start, EDGE);
   }
 
   /** The faces at `v`. */
@@ -165,7 +161,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Face> {
-    return lapAround(directedLinksOf(this), KINDS.vertexFaces, v, direction, start);
+    return aroundVertex(directedLinksOf(this), v, direction, start, FACE);
   }
 
   /** The corners of `f`. */
@@ -174,7 +170,7 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Vertex> {
-    return lapAround(directedLinksOf(this), KINDS.faceVertices, f, direction, start);
+    return aroundFace(directedLinksOf(this), f, direction, start, TO_VERTEX);
   }
 
   /** The halfedges of `f`. */
@@ -183,37 +179,37 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
     direction: Direction = 'ccw',
     start?: HalfedgeLike,
   ): DirectedOrbit<Halfedge> {
-    return lapAround(directedLinksOf(this), KINDS.faceHalfedges, f, direction, start);
+    return aroundFace(directedLinksOf(this), f, direction, start, ITSELF);
   }
 
   /** The edges of `f`. */
   faceEdges(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): DirectedOrbit<Edge> {
-    return lapAround(directedLinksOf(this), KINDS.faceEdges, f, direction, start);
+    return aroundFace(directedLinksOf(this), f, direction, start, EDGE);
   }
 
   /** The neighbour across each edge of `f`. One that shares several edges with `f` occurs that many times. */
   faceFaces(f: FaceLike, direction: Direction = 'ccw', start?: HalfedgeLike): DirectedOrbit<Face> {
-    return lapAround(directedLinksOf(this), KINDS.faceFaces, f, direction, start);
+    return aroundFace(directedLinksOf(this), f, direction, start, OPPOSITE_FACE);
   }
 
   /** The two ends of `e`, side 0 first. */
   edgeVertices(e: EdgeLike): DirectedOrbit<Vertex> {
-    return lapAround(directedLinksOf(this), KINDS.edgeVertices, e, 'ccw', undefined);
+    return aroundEdge(directedLinksOf(this), e, TO_VERTEX);
   }
 
   /** The two halfedges of `e`, side 0 first. */
   edgeHalfedges(e: EdgeLike): DirectedOrbit<Halfedge> {
-    return lapAround(directedLinksOf(this), KINDS.edgeHalfedges, e, 'ccw', undefined);
+    return aroundEdge(directedLinksOf(this), e, ITSELF);
   }
 
   /** The one or two faces of `e`, side 0 first. */
   edgeFaces(e: EdgeLike): DirectedOrbit<Face> {
-    return lapAround(directedLinksOf(this), KINDS.edgeFaces, e, 'ccw', undefined);
+    return aroundEdge(directedLinksOf(this), e, FACE);
   }
 
   /** The face loop or boundary loop through `h`, beginning at `h`. */
   halfedgeLoop(h: HalfedgeLike, direction: Direction = 'ccw'): DirectedOrbit<Halfedge> {
-    return lapAround(directedLinksOf(this), KINDS.halfedgeLoop, h, direction, undefined);
+    return aroundLoop(directedLinksOf(this), h, direction, ITSELF);
   }
 
   /** All vertices, in index order. */
@@ -245,20 +241,10 @@ export class DirectedEdgesMesh extends DirectedEdgesGeometry {
   circulate<Name extends CirculatorKind>(
     kind: Name,
     item: CirculatorCentre<Name>,
-    options: Direction | CirculateOptions = {},
+    options: Direction | CirculateOptions = 'ccw',
   ): DirectedCirculator<Shown<Name>, CirculatorCentre<Name>> {
-    const { direction = 'ccw', start }: CirculateOptions =
-      typeof options === 'string'
-        ? { direction: options }
-        : checkOptions(options, CIRCULATE_OPTIONS);
-    const around = typeof kind === 'string' ? KINDS[kind] : undefined;
-    if (around === undefined) throw noSuchKind(kind);
-    const links = directedLinksOf(this);
-    return new DirectedCirculator<Shown<Name>, CirculatorCentre<Name>>(
-      links,
-      around,
-      direction,
-    ).moveTo(item, start);
+    if (typeof kind !== 'string' || kind.length > LONGEST) throw noSuchKind(kind);
+    return MAKERS[kind.length](directedLinksOf(this), kind, item, options) as never;
   }
 
   /** One halfedge of each boundary loop, in ascending order. O(boundary). */
@@ -303,13 +289,6 @@ printed('DirectedEdgesMesh', DirectedEdgesMesh, (mesh) => {
 });
 displayed('DirectedOrbit', DirectedOrbit, (lap) => lap.toArray());
 displayed('DirectedItems', DirectedItems, (items) => items.toArray());
-displayed('DirectedCirculator', DirectedCirculator, ({ current, halfedge }) => ({
-  current,
-  halfedge,
-}));
-
-function noSuchKind(kind: unknown): Error {
-  const kinds = Object.keys(KINDS).join(', ');
-  const sentence = `kind is ${describe(kind)}; expected one of ${kinds}.`;
-  return typeof kind === 'string' ? new RangeError(sentence) : new TypeError(sentence);
+for (const Class of CLASSES) {
+  displayed('DirectedCirculator', Class, ({ current, halfedge }) => ({ current, halfedge }));
 }

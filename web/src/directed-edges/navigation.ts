@@ -11,7 +11,8 @@ import {
   type VertexLike,
 } from '../items.js';
 import { corrupt } from '../links.js';
-import { after, before, type DirectedLinks } from './links.js';
+import type { DirectedLinks } from './links.js';
+import { after, before } from './walks.js';
 
 // A constant of this module's own: see walks.ts.
 const NONE: typeof none = none;
