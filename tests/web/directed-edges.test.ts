@@ -192,6 +192,7 @@ describe('Directed Edges, as the full mesh', () => {
           }
           for (let i = 0; i < 9; i++) {
             compare(circulator.prev(), model.prev());
+            compare(circulator.current, model.current);
             const { halfedge } = circulator;
             expect(halfedge === NONE ? NONE : both.halfedge(halfedge)).toBe(model.halfedge);
           }
