@@ -29,10 +29,10 @@ import * as walks from '../walks.js';
 import * as around from './around.js';
 import * as circulators from './circulators.js';
 import { DirectedEdgesGeometry } from './geometry.js';
-import { DirectedItems } from './items.js';
 import { boundaryLoopsOf, DirectedLinks } from './links.js';
 import * as navigation from './navigation.js';
 import { DirectedOrbit } from './orbit.js';
+import { DirectedItems } from './ranges.js';
 
 // Constants of this module's own: see walks.ts.
 const { noSuchKind } = circulate;
