@@ -329,6 +329,36 @@ test('A link to a mesh that cannot be opened says so, and leaves the one on show
   await closeAll(explorer);
 });
 
+test('The address lets go of a link whose mesh is still on its way when a file is opened', async () => {
+  const explorer = await ExplorerPage.open({ link: 'sample=cube', mesh: 'Cube' });
+  const { page } = explorer;
+  let goOn = () => {};
+  const held = new Promise<void>((resolve) => {
+    goOn = resolve;
+  });
+  await page.route('**/suzanne*', async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.evaluate(() => {
+    location.hash = 'sample=suzanne&select=v3';
+  });
+  await page.waitForSelector('.busy');
+  await page.setInputFiles('[data-file]', {
+    name: 'one.off',
+    mimeType: 'application/octet-stream',
+    buffer: Buffer.from('OFF 3 1 0  0 0 0  1 0 0  0 1 0  3 0 1 2'),
+  });
+  await explorer.ready('one.off');
+  goOn();
+  await page.waitForFunction(() => location.hash === '');
+  expect(await explorer.state('mesh')).toBe('one.off');
+  await page.unroute('**/suzanne*');
+  await page.goBack(); // to the cube, which is what the page began with
+  await explorer.ready('Cube');
+  await closeAll(explorer);
+});
+
 test('A link that could not be copied is shown; Escape in it leaves the selection alone', async () => {
   const explorer = await ExplorerPage.open({ link: 'sample=cube&select=e3', mesh: 'Cube' });
   const { page } = explorer;

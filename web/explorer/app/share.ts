@@ -128,18 +128,18 @@ function tooLarge(name: string, length: string): Error {
 }
 
 /**
- * Shows the state that a link tells of; what it does not name is as it is on a new page. Where its mesh
- * can't be opened, which the page tells of, the one on show stays as it is. Throws a sentence for a link
- * that can't be followed.
+ * Shows the state that a link tells of; what it does not name is as it is on a new page. False where its mesh
+ * can't be opened, which the page tells of, or another one is opened meanwhile: what is on show stays as it is.
+ * Throws a sentence for a link that can't be followed.
  */
-export async function follow(text: string, explorer: Explorer, sight: Sight): Promise<void> {
+export async function follow(text: string, explorer: Explorer, sight: Sight): Promise<boolean> {
   if (text.length > MOST_LETTERS_READ) {
     throw new Error(
       `It is ${kilobytes(text.length)} long; the longest that is made is ${kilobytes(MOST_LETTERS)}.`,
     );
   }
   const link = new URLSearchParams(text);
-  if (!(await openMeshOf(link, explorer))) return;
+  if (!(await openMeshOf(link, explorer))) return false;
   repeatEdits(link.get('edits'), explorer);
   explorer.setUpOfMesh(upOf(link.get('up') ?? 'y'));
   const camera = link.get('camera');
@@ -152,6 +152,7 @@ export async function follow(text: string, explorer: Explorer, sight: Sight): Pr
   setProblem(link.get('problem'), explorer);
   setPanel(link, explorer);
   if (camera !== null) sight.lookFrom(viewpointOf(camera));
+  return true;
 }
 
 /** Whether the mesh is on show: it may be one that can't be read, or another one is opened meanwhile. */

@@ -57,12 +57,14 @@ export class AddressFollower {
 
   /** The address tells of no mesh but the one on show: it is cleared when another one is chosen. */
   #forgetLink(opened: MeshDocument | null): void {
-    if (opened !== this.#shown && this.#following === 0 && hasLink()) {
-      history.replaceState(null, '', location.pathname + location.search);
-      this.#chosen = null;
-    }
+    if (opened !== this.#shown && this.#following === 0 && hasLink()) this.#clear();
     this.#shown = opened;
     if (!hasLink()) this.#plain = opened;
+  }
+
+  #clear(): void {
+    history.replaceState(null, '', location.pathname + location.search);
+    this.#chosen = null;
   }
 
   /** Goes where the address leads; what is wrong with it is told in a sentence. */
@@ -70,15 +72,22 @@ export class AddressFollower {
     const explorer = this.#explorer;
     this.#chosen ??= choicesOf(explorer);
     this.#following += 1;
+    const before = explorer.document.value;
+    let isThere = true;
     try {
       await loadPackage();
-      await follow(location.hash.slice(1), explorer, this.#sight);
+      isThere = await follow(location.hash.slice(1), explorer, this.#sight);
     } catch (error) {
       await explorer.openSomething();
       const told = failureOf(error, { name: 'The link' });
       explorer.failure.value = { ...told, title: 'The link could not be followed' };
     } finally {
       this.#following -= 1;
+    }
+    // Something else was opened before the link had led anywhere.
+    if (!isThere && this.#following === 0 && explorer.document.value !== before) {
+      this.#clear();
+      this.#plain = explorer.document.value;
     }
   }
 
