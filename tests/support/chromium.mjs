@@ -18,29 +18,34 @@ const LEFT_OUT = [
   ...['AvoidCorsURLLoaderRestartOnRedirect', 'ThirdPartyStoragePartitioning'],
 ];
 
-/**
- * WebGL in software, so that it runs where there is no graphics card: by Mesa, with which the suite takes four fifths
- * of the time, or where that isn't installed, by what Chromium has in itself.
- */
-const WEBGL = [
-  { args: ['--use-angle=gl-egl', '--ignore-gpu-blocklist'], env: { LIBGL_ALWAYS_SOFTWARE: '1' } },
-  { args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'], env: {} },
-];
+// WebGL in software, so that it runs where there is no graphics card.
+
+/** As WebGPU is drawn, too. */
+export const SWIFTSHADER = {
+  args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+  env: {},
+};
+
+/** Four files of the explorer's suite take four fifths of the time with it. It may not be installed. */
+const MESA = {
+  args: ['--use-angle=gl-egl', '--ignore-gpu-blocklist'],
+  env: { LIBGL_ALWAYS_SOFTWARE: '1' },
+};
 
 let browsers = [];
 
-/** Starts so many browsers, for connection.ts to connect to. */
-export async function startChromium(workers) {
+/** Starts so many browsers, for connection.ts to connect to, with the first of `drawing` that works. */
+export async function startChromium(workers, drawing = [MESA, SWIFTSHADER]) {
   const executablePath = which('chromium') ?? which('chromium-browser');
   if (!executablePath) throw new Error('There is no Chromium on PATH: `npm run setup tests`.');
   const quiet = ['background-networking', 'component-update', 'sync', 'quic'];
   const args = ['--no-sandbox', '--no-first-run', ...quiet.map((name) => `--disable-${name}`)];
-  args.push('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader'); // in software, too
+  args.push('--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader');
   // Half of the processors' time would go into what no test looks at: putting the page together by the
   // same emulated graphics card, and four samples to a pixel.
   args.push('--disable-gpu-compositing', '--webgl-antialiasing-mode=none');
   args.push(`--disable-features=${LEFT_OUT.join(',')}`);
-  for (const webgl of WEBGL) {
+  for (const webgl of drawing) {
     for (let i = 0; i < workers; ++i) {
       const env = { ...process.env, ...webgl.env };
       const options = { executablePath, args: [...args, ...webgl.args], env };

@@ -6,7 +6,7 @@ import { existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { capture } from '../../../scripts/lib/run.mjs';
-import { startChromium, stopChromium } from '../../support/chromium.mjs';
+import { SWIFTSHADER, startChromium, stopChromium } from '../../support/chromium.mjs';
 
 let folder;
 
@@ -17,7 +17,8 @@ export default async function setup({ maxWorkers }) {
     const { filename, files } = await pack();
     const tarball = join(folder, filename);
     await install(tarball);
-    await startChromium(maxWorkers);
+    // Pictures of WebGL are compared with those of WebGPU, so the same program has to draw both.
+    await startChromium(maxWorkers, [SWIFTSHADER]);
     process.env.HALFEDGE_PACKED = JSON.stringify({
       folder,
       tarball,
