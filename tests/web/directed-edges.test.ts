@@ -84,7 +84,10 @@ class Both {
   /** Items of one circulator in terms of the full mesh. */
   named(kind: string, items: number[]): number[] {
     if (/Halfedge/.test(kind)) return items.map((h) => this.halfedge(h));
-    return /Edges/.test(kind) ? items.map((e) => this.edge(e)) : items;
+    if (!/Edges/.test(kind)) return items;
+    // An edge has the index of the smaller of its halfedges.
+    for (const e of items) expect(this.mesh.edge(e)).toBe(e);
+    return items.map((e) => this.edge(e));
   }
 }
 
