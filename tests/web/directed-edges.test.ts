@@ -405,7 +405,7 @@ describe('Directed Edges', () => {
         detach(mesh);
         return use();
       };
-      const [first, , last] = [expected[0], 0, expected.at(-1)];
+      const [first, last] = [expected[0], expected.at(-1)];
       const [kept, model] = [circulate(), circulate()];
       expect(kept.current).toBe(first);
       const { halfedge } = kept;

@@ -15,6 +15,14 @@ function roomInForeign(buffer: Int32Array | Uint32Array): number {
   throw new TypeError(`buffer is ${describe(buffer)}; expected an Int32Array or a Uint32Array.`);
 }
 
-export function tooSmall(room: number, count: number): never {
+/** `into` in all cases: goes through all items, and tells how many there are if there is no room for them. */
+export function intoSlowly(items: Iterable<number>, buffer: Int32Array | Uint32Array): number {
+  const room = buffer.length;
+  let count = 0;
+  for (const item of items) {
+    if (count < room) buffer[count] = item;
+    count += 1;
+  }
+  if (count <= room) return count;
   throw new RangeError(`buffer has length ${room}; expected at least ${count}.`);
 }

@@ -1,4 +1,4 @@
-import { roomIn, tooSmall } from './buffer.js';
+import { intoSlowly, roomIn } from './buffer.js';
 import { HalfedgeError } from './errors.js';
 import * as fills from './fills.js';
 import { NONE as none } from './items.js';
@@ -73,18 +73,7 @@ export class Orbit<Item extends number> implements Iterable<Item> {
       const count = FILL[((view >> 1) & ~1) | (walk >> 1)](this, buffer);
       if (count >= 0) return count;
     }
-    return this.intoSlowly(buffer);
-  }
-
-  /** @internal `into` in all cases. */
-  intoSlowly(buffer: Int32Array | Uint32Array): number {
-    const room = buffer.length;
-    let count = 0;
-    for (const item of this) {
-      if (count < room) buffer[count] = item;
-      count += 1;
-    }
-    return count <= room ? count : tooSmall(room, count);
+    return intoSlowly(this, buffer);
   }
 
   /**

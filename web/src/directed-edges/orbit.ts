@@ -1,20 +1,18 @@
-import { roomIn, tooSmall } from '../buffer.js';
+import { intoSlowly, roomIn } from '../buffer.js';
 import { NONE as none } from '../items.js';
 import { corrupt } from '../links.js';
 import * as general from '../walks.js';
 import * as fills from './fills.js';
 import * as laps from './laps.js';
-import * as directed from './links.js';
+import type { DirectedLinks } from './links.js';
 import * as walks from './walks.js';
 
-// Constants of this module's own: see walks.ts.
+// Constants of this module's own: see ../walks.ts.
 const NONE: typeof none = none;
-const { FILL } = fills;
+const { fill } = fills;
 const { NEXT } = laps;
-const { staleError } = directed;
-const { ACROSS, FACE, beginsAtHome } = general;
+const { FACE, beginsAtHome } = general;
 const { shown, step } = walks;
-type DirectedLinks = directed.DirectedLinks;
 type Lap = laps.Lap;
 
 /**
@@ -61,26 +59,13 @@ export class DirectedOrbit<Item extends number> implements Iterable<Item> {
    * @throws RangeError if they don't all fit, with the length that is needed
    */
   into(buffer: Int32Array | Uint32Array): number {
-    const { links, home, walk } = this;
-    if (links.opposite[0] === undefined) this.revive();
+    const { links, home } = this;
+    if (links.opposite[0] === undefined) links.revive();
     roomIn(buffer); // refuses what is no buffer
     if (home < 0) return 0;
-    if (walk !== ACROSS) {
-      const count = FILL[walk](this, buffer);
-      if (count >= 0) return count;
-    }
-    return this.intoSlowly(buffer);
-  }
-
-  /** @internal `into` in all cases. */
-  intoSlowly(buffer: Int32Array | Uint32Array): number {
-    const room = buffer.length;
-    let count = 0;
-    for (const item of this) {
-      if (count < room) buffer[count] = item;
-      count += 1;
-    }
-    return count <= room ? count : tooSmall(room, count);
+    const count = fill(this, buffer);
+    if (count >= 0) return count;
+    return intoSlowly(this, buffer);
   }
 
   /**
@@ -89,10 +74,10 @@ export class DirectedOrbit<Item extends number> implements Iterable<Item> {
    * @internal
    */
   advanceSlowly(lap: Lap): number {
-    this.revive();
+    const { links, home, walk, view } = this;
+    links.revive();
     let { at } = lap;
     if (at < 0) return at;
-    const { links, home, walk, view } = this;
     for (let { left } = lap; left >= 0; left--) {
       const h = step(links, walk, at);
       const item = shown(links, view, beginsAtHome(walk) ? at : h);
@@ -104,12 +89,6 @@ export class DirectedOrbit<Item extends number> implements Iterable<Item> {
       return item;
     }
     return this.fail();
-  }
-
-  /** @internal Mends views that growth of the memory had detached. Throws after `dispose()`. */
-  revive(): void {
-    if (this.links.era.over) throw staleError(this.links);
-    this.links.revive();
   }
 
   /** @internal */
