@@ -25,10 +25,10 @@ const {
 const { ACROSS, EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX, beginsAtHome } = walks;
 type CirculateOptions = circulator.CirculateOptions;
 type Going = circulators.Going;
-type Kind = circulator.Kind;
+type Course = circulator.Course;
 
 /** How `circulate` makes one: by a direction alone, or by options. */
-type Way = Direction | CirculateOptions;
+export type Way = Direction | CirculateOptions;
 
 const VERTEX_VERTICES = kindOf('vertex', TO_VERTEX);
 const VERTEX_OUTGOING_HALFEDGES = kindOf('vertex', ITSELF);
@@ -41,7 +41,7 @@ const FACE_EDGES = kindOf('face', EDGE);
 const FACE_FACES = kindOf('face', OPPOSITE_FACE);
 
 /** All kinds, by their names. */
-const KINDS = {
+export const KINDS = {
   vertexVertices: VERTEX_VERTICES,
   vertexOutgoingHalfedges: VERTEX_OUTGOING_HALFEDGES,
   vertexIncomingHalfedges: VERTEX_INCOMING_HALFEDGES,
@@ -63,9 +63,17 @@ type Maker = (links: Links, kind: string, item: number, way: Way) => Going;
 
 /** By options, of a rare kind, or of none. */
 const circulateOther: Maker = (links, kind, item, way) => {
-  const found = KINDS[kind as keyof typeof KINDS];
-  if (found === undefined) throw noSuchKind(kind);
-  return circulateBy(links, found, item, way);
+  const { course, start } = courseBy(kind, way);
+  const { centre, walk, view } = course;
+  const [prevClass, nextClass] =
+    view === TO_VERTEX
+      ? [VerticesAlongPrev, VerticesAlongNext]
+      : view < TO_VERTEX
+        ? [IndicesAlongPrev, IndicesAlongNext]
+        : [FacesAlongPrev, FacesAlongNext];
+  const Class = walk === ACROSS ? Across : beginsAtHome(walk) ? nextClass : prevClass;
+  const at = slowly.begin(links, course, item, start);
+  return new Class(links, course, anchorsOf(links, centre), at);
 };
 
 /** How long the longest name of a kind is. */
@@ -209,24 +217,19 @@ export const MAKERS: readonly Maker[] = Object.freeze(
   } satisfies Record<number, Maker>),
 );
 
-/** A circulator of any kind, by options or with a direction that is none. */
-function circulateBy(links: Links, kind: Kind, item: number, way: Way): Going {
+/** The course of the kind of that name, by a direction or by options; and where it starts. */
+export function courseBy(
+  kind: string,
+  way: Way,
+): Pick<CirculateOptions, 'start'> & { course: Course } {
+  const found = KINDS[kind as keyof typeof KINDS];
+  if (found === undefined) throw noSuchKind(kind);
   const { direction = 'ccw', start } =
     typeof way === 'string' ? { direction: way } : checkOptions(way, CIRCULATE_OPTIONS);
   if (direction !== 'ccw' && direction !== 'cw') {
     return refuse('direction', direction, "'ccw' or 'cw'", 'string');
   }
-  const course = kind[direction];
-  const { centre, walk, view } = course;
-  const [prevClass, nextClass] =
-    view === TO_VERTEX
-      ? [VerticesAlongPrev, VerticesAlongNext]
-      : view < TO_VERTEX
-        ? [IndicesAlongPrev, IndicesAlongNext]
-        : [FacesAlongPrev, FacesAlongNext];
-  const Class = walk === ACROSS ? Across : beginsAtHome(walk) ? nextClass : prevClass;
-  const at = slowly.begin(links, course, item, start);
-  return new Class(links, course, anchorsOf(links, centre), at);
+  return { course: found[direction], start };
 }
 
 export function noSuchKind(kind: unknown): Error {

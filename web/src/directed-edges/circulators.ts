@@ -1,52 +1,25 @@
-import * as general from '../around.js';
-import { refuse } from '../checks.js';
-import { noSuchKind } from '../circulate.js';
-import * as circulator from '../circulator.js';
-import { type Direction, type Halfedge, type HalfedgeLike, NONE as none } from '../items.js';
+import * as making from '../circulate.js';
+import type { Circulator, Course } from '../circulator.js';
+import { type HalfedgeLike, NONE as none } from '../items.js';
 import { corrupt } from '../links.js';
-import { checkOptions } from '../options.js';
 import * as allWalks from '../walks.js';
 import * as around from './around.js';
-import * as directed from './links.js';
+import type { DirectedLinks } from './links.js';
 import * as walks from './walks.js';
 
 // Constants of this module's own: see ../walks.ts.
 const NONE: typeof none = none;
-const { walkAround } = general;
-const { CIRCULATE_OPTIONS } = circulator;
-const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = allWalks;
+const { KINDS, LONGEST, courseBy } = making;
 const { LOOP_CCW, ROTATE_CCW, beginsAtHome, reverse } = allWalks;
 const { SMALL } = allWalks.BITS;
 const { homeOf } = around;
-const { staleError } = directed;
 const { after, before, shown, step } = walks;
-type Centre = general.Centre;
-type DirectedLinks = directed.DirectedLinks;
 
-/** Endless and bidirectional, as `Circulator` is for a full mesh. */
-export interface DirectedCirculator<Item extends number = number, Around extends number = number> {
-  /** What it shows where it stands; `NONE` if there is nothing around the item. */
-  readonly current: Item;
-
-  /** The halfedge where it stands; `NONE` if there is nothing around the item. */
-  readonly halfedge: Halfedge;
-
-  /** Steps on, and returns what it shows there. */
-  next(): Item;
-
-  /** Steps back, and returns what it shows there. */
-  prev(): Item;
-
-  /** Goes around another item of the same kind and in the same direction. */
-  moveTo(item: Around, start?: HalfedgeLike): this;
-}
-
-/** How one kind of circulator goes in one direction. */
-interface Course {
-  readonly centre: Centre;
-  readonly walk: number;
-  readonly view: number;
-}
+/** A {@link Circulator} of Directed Edges. */
+export type DirectedCirculator<
+  Item extends number = number,
+  Around extends number = number,
+> = Circulator<Item, Around>;
 
 // As ../circulators.ts, and for the reasons there; but with a class for each walk, which keeps what it shows.
 
@@ -346,13 +319,13 @@ function classOf({ centre, walk }: Course): (typeof CLASSES)[number] {
 const shared = {
   currentSlowly: {
     get(this: Going): number {
-      revive(this.links);
+      this.links.revive();
       return this.item;
     },
   },
   halfedgeSlowly: {
     get(this: Going): number {
-      revive(this.links);
+      this.links.revive();
       return this.at;
     },
   },
@@ -395,7 +368,7 @@ const slowly = {
 
   /** The next halfedge after `begin` that shows something, if there is one. */
   walk(links: DirectedLinks, { view }: Course, walk: number, begin: number): number {
-    revive(links);
+    links.revive();
     if (begin === NONE) return NONE;
     let h = begin;
     for (let left = links.halfedges; left > 0; left--) {
@@ -420,40 +393,12 @@ const slowly = {
   },
 };
 
-/** Throws after `dispose()`; mends views that growth of the memory has detached. */
-function revive(links: DirectedLinks): void {
-  if (links.era.over) throw staleError(links);
-  links.revive();
-}
-
-/** How `circulate` makes one: by a direction alone, or by options. */
-type Way = Direction | circulator.CirculateOptions;
+type Way = making.Way;
 
 /** Makes a circulator of the kind of that name. */
 type Maker = (links: DirectedLinks, kind: string, item: number, way: Way) => Going;
 
-interface Courses {
-  readonly ccw: Course;
-  readonly cw: Course;
-}
-
-const coursesOf = (centre: Centre, view: number): Courses => ({
-  ccw: { centre, walk: walkAround(centre, 'ccw'), view },
-  cw: { centre, walk: walkAround(centre, 'cw'), view },
-});
-
-const VERTEX_VERTICES = coursesOf('vertex', TO_VERTEX);
-const VERTEX_OUTGOING_HALFEDGES = coursesOf('vertex', ITSELF);
-const VERTEX_INCOMING_HALFEDGES = coursesOf('vertex', OPPOSITE);
-const VERTEX_EDGES = coursesOf('vertex', EDGE);
-const VERTEX_FACES = coursesOf('vertex', FACE);
-const FACE_VERTICES = coursesOf('face', TO_VERTEX);
-const FACE_HALFEDGES = coursesOf('face', ITSELF);
-const FACE_EDGES = coursesOf('face', EDGE);
-const FACE_FACES = coursesOf('face', OPPOSITE_FACE);
-
-/** All kinds, by their names. */
-const KINDS = {
+const {
   vertexVertices: VERTEX_VERTICES,
   vertexOutgoingHalfedges: VERTEX_OUTGOING_HALFEDGES,
   vertexIncomingHalfedges: VERTEX_INCOMING_HALFEDGES,
@@ -463,12 +408,7 @@ const KINDS = {
   faceHalfedges: FACE_HALFEDGES,
   faceEdges: FACE_EDGES,
   faceFaces: FACE_FACES,
-  edgeVertices: coursesOf('edge', TO_VERTEX),
-  edgeHalfedges: coursesOf('edge', ITSELF),
-  edgeFaces: coursesOf('edge', FACE),
-  halfedgeLoop: coursesOf('loop', ITSELF),
-};
-Object.setPrototypeOf(KINDS, null); // `constructor` is no kind
+} = KINDS;
 
 const makeRotatingCcw = (links: DirectedLinks, course: Course, item: number): Going => {
   const at = beginRotatingCcw(links, item);
@@ -500,19 +440,9 @@ const makeAlongPrev = (links: DirectedLinks, course: Course, item: number): Goin
 
 /** By options, of a rare kind, or of none. */
 const circulateSlowly: Maker = (links, kind, item, way) => {
-  const found = KINDS[kind as keyof typeof KINDS];
-  if (found === undefined) throw noSuchKind(kind);
-  const { direction = 'ccw', start } =
-    typeof way === 'string' ? { direction: way } : checkOptions(way, CIRCULATE_OPTIONS);
-  if (direction !== 'ccw' && direction !== 'cw') {
-    return refuse('direction', direction, "'ccw' or 'cw'", 'string');
-  }
-  const course = found[direction];
+  const { course, start } = courseBy(kind, way);
   return slowly.make(links, course, item, start);
 };
-
-/** How long the longest name of a kind is. */
-export const LONGEST = 'vertexOutgoingHalfedges'.length;
 
 /** By the length of the name: see ../circulate.ts. */
 export const MAKERS: readonly Maker[] = Object.freeze(

@@ -1,4 +1,3 @@
-import { HalfedgeError } from '../errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
 import type { Halfedge } from '../items.js';
 import { checkIndex, corrupt, disposedError } from '../links.js';
@@ -36,8 +35,6 @@ export class DirectedLinks implements Viewer {
   /** Three for each face: halfedges from here on are boundary halfedges. */
   sides = 0;
 
-  /** Over once the mesh is disposed of: nothing else changes it. */
-  readonly era = { over: false };
   disposed = false;
 
   /** Called whenever the views were replaced: for whoever keeps them elsewhere. */
@@ -118,7 +115,6 @@ export class DirectedLinks implements Viewer {
     this.positions = NO_POSITIONS;
     this.vertices = this.halfedges = this.sides = 0;
     this.disposed = true;
-    this.era.over = true;
     this.onRefresh?.();
   }
 
@@ -179,10 +175,4 @@ export function boundaryLoopsOf(links: DirectedLinks): Halfedge[] {
     }
   }
   return firsts;
-}
-
-/** The error for use after `dispose()`. */
-export function staleError(links: DirectedLinks): HalfedgeError {
-  links.checkAlive();
-  return new HalfedgeError('stale-circulator', 'This circulator is stale; expected a new one.');
 }

@@ -35,8 +35,8 @@ import { DirectedOrbit } from './orbit.js';
 import { DirectedItems } from './ranges.js';
 
 // Constants of this module's own: see walks.ts.
-const { noSuchKind } = circulate;
-const { CLASSES, LONGEST, MAKERS } = circulators;
+const { LONGEST, noSuchKind } = circulate;
+const { CLASSES, MAKERS } = circulators;
 const { directedLinksOf } = navigation;
 const { aroundEdge, aroundFace, aroundLoop, aroundVertex } = around;
 const { EDGE, FACE, ITSELF, OPPOSITE, OPPOSITE_FACE, TO_VERTEX } = walks;

@@ -1,6 +1,6 @@
 import { NONE } from '../items.js';
 import type { Result } from '../laps.js';
-import { type DirectedLinks, staleError } from './links.js';
+import type { DirectedLinks } from './links.js';
 
 /**
  * All items of one kind in index order, as something to iterate over any number of times.
@@ -21,7 +21,7 @@ export class DirectedItems<Item extends number> implements Iterable<Item> {
   [Symbol.iterator](): Iterator<Item, typeof NONE> {
     let at = 0;
     const next = (): Result => {
-      if (this.#links.era.over) throw staleError(this.#links);
+      this.#links.checkAlive();
       if (this.#areEdges) at = this.#edgeFrom(at);
       return (
         at < this.#count ? { value: at++, done: false } : { value: NONE, done: true }

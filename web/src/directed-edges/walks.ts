@@ -12,11 +12,10 @@ const { SMALL } = walks.BITS;
 // the two for the one kind of links that it meets.
 //
 // The links of a face are arithmetic: its sides are the halfedges 3 f, 3 f + 1 and 3 f + 2. Boundary halfedges come
-// behind those of all faces, and have links of their own. The remainders are masked for V8 to know that they are
-// not negative, and are signs afterwards, not branches, which nobody could predict.
+// behind those of all faces, and have links of their own.
 
 /** Instead of an item where links are corrupt, or views detached: neither an item nor NONE. */
-export const UNSOUND = -2;
+const UNSOUND = -2;
 
 /** The halfedge after `h` in its face loop or boundary loop; undefined for what is no halfedge. */
 export const after = (links: DirectedLinks, h: number): number =>
@@ -29,11 +28,6 @@ export const before = (links: DirectedLinks, h: number): number =>
 /** The face of `h`, NONE for a boundary halfedge. */
 export const faceOf = (links: DirectedLinks, h: number): number =>
   h >>> 0 < links.sides ? ((h & SMALL) / 3) | 0 : NONE;
-
-/** The edge of `h`: the smaller of it and its opposite. */
-export const edgeOf = (links: DirectedLinks, h: number): number => {
-  return Math.min(links.opposite[h], h);
-};
 
 /** One step from `h`; undefined or negative where views are detached, or links corrupt. */
 export const step = (links: DirectedLinks, walk: number, h: number): number => {
@@ -54,6 +48,7 @@ const otherThanVertex = (links: DirectedLinks, view: number, h: number): number 
   return view === FACE ? faceOf(links, h) : acrossEdge(links, view, h);
 };
 
+/** The opposite, its face, or the edge: the smaller of both. */
 const acrossEdge = (links: DirectedLinks, view: number, h: number): number => {
   const opposite = links.opposite[h] ?? UNSOUND;
   if (view === OPPOSITE_FACE && opposite >= 0) return faceOf(links, opposite);
