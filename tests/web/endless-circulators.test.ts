@@ -45,6 +45,29 @@ describe('The endless form', () => {
     expect(ring.moveTo(0).current).toBe(0);
   });
 
+  test('moves to faces with few neighbours', () => {
+    // Faces 0 and 2 have one, face 1: beyond each of the sides of face 0 in turn.
+    for (const corners of [3, 4, 6]) {
+      const round = Array.from({ length: corners }, (_, i) => i);
+      for (const turned of round) {
+        const face = round.map((i) => (i + turned) % corners);
+        using mesh = build({
+          positions: [...round, corners, corners + 1].flatMap((i) => [i, i * i, 0]),
+          faces: [face, [1, 0, corners], [corners, 0, corners + 1]],
+        });
+        for (const direction of directions) {
+          const ring = mesh.circulate('faceFaces', 2, direction);
+          for (const f of [0, 2, 0]) {
+            expect(ring.moveTo(f).current).toBe(1);
+            expect(mesh.face(ring.halfedge)).toBe(f);
+            expect(mesh.face(mesh.opposite(ring.halfedge))).toBe(1);
+            expect([ring.next(), ring.prev()]).toEqual([1, 1]);
+          }
+        }
+      }
+    }
+  });
+
   test.each(directions)(
     'refuses all but moveTo after the connectivity has changed: %s',
     (direction) => {

@@ -79,138 +79,156 @@ const circulateOther: Maker = (links, kind, item, way) => {
 /** How long the longest name of a kind is. */
 export const LONGEST = 'vertexOutgoingHalfedges'.length;
 
+// Each is written out, because V8 keeps its notes by the text of a function; and apart from the others, because it
+// counts the whole text of what it inlines.
+
+const vertexVerticesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, item);
+  return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, at);
+};
+
+const vertexVerticesCw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, item);
+  return new VerticesAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, at);
+};
+
+const vertexOutgoingHalfedgesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, item);
+  return new IndicesAlongPrev(links, VERTEX_OUTGOING_HALFEDGES.ccw, links.vertexAnchors, at);
+};
+
+const vertexOutgoingHalfedgesCw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, item);
+  return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, at);
+};
+
+const vertexIncomingHalfedgesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, item);
+  return new IndicesAlongPrev(links, VERTEX_INCOMING_HALFEDGES.ccw, links.vertexAnchors, at);
+};
+
+const vertexIncomingHalfedgesCw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, item);
+  return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, at);
+};
+
+const vertexEdgesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, item);
+  return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, at);
+};
+
+const vertexEdgesCw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, item);
+  return new IndicesAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, at);
+};
+
+const vertexFacesCcw = (links: Links, item: number): Going => {
+  const at = beginFacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, item);
+  return new FacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, at);
+};
+
+const vertexFacesCw = (links: Links, item: number): Going => {
+  const at = beginFacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, item);
+  return new FacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, at);
+};
+
+const faceVerticesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, item);
+  return new VerticesAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, at);
+};
+
+const faceVerticesCw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, item);
+  return new VerticesAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, at);
+};
+
+const faceHalfedgesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, item);
+  return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, at);
+};
+
+const faceHalfedgesCw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, item);
+  return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, at);
+};
+
+const faceEdgesCcw = (links: Links, item: number): Going => {
+  const at = beginAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, item);
+  return new IndicesAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, at);
+};
+
+const faceEdgesCw = (links: Links, item: number): Going => {
+  const at = beginAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, item);
+  return new IndicesAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, at);
+};
+
+const faceFacesCcw = (links: Links, item: number): Going => {
+  const at = beginFacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, item);
+  return new FacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, at);
+};
+
+const faceFacesCw = (links: Links, item: number): Going => {
+  const at = beginFacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, item);
+  return new FacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, at);
+};
+
 /**
  * By the length of the name. While V8 inlines it knows how long a name in a program is, and what a frozen array
  * has there, but not yet that two names are the same: it would inline whatever the program goes around anywhere.
- * Each is written out, because V8 keeps its notes by the text of a function.
  */
 export const MAKERS: readonly Maker[] = Object.freeze(
   Object.assign(new Array<Maker>(LONGEST + 1).fill(circulateOther), {
     9: (links, kind, item, way) => {
-      if (kind === 'faceFaces') {
-        if (way === 'ccw') {
-          const at = beginFacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, item);
-          return new FacesAlongNext(links, FACE_FACES.ccw, links.faceAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginFacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, item);
-          return new FacesAlongPrev(links, FACE_FACES.cw, links.faceAnchors, at);
-        }
-      }
       if (kind === 'faceEdges') {
-        if (way === 'ccw') {
-          const at = beginAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, item);
-          return new IndicesAlongNext(links, FACE_EDGES.ccw, links.faceAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, item);
-          return new IndicesAlongPrev(links, FACE_EDGES.cw, links.faceAnchors, at);
-        }
+        if (way === 'ccw') return faceEdgesCcw(links, item);
+        if (way === 'cw') return faceEdgesCw(links, item);
+      }
+      if (kind === 'faceFaces') {
+        if (way === 'ccw') return faceFacesCcw(links, item);
+        if (way === 'cw') return faceFacesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },
     11: (links, kind, item, way) => {
-      if (kind === 'vertexFaces') {
-        if (way === 'ccw') {
-          const at = beginFacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, item);
-          return new FacesAlongPrev(links, VERTEX_FACES.ccw, links.vertexAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginFacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, item);
-          return new FacesAlongNext(links, VERTEX_FACES.cw, links.vertexAnchors, at);
-        }
-      }
       if (kind === 'vertexEdges') {
-        if (way === 'ccw') {
-          const at = beginAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, item);
-          return new IndicesAlongPrev(links, VERTEX_EDGES.ccw, links.vertexAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, item);
-          return new IndicesAlongNext(links, VERTEX_EDGES.cw, links.vertexAnchors, at);
-        }
+        if (way === 'ccw') return vertexEdgesCcw(links, item);
+        if (way === 'cw') return vertexEdgesCw(links, item);
+      }
+      if (kind === 'vertexFaces') {
+        if (way === 'ccw') return vertexFacesCcw(links, item);
+        if (way === 'cw') return vertexFacesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },
     12: (links, kind, item, way) => {
       if (kind === 'faceVertices') {
-        if (way === 'ccw') {
-          const at = beginAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, item);
-          return new VerticesAlongNext(links, FACE_VERTICES.ccw, links.faceAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, item);
-          return new VerticesAlongPrev(links, FACE_VERTICES.cw, links.faceAnchors, at);
-        }
+        if (way === 'ccw') return faceVerticesCcw(links, item);
+        if (way === 'cw') return faceVerticesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },
     13: (links, kind, item, way) => {
       if (kind === 'faceHalfedges') {
-        if (way === 'ccw') {
-          const at = beginAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, item);
-          return new IndicesAlongNext(links, FACE_HALFEDGES.ccw, links.faceAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, item);
-          return new IndicesAlongPrev(links, FACE_HALFEDGES.cw, links.faceAnchors, at);
-        }
+        if (way === 'ccw') return faceHalfedgesCcw(links, item);
+        if (way === 'cw') return faceHalfedgesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },
     14: (links, kind, item, way) => {
       if (kind === 'vertexVertices') {
-        if (way === 'ccw') {
-          const at = beginAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, item);
-          return new VerticesAlongPrev(links, VERTEX_VERTICES.ccw, links.vertexAnchors, at);
-        }
-        if (way === 'cw') {
-          const at = beginAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, item);
-          return new VerticesAlongNext(links, VERTEX_VERTICES.cw, links.vertexAnchors, at);
-        }
+        if (way === 'ccw') return vertexVerticesCcw(links, item);
+        if (way === 'cw') return vertexVerticesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },
     23: (links, kind, item, way) => {
       if (kind === 'vertexOutgoingHalfedges') {
-        if (way === 'ccw') {
-          const at = beginAlongPrev(
-            links,
-            VERTEX_OUTGOING_HALFEDGES.ccw,
-            links.vertexAnchors,
-            item,
-          );
-          return new IndicesAlongPrev(
-            links,
-            VERTEX_OUTGOING_HALFEDGES.ccw,
-            links.vertexAnchors,
-            at,
-          );
-        }
-        if (way === 'cw') {
-          const at = beginAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, item);
-          return new IndicesAlongNext(links, VERTEX_OUTGOING_HALFEDGES.cw, links.vertexAnchors, at);
-        }
+        if (way === 'ccw') return vertexOutgoingHalfedgesCcw(links, item);
+        if (way === 'cw') return vertexOutgoingHalfedgesCw(links, item);
       }
       if (kind === 'vertexIncomingHalfedges') {
-        if (way === 'ccw') {
-          const at = beginAlongPrev(
-            links,
-            VERTEX_INCOMING_HALFEDGES.ccw,
-            links.vertexAnchors,
-            item,
-          );
-          return new IndicesAlongPrev(
-            links,
-            VERTEX_INCOMING_HALFEDGES.ccw,
-            links.vertexAnchors,
-            at,
-          );
-        }
-        if (way === 'cw') {
-          const at = beginAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, item);
-          return new IndicesAlongNext(links, VERTEX_INCOMING_HALFEDGES.cw, links.vertexAnchors, at);
-        }
+        if (way === 'ccw') return vertexIncomingHalfedgesCcw(links, item);
+        if (way === 'cw') return vertexIncomingHalfedgesCw(links, item);
       }
       return circulateOther(links, kind, item, way);
     },

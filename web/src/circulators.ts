@@ -1,6 +1,6 @@
 import * as circulator from './circulator.js';
 import { type HalfedgeLike, NONE as none } from './items.js';
-import type { Latest, Links } from './links.js';
+import type { Era, Latest, Links } from './links.js';
 import * as walks from './walks.js';
 
 // Constants of this module's own: see walks.ts.
@@ -140,13 +140,20 @@ export class VerticesAlongNext {
 }
 export interface VerticesAlongNext extends Going {}
 
+// What a step looks up, in functions of at most 27 bytecodes. A halfedge that isn't there is none that is.
+
+const prevOf = (era: Era, h: number): number => era.prev[h] ?? NONE;
+const nextOf = (era: Era, h: number): number => (era.next[h] ?? NONE) & SMALL;
+const faceOf = (era: Era, h: number): number => era.face[h] ?? NONE;
+
+// What shows faces turns to the opposite once in each step: around vertices to go on, around faces to look.
+
 /** Shows faces, of its halfedges or their opposites, along prev. */
 export class FacesAlongPrev {
   constructor(links: Links, course: Course, anchors: Latest, at: number) {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
-    this.turn = course.turn;
     this.side = course.side;
     this.era = links.era;
     this.at = at;
@@ -162,35 +169,51 @@ export class FacesAlongPrev {
   }
 
   next(): number {
-    const { era, turn } = this;
-    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    const seen = h ^ this.side;
-    const item = era.face[seen] ?? NONE;
-    if (era.face[item >> 31] === undefined) return this.nextSlowly();
-    this.at = h;
+    const { era, side } = this;
+    let seen = (prevOf(era, this.seen ^ side) ^ 1) & SMALL;
+    let item = faceOf(era, seen);
+    if (era.face[item >> 31] === undefined) {
+      seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+      item = faceOf(era, seen);
+      if (item < 0) {
+        seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+        item = faceOf(era, seen);
+      }
+      if (item < 0) return this.nextSlowly();
+    }
+    this.at = seen ^ side;
     this.seen = seen;
     return item;
   }
 
   prev(): number {
-    const { era, turn } = this;
-    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    const seen = h ^ this.side;
-    const item = era.face[seen] ?? NONE;
-    if (era.face[item >> 31] === undefined) return this.prevSlowly();
-    this.at = h;
+    const { era, side } = this;
+    let seen = nextOf(era, this.seen ^ 1) ^ side;
+    let item = faceOf(era, seen);
+    if (era.face[item >> 31] === undefined) {
+      seen = nextOf(era, seen ^ 1) ^ side;
+      item = faceOf(era, seen);
+      if (item < 0) {
+        seen = nextOf(era, seen ^ 1) ^ side;
+        item = faceOf(era, seen);
+      }
+      if (item < 0) return this.prevSlowly();
+    }
+    this.at = seen ^ side;
     this.seen = seen;
     return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { era, turn } = this;
+      const { era, side } = this;
       const anchor = this.anchors.view[item] ?? NONE;
-      const h = ((era.prev[anchor] ?? NONE) ^ turn) & SMALL;
-      if (era.face[h ^ this.side] >= 0) {
-        this.at = h;
-        this.seen = h ^ this.side;
+      let seen = (prevOf(era, anchor) ^ 1) & SMALL;
+      if (faceOf(era, seen) < 0) seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+      if (faceOf(era, seen) < 0) seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+      if (faceOf(era, seen) >= 0) {
+        this.at = seen ^ side;
+        this.seen = seen;
         return this;
       }
     }
@@ -210,7 +233,6 @@ export class FacesAlongNext {
     this.links = links;
     this.course = course;
     this.anchors = anchors;
-    this.turn = course.turn;
     this.side = course.side;
     this.era = links.era;
     this.at = at;
@@ -226,34 +248,51 @@ export class FacesAlongNext {
   }
 
   next(): number {
-    const { era, turn } = this;
-    const h = (era.next[this.at ^ turn] ?? NONE) & SMALL;
-    const seen = h ^ this.side;
-    const item = era.face[seen] ?? NONE;
-    if (era.face[item >> 31] === undefined) return this.nextSlowly();
-    this.at = h;
+    const { era, side } = this;
+    let seen = nextOf(era, this.seen ^ 1) ^ side;
+    let item = faceOf(era, seen);
+    if (era.face[item >> 31] === undefined) {
+      seen = nextOf(era, seen ^ 1) ^ side;
+      item = faceOf(era, seen);
+      if (item < 0) {
+        seen = nextOf(era, seen ^ 1) ^ side;
+        item = faceOf(era, seen);
+      }
+      if (item < 0) return this.nextSlowly();
+    }
+    this.at = seen ^ side;
     this.seen = seen;
     return item;
   }
 
   prev(): number {
-    const { era, turn } = this;
-    const h = ((era.prev[this.at] ?? NONE) ^ turn) & SMALL;
-    const seen = h ^ this.side;
-    const item = era.face[seen] ?? NONE;
-    if (era.face[item >> 31] === undefined) return this.prevSlowly();
-    this.at = h;
+    const { era, side } = this;
+    let seen = (prevOf(era, this.seen ^ side) ^ 1) & SMALL;
+    let item = faceOf(era, seen);
+    if (era.face[item >> 31] === undefined) {
+      seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+      item = faceOf(era, seen);
+      if (item < 0) {
+        seen = (prevOf(era, seen ^ side) ^ 1) & SMALL;
+        item = faceOf(era, seen);
+      }
+      if (item < 0) return this.prevSlowly();
+    }
+    this.at = seen ^ side;
     this.seen = seen;
     return item;
   }
 
   moveTo(item: number, start?: HalfedgeLike): this {
     if (typeof item === 'number' && start === undefined) {
-      const { era } = this;
-      const h = (this.anchors.view[item] ?? NONE) & SMALL;
-      if (era.face[h ^ this.side] >= 0) {
-        this.at = h;
-        this.seen = h ^ this.side;
+      const { era, side } = this;
+      const anchor = this.anchors.view[item] ?? NONE;
+      let seen = (anchor & SMALL) ^ side;
+      if (faceOf(era, seen) < 0) seen = nextOf(era, seen ^ 1) ^ side;
+      if (faceOf(era, seen) < 0) seen = nextOf(era, seen ^ 1) ^ side;
+      if (faceOf(era, seen) >= 0) {
+        this.at = seen ^ side;
+        this.seen = seen;
         return this;
       }
     }
@@ -525,8 +564,7 @@ export const beginFacesAlongPrev = (
 ): number => {
   if (typeof item === 'number') {
     const { era } = links;
-    const anchor = anchors.view[item] ?? NOTHING;
-    if (anchor === NONE) return NONE;
+    const anchor = anchors.view[item] ?? NONE;
     const h = ((era.prev[anchor] ?? NONE) ^ course.turn) & SMALL;
     if (era.face[h ^ course.side] >= 0) return h;
   }
@@ -541,8 +579,7 @@ export const beginFacesAlongNext = (
 ): number => {
   if (typeof item === 'number') {
     const { era } = links;
-    const anchor = anchors.view[item] ?? NOTHING;
-    if (anchor === NONE) return NONE;
+    const anchor = anchors.view[item] ?? NONE;
     const h = anchor & SMALL;
     if (era.face[h ^ course.side] >= 0) return h;
   }
