@@ -2,8 +2,8 @@
 // WebAssembly against native. `npm run bench:variants`: our own variants. `npm run bench:start`: size and
 // start. `npm run bench:files`: readers of files. `npm run bench:explorer`: the explorer in Chromium.
 // `npm run bench:scale`: ten million triangles. `npm run bench:growth`: from ten thousand faces to ten million.
-// `npm run bench:locality`: what `reorder` costs and gains. `npm run bench:directed-edges`: circulators of Directed
-// Edges. Arguments after `--` are handed on to the benchmark.
+// `npm run bench:locality`: what `reorder` costs and gains. `npm run bench:circulators`: circulators of JavaScript.
+// Arguments after `--` are handed on to the benchmark.
 
 import { join } from 'node:path';
 import { argv } from 'node:process';
@@ -26,10 +26,10 @@ const benchmarks = {
     await run(process.execPath, [join(root, 'bench/web/start.mjs')]);
   },
 
-  async 'directed-edges'() {
+  async circulators(args) {
     await setup(['build']);
     await build();
-    await run(process.execPath, [join(root, 'bench/web/directed-edges.mjs')]);
+    await run(process.execPath, [join(root, 'bench/web/circulators.mjs'), ...args]);
   },
 
   async files(args) {
