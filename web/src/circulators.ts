@@ -21,13 +21,14 @@ const NOTHING = -2;
 //   each class has a text of its own, which decides nothing, and whatever isn't as usual is a call.
 // - Functions of at most 27 bytecodes are inlined in any case. The getters are that short, because they would
 //   come last. What isn't as usual is a getter there, too, which takes fewer bytecodes than a call.
-// - V8 keeps a circulator in memory if one of its methods has ever called something. So where it begins is found
-//   before it is made.
+// - V8 keeps a circulator in memory if one of its methods has ever called something, or gone through a loop. So
+//   where it begins is found before it is made, and up to two sides without a face are stepped over in line.
 // - They extend nothing: to call the constructor of a base class takes twice the bytecodes.
 // - What is wrong is found by looking up what isn't there, as laps do: see laps.ts. Once the era is over, there
 //   is nothing at all.
 // - What is shown is shown as it stands there, also where a program has written into the live views.
-// - What goes around vertices turns to the opposite, what goes around faces doesn't: `turn` is 1 or 0.
+// - What goes around vertices turns to the opposite, what goes around faces doesn't: `turn` is 1 or 0. What shows
+//   faces turns once in each step, to go on or to look, so that `side` says it all.
 
 /** Shows the vertices that its halfedges lead to, along prev. */
 export class VerticesAlongPrev {
@@ -140,13 +141,11 @@ export class VerticesAlongNext {
 }
 export interface VerticesAlongNext extends Going {}
 
-// What a step looks up, in functions of at most 27 bytecodes. A halfedge that isn't there is none that is.
+// What a step looks up, in functions of at most 27 bytecodes; NONE, or no halfedge at all, where nothing is there.
 
 const prevOf = (era: Era, h: number): number => era.prev[h] ?? NONE;
 const nextOf = (era: Era, h: number): number => (era.next[h] ?? NONE) & SMALL;
 const faceOf = (era: Era, h: number): number => era.face[h] ?? NONE;
-
-// What shows faces turns to the opposite once in each step: around vertices to go on, around faces to look.
 
 /** Shows faces, of its halfedges or their opposites, along prev. */
 export class FacesAlongPrev {
