@@ -3,7 +3,6 @@
 
 import { spawnSync } from 'node:child_process';
 import { argv, execPath, stdout } from 'node:process';
-import { fileURLToPath } from 'node:url';
 import { DirectedEdgesMesh, HalfedgeMesh, init } from 'halfedge';
 import { grid, icosphere, shuffled } from './meshes.mjs';
 
@@ -68,9 +67,7 @@ if (given.length > 1) {
 }
 
 function runAlone(...row) {
-  const { status } = spawnSync(execPath, [fileURLToPath(import.meta.url), ...row], {
-    stdio: 'inherit',
-  });
+  const { status } = spawnSync(execPath, [program, ...row], { stdio: 'inherit' });
   if (status !== 0) throw new Error(`${program} ${row.join(' ')} ended with ${status}.`);
 }
 
