@@ -517,8 +517,12 @@ describe('Directed Edges', () => {
     const mesh = gridMesh();
     const lap = mesh.vertexFaces(5)[Symbol.iterator]();
     const edges = mesh.edges()[Symbol.iterator]();
+    const faces = mesh.faces()[Symbol.iterator]();
     const circulator = mesh.circulate('vertexFaces', 5);
     const orbit = mesh.vertexFaces(5);
+    const isolated = DirectedEdgesMesh.fromTriangles(new Float32Array(12), [0, 1, 2]);
+    const nothing = isolated.vertexFaces(3);
+    isolated.dispose();
     mesh.dispose();
     mesh.dispose();
     expect(mesh.disposed).toBe(true);
@@ -542,10 +546,12 @@ describe('Directed Edges', () => {
       () => mesh.toMesh(),
       () => lap.next(),
       () => edges.next(),
+      () => faces.next(),
       () => circulator.next(),
       () => circulator.current,
       () => orbit.toArray(),
       () => orbit.into(new Int32Array(9)),
+      () => nothing.into(new Int32Array(9)),
     ];
     for (const use of uses) expect((caught(use) as HalfedgeError).code).toBe('disposed');
   });
