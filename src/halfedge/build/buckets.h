@@ -47,7 +47,7 @@ class Buckets {
   static constexpr std::size_t kCount = 256;
   // Fewer, and what belongs to all of them fits into the cache, or what is asked for ahead is there
   // in time.
-  static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 150'000;
+  static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 200'000;
 
   Index shift_ = 0;                        // from a vertex to its bucket
   std::array<Index, kCount + 1> begin_{};  // where the places of each bucket begin

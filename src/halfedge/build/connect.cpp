@@ -260,19 +260,17 @@ class SideConnector {
   // As link_faces(). What a side links its halfedge to is kept in its bucket first, and written
   // bucket by bucket then: what belongs to the halfedges of one fits into the cache.
   HALFEDGE_NOINLINE void link_divided_faces() {
-    Index* const anchors = links_.vertex_halfedge.data();
+    anchor_at_divided_sides();
     Index* const firsts = links_.face_halfedge.data();
     Index* const next = next_;
     Index* const face = face_;
     const Index* const halfedge_of = halfedge_of_;
-    buckets_.for_each_triangle(polygons_, [=](Index f, const Index* corners, const auto& slots) {
+    buckets_.for_each_triangle(polygons_, [=](Index f, const Index*, const auto& slots) {
       Index before = slots[2];
       firsts[f] = halfedge_of[before];
       for (Index i = 0; i < 3; ++i) {
-        const Index h = halfedge_of[slots[i]];
-        next[before] = h;
+        next[before] = halfedge_of[slots[i]];
         face[slots[i]] = f;
-        anchors[corners[i]] = h;
         before = slots[i];
       }
     });
@@ -288,6 +286,18 @@ class SideConnector {
         face[h] = kept[count + i];
       }
     });
+  }
+
+  // Anchors each vertex on the halfedge of its last side. In a pass of its own: what is scattered
+  // over all vertices and what goes to all buckets drive each other out of the cache.
+  HALFEDGE_NOINLINE void anchor_at_divided_sides() {
+    Index* const anchors = links_.vertex_halfedge.data();
+    buckets_.for_each_triangle(polygons_, [=](Index, const Index* corners, const auto& slots) {
+      for (Index i = 0; i < 3; ++i) anchors[corners[i]] = slots[i];
+    });
+    for (Index& anchor : links_.vertex_halfedge) {
+      if (anchor != kNone) anchor = halfedge_of_[anchor];
+    }
   }
 
   // `anchors` can be null.

@@ -60,7 +60,7 @@ bool join_open_fans(Links& links) {
 }
 
 bool each_vertex_has_one_cycle(const Links& links) {
-  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 8;  // more take longer as WebAssembly
+  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 64;
   const Index* const next = links.next.data();
   return each_vertex_has_one_cycle<kLanes>(links.vertex_halfedge.span(), links.next.size(),
                                            [next](Index h) { return next[h ^ 1U]; });

@@ -73,7 +73,7 @@ ConnectResult join_open_fans(DirectedLinks& links) {
 // All halfedges are rotated first, in the order of memory. That takes less than to do it at each
 // step of a walk, which only loads one word after the other then.
 bool each_vertex_has_one_cycle(const DirectedLinks& links, std::span<Index> rotated) {
-  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 8;  // as for the full structure
+  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 64;  // as for the full structure
   const std::span<const Index> opposite = links.opposite.span();
   for (std::size_t h = 0; h < opposite.size(); ++h) {
     rotated[h] = DirectedLinks::next_in_face(opposite[h]);  // not if that is on the boundary
