@@ -97,7 +97,10 @@ describe('append', () => {
       }),
     );
     other.dispose();
-    expect(() => mesh.append(other)).toThrow(/disposed/);
+    for (const ask of [() => mesh.append(other), () => mesh.checkAppend(other)]) {
+      expect(ask).toThrow(/^other was disposed: its memory is freed/);
+    }
+    expect(() => other.append(mesh)).toThrow(/^This mesh was disposed: its memory is freed/);
     expect(arraysOf(mesh)).toEqual(before);
     expect(bytesInUse()).toBeLessThan(bytes);
   });

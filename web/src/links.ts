@@ -466,10 +466,10 @@ export function checkIndex(kind: ItemKind, slots: number, index: number, argumen
 }
 
 /** The error for any use of a mesh after `dispose()`. */
-export function disposedError(): HalfedgeError {
+export function disposedError(mesh = 'This mesh'): HalfedgeError {
   return new HalfedgeError(
     'disposed',
-    'This mesh was disposed: its memory is freed, and nothing can be asked of it any more.',
+    `${mesh} was disposed: its memory is freed, and nothing can be asked of it any more.`,
   );
 }
 

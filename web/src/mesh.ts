@@ -18,7 +18,7 @@ import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import { printed } from './inspect.js';
 import type { FaceLike, Halfedge, ItemList } from './items.js';
-import { Links } from './links.js';
+import { disposedError, Links } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
@@ -274,18 +274,16 @@ export class HalfedgeMesh extends Shapes {
    * changed
    */
   append(other: HalfedgeMesh): AppendMaps {
-    linksOf(this).checkAlive();
-    if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
-    return appendLinks(linksOf(this), linksOf(other));
+    const links = linksOf(this);
+    links.checkAlive();
+    return appendLinks(links, linksToAppend(other));
   }
 
   /** Why {@link append} would be refused, or null. O(slots of `other`). */
   checkAppend(other: HalfedgeMesh): Refusal | null {
     const links = linksOf(this);
     links.checkAlive();
-    if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
-    const added = linksOf(other);
-    added.checkAlive();
+    const added = linksToAppend(other);
     return answer(links, links.core._check_append(links.address, added.address));
   }
 
@@ -423,6 +421,14 @@ printed('HalfedgeMesh', HalfedgeMesh, (mesh) => {
   const { vertexCount, edgeCount, faceCount } = mesh;
   return { vertexCount, edgeCount, faceCount };
 });
+
+/** The links of the mesh that is to be appended to another one. */
+function linksToAppend(other: HalfedgeMesh): Links {
+  if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
+  const links = linksOf(other);
+  if (links.disposed) throw disposedError('other');
+  return links;
+}
 
 function emptyLinks(options: unknown): Links {
   if (options instanceof HalfedgeMesh) {
