@@ -419,7 +419,7 @@ export class Links implements Viewer {
 
   /** Throws if the mesh is disposed. */
   checkAlive(): void {
-    if (this.disposed) throw disposedError();
+    if (this.disposed) throw wasDisposed();
   }
 
   /** Throws a sentence unless `v` is a live vertex; mends detached views on the way. */
@@ -466,7 +466,7 @@ export function checkIndex(kind: ItemKind, slots: number, index: number, argumen
 }
 
 /** The error for any use of a mesh after `dispose()`. */
-export function disposedError(mesh = 'This mesh'): HalfedgeError {
+export function wasDisposed(mesh = 'This mesh'): HalfedgeError {
   return new HalfedgeError(
     'disposed',
     `${mesh} was disposed: its memory is freed, and nothing can be asked of it any more.`,

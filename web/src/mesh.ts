@@ -18,7 +18,7 @@ import type { Problem } from './errors.js';
 import { type FileSoup, type FileSoupOptions, parseSoup } from './file-soup.js';
 import { printed } from './inspect.js';
 import type { FaceLike, Halfedge, ItemList } from './items.js';
-import { disposedError, Links } from './links.js';
+import { Links, wasDisposed } from './links.js';
 import { core } from './loader.js';
 import { outOfMemory } from './memory.js';
 import { linksOf } from './navigation.js';
@@ -426,7 +426,7 @@ printed('HalfedgeMesh', HalfedgeMesh, (mesh) => {
 function linksToAppend(other: HalfedgeMesh): Links {
   if (!(other instanceof HalfedgeMesh)) refuse('other', other, 'a HalfedgeMesh');
   const links = linksOf(other);
-  if (links.disposed) throw disposedError('other');
+  if (links.disposed) throw wasDisposed('other');
   return links;
 }
 

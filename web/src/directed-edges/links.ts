@@ -1,6 +1,6 @@
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
 import type { Halfedge } from '../items.js';
-import { checkIndex, corrupt, disposedError } from '../links.js';
+import { checkIndex, corrupt, wasDisposed } from '../links.js';
 import type { Core } from '../loader.js';
 import { after } from './walks.js';
 
@@ -130,7 +130,7 @@ export class DirectedLinks implements Viewer {
 
   /** Throws if the mesh is disposed. */
   checkAlive(): void {
-    if (this.disposed) throw disposedError();
+    if (this.disposed) throw wasDisposed();
   }
 
   /** These throw a sentence unless there is such an item, and mend detached views on the way. */
