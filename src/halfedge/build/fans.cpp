@@ -1,5 +1,4 @@
 #include <halfedge/build/fans.h>
-#include <halfedge/prefetch.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
@@ -60,10 +59,9 @@ bool join_open_fans(Links& links) {
 }
 
 bool each_vertex_has_one_cycle(const Links& links) {
-  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 64;
   const Index* const next = links.next.data();
-  return each_vertex_has_one_cycle<kLanes>(links.vertex_halfedge.span(), links.next.size(),
-                                           [next](Index h) { return next[h ^ 1U]; });
+  return each_vertex_has_one_cycle(links.vertex_halfedge.span(), links.next.size(),
+                                   [next](Index h) { return next[h ^ 1U]; });
 }
 
 }  // namespace halfedge

@@ -2,6 +2,7 @@
 
 #include <halfedge/connectivity/handle.h>
 #include <halfedge/connectivity/links.h>
+#include <halfedge/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -91,12 +92,13 @@ class LongWalks {
 /// `each_vertex_has_one_cycle`, however the links are stored: `anchors` by vertex, and
 /// `rotate_cw(h)` is the next halfedge that leaves the vertex of `h`.
 ///
-/// Walks around `kLanes` vertices in step, as the end of one walk can't be predicted. Where these
-/// are many, and only a few of them go on, these do by themselves.
-template <std::size_t kLanes, class Rotate>
+/// Walks around many vertices in step, as the end of one walk can't be predicted. Where only a few
+/// of them go on, these do by themselves.
+template <class Rotate>
 [[nodiscard]] bool each_vertex_has_one_cycle(std::span<const Index> anchors, std::size_t halfedges,
                                              const Rotate& rotate_cw) {
-  constexpr Index kFew = kLanes > 8 ? kLanes / 8 : 0;
+  constexpr Index kLanes = kCanPrefetch ? 32 : 64;  // 64 take longer natively, in natural order
+  constexpr Index kFew = kLanes / 8;
   constexpr int kUsualSteps = 10;
   constexpr int kMostSteps = 64;
   if (halfedges == 0) return true;

@@ -1,6 +1,5 @@
 #include <halfedge/build/fans.h>
 #include <halfedge/directed_edges/connect.h>
-#include <halfedge/prefetch.h>
 #include <halfedge/sort.h>
 
 #include <algorithm>
@@ -73,7 +72,6 @@ ConnectResult join_open_fans(DirectedLinks& links) {
 // All halfedges are rotated first, in the order of memory. That takes less than to do it at each
 // step of a walk, which only loads one word after the other then.
 bool each_vertex_has_one_cycle(const DirectedLinks& links, std::span<Index> rotated) {
-  constexpr std::size_t kLanes = kCanPrefetch ? 32 : 64;  // as for the full structure
   const std::span<const Index> opposite = links.opposite.span();
   for (std::size_t h = 0; h < opposite.size(); ++h) {
     rotated[h] = DirectedLinks::next_in_face(opposite[h]);  // not if that is on the boundary
@@ -81,8 +79,8 @@ bool each_vertex_has_one_cycle(const DirectedLinks& links, std::span<Index> rota
   for (std::size_t b = links.sides; b < opposite.size(); ++b) {
     rotated[opposite[b]] = links.next(Index(b));
   }
-  return each_vertex_has_one_cycle<kLanes>(links.vertex_halfedge.span(), opposite.size(),
-                                           [next = rotated.data()](Index h) { return next[h]; });
+  return each_vertex_has_one_cycle(links.vertex_halfedge.span(), opposite.size(),
+                                   [next = rotated.data()](Index h) { return next[h]; });
 }
 
 }  // namespace halfedge
