@@ -25,7 +25,7 @@ set(halfedge_fast_files
   # what workers and files are given
   io/bytes_reader io/live_mesh io/number_writer io/stl_writer
   # every build, and every build from a soup
-  build/connect build/fans build/strict directed_edges/connect directed_edges/fans
+  build/connect build/fans build/match_bucket build/strict directed_edges/connect directed_edges/fans
   repair/arrange repair/match repair/orient repair/weld
   # all arrays grow here, and columns of attributes follow each operation
   connectivity/array attributes/attribute attributes/attributes

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "support/large_torus.h"
@@ -39,8 +41,16 @@ struct Divided {
   }
 };
 
+Index end_of(const Triangles& mesh, std::size_t side) {
+  return mesh.corners[side % 3 == 2 ? side - 2 : side + 1];
+}
+
 Index smaller_vertex(const Triangles& mesh, std::size_t side) {
-  return std::min(mesh.corners[side], mesh.corners[side % 3 == 2 ? side - 2 : side + 1]);
+  return std::min(mesh.corners[side], end_of(mesh, side));
+}
+
+bool runs_up(const Triangles& mesh, std::size_t side) {
+  return mesh.corners[side] < end_of(mesh, side);
 }
 
 TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
@@ -55,22 +65,27 @@ TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
         is_taken[slot] = true;
       }
       std::vector<std::size_t> bucket_of(divided.groups.end());  // by place
+      std::vector<bool> is_up(divided.groups.end());
       Index places = 0;
       std::size_t bucket = 0;
-      divided.buckets.for_each_bucket([&](Index begin, Index end, Index places_end) {
-        ASSERT_EQ(begin, places);
-        ASSERT_LE(end, places_end);
-        for (Index place = begin; place < places_end; ++place) {
-          ASSERT_EQ(is_taken[place], place < end);
+      divided.buckets.for_each_bucket([&](const Bucket& b) {
+        ASSERT_EQ(b.begin, places);
+        ASSERT_TRUE(b.begin <= b.ups_end && b.ups_end <= b.downs_begin);
+        ASSERT_TRUE(b.downs_begin <= b.downs_end && b.downs_end <= b.end);
+        for (Index place = b.begin; place < b.end; ++place) {
+          is_up[place] = place < b.ups_end;
+          const bool is_down = place >= b.downs_begin && place < b.downs_end;
+          ASSERT_EQ(is_taken[place], is_up[place] || is_down);
           bucket_of[place] = bucket;
         }
-        places = places_end;
+        places = b.end;
         ++bucket;
       });
       EXPECT_EQ(places, divided.groups.end());
       for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
         const Index place_of_group = divided.groups.begin_of(smaller_vertex(mesh, side));
         ASSERT_EQ(bucket_of[divided.slot_of[side]], bucket_of[place_of_group]);
+        ASSERT_EQ(is_up[divided.slot_of[side]], runs_up(mesh, side));
       }
       divided.visit(mesh, [&](std::size_t side, Index slot) {
         ASSERT_EQ(slot, divided.slot_of[side]);  // the same once more
@@ -79,25 +94,43 @@ TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
   }
 }
 
-TEST(BuildBuckets, KeepTheOrderOfTheSidesOfAVertex) {
+TEST(BuildBuckets, KeepTheOrderOfTheSidesOfAVertexInEachDirection) {
   const Triangles mesh = shuffled(large_torus(100), 5);
   const Divided divided(mesh);
-  std::vector<Index> last(mesh.positions.size() / 3, 0);  // one on
+  std::map<std::pair<Index, bool>, Index> last;  // one on
   for (std::size_t side = 0; side < mesh.corners.size(); ++side) {
-    Index& before = last[smaller_vertex(mesh, side)];
+    Index& before = last[{smaller_vertex(mesh, side), runs_up(mesh, side)}];
     EXPECT_GT(divided.slot_of[side] + 1, before);
     before = divided.slot_of[side] + 1;
   }
 }
 
-TEST(BuildBuckets, AreTooLargeAroundAVertexOfHugeValence) {
-  constexpr Index kRim = 10'000;
-  Triangles fan;
-  fan.positions.resize(3 * std::size_t{kRim + 1});
-  for (Index v = 1; v <= kRim; ++v) {
-    for (const Index corner : {0U, v, v % kRim + 1}) fan.corners.push_back(corner);
+/// A closed fan around vertex 0.
+Triangles fan(Index rim) {
+  Triangles mesh;
+  mesh.positions.resize(3 * std::size_t{rim + 1});
+  for (Index v = 1; v <= rim; ++v) {
+    for (const Index corner : {0U, v, v % rim + 1}) mesh.corners.push_back(corner);
   }
-  EXPECT_FALSE(Divided(fan).are_small);
+  return mesh;
+}
+
+TEST(BuildBuckets, AreTooLargeAroundAVertexOfHugeValence) {
+  EXPECT_FALSE(Divided(fan(10'000)).are_small);
+}
+
+/// Its group would be searched through for each of its sides.
+TEST(BuildBuckets, AreTooSlowAroundAVertexOfLargeValenceAmongManyOthers) {
+  const auto are_small = [](Index rim) {
+    Triangles mesh = fan(rim);
+    const Triangles torus = large_torus(400);
+    const Index first = rim + 1;
+    mesh.positions.insert(mesh.positions.end(), torus.positions.begin(), torus.positions.end());
+    for (const Index corner : torus.corners) mesh.corners.push_back(first + corner);
+    return Divided(mesh).are_small;
+  };
+  EXPECT_TRUE(are_small(2048));
+  EXPECT_FALSE(are_small(2049));
 }
 
 TEST(BuildBuckets, PayForManyVerticesInRandomOrder) {

@@ -7,7 +7,7 @@ import { packed } from './support/project.js';
  * What a page loads of the core at most, in bytes as gzip -9 leaves them. Who adds a feature that needs
  * more raises it knowingly. The aim is 150 kB.
  */
-const BUDGET = 311_800;
+const BUDGET = 313_400;
 
 test('core.wasm and its glue keep within their budget', () => {
   const dist = join(packed.folder, 'installed/node_modules/halfedge/dist');

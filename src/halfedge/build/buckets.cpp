@@ -1,5 +1,9 @@
 #include <halfedge/build/buckets.h>
 #include <halfedge/build/each_face.h>
+#include <halfedge/inlining.h>
+
+#include <algorithm>
+#include <cstddef>
 
 namespace halfedge {
 
@@ -17,7 +21,7 @@ bool is_near_next(const Index* corners) {
 
 }  // namespace
 
-bool Buckets::pay(const Polygons& triangles) {
+HALFEDGE_NOINLINE bool Buckets::pay(const Polygons& triangles) {
   constexpr std::size_t kSamples = 1000;
   const std::size_t count = triangles.face_count();
   if (triangles.vertex_count() < kFewVertices || count <= kSamples) return false;
@@ -28,16 +32,19 @@ bool Buckets::pay(const Polygons& triangles) {
   return near < kSamples / 2;
 }
 
-bool Buckets::set_up(const Groups& groups, std::size_t vertices) {
+HALFEDGE_NOINLINE bool Buckets::set_up(const Groups& groups, std::size_t vertices) {
   shift_ = 0;
   while ((vertices - 1) >> shift_ >= kCount) ++shift_;
   bool are_small = true;
   for (std::size_t i = 0; i <= kCount; ++i) {
-    const std::size_t first = i << shift_;
-    begin_[i] = first < vertices ? groups.begin_of(Index(first)) : groups.end();
+    begin_[i] = groups.begin_of(Index(std::min(i << shift_, vertices)));
     if (i > 0) are_small &= begin_[i] - begin_[i - 1] <= vertices;
   }
-  return are_small;
+  Index largest = 0;
+  for (Index v = 0; v < vertices; ++v) {
+    largest = std::max(largest, groups.begin_of(v + 1) - groups.begin_of(v));
+  }
+  return are_small && largest <= kLargestGroup;
 }
 
 }  // namespace halfedge

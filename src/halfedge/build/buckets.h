@@ -12,13 +12,23 @@
 
 namespace halfedge {
 
+/// Where a bucket keeps its sides.
+struct Bucket {
+  Index begin;  ///< of its places, and of the slots of its sides that run up
+  Index ups_end;
+  Index downs_begin;
+  Index downs_end;
+  Index end;  ///< of its places
+};
+
 /// Divides the sides of triangles among buckets by the smaller vertices of their edges, for meshes
 /// that come in random order: one step of a radix sort. What belongs to the vertices of a bucket
 /// fits into the cache, so that sides that are taken bucket by bucket don't wait for memory.
 ///
-/// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides at the
-/// first of these, in the order in which they come. So the triangles tell whenever it is asked
-/// where each of their sides is kept, and nothing has to be stored of that.
+/// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides there, in
+/// the order in which they come: those that run up from the first place on, those that run down
+/// from the middle on. So the triangles tell whenever it is asked where each of their sides is
+/// kept, its *slot*, and nothing has to be stored of that.
 class Buckets {
  public:
   /// Whether a build of these would wait for memory longer than it takes to divide their sides: if
@@ -26,9 +36,10 @@ class Buckets {
   /// cost: O(1)
   [[nodiscard]] static bool pay(const Polygons& triangles);
 
-  /// Gives each bucket its places, before any side has got one of them. False if one bucket has
-  /// more of them than there are vertices, as with a vertex of huge valence: too many for a cache,
-  /// and for what Groups::scratch() has room for, two words of each.
+  /// Gives each bucket its places, before any side has got one of them. False where vertices have a
+  /// huge valence: if a group has so many places that it would take long to search it for each of
+  /// its sides; or if one bucket has more places than there are vertices, which are too many for a
+  /// cache, and for what Groups::scratch() has room for, two words of each.
   [[nodiscard]] bool set_up(const Groups& groups, std::size_t vertices);
 
   /// Calls `visit(face, its corners, slots)` for each triangle: its side from corner `i` is kept in
@@ -36,36 +47,50 @@ class Buckets {
   template <class Visit>
   void for_each_triangle(const Polygons& triangles, const Visit& visit);
 
-  /// Calls `visit(begin, end, places_end)` for each bucket, after for_each_triangle: its sides are
-  /// kept from `begin` to `end`, its places end later if there are more of them than sides.
+  /// Calls `visit(bucket)` for each bucket, after for_each_triangle.
   template <class Visit>
   void for_each_bucket(const Visit& visit) const {
-    for (std::size_t i = 0; i < kCount; ++i) visit(begin_[i], end_[i], begin_[i + 1]);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const Index begin = begin_[i];
+      const Index end = begin_[i + 1];
+      visit(Bucket{begin, next_[2 * i], middle(begin, end), next_[2 * i + 1], end});
+    }
   }
 
  private:
-  static constexpr std::size_t kCount = 256;
+  static constexpr std::size_t kCount = 128;
   // Fewer, and what belongs to all of them fits into the cache, or what is asked for ahead is there
   // in time.
-  static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 200'000;
+  static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 150'000;
+
+  // No group has more sides of either direction than half of its places.
+  [[nodiscard]] static constexpr Index middle(Index begin, Index end) {
+    return begin + (end - begin) / 2;
+  }
+
+  static constexpr Index kLargestGroup = 4096;
 
   Index shift_ = 0;                        // from a vertex to its bucket
   std::array<Index, kCount + 1> begin_{};  // where the places of each bucket begin
-  std::array<Index, kCount> end_{};        // where its sides end
+  std::array<Index, 2 * kCount> next_{};   // the next slots: of its sides that run up, and down
 };
 
 template <class Visit>
 void Buckets::for_each_triangle(const Polygons& triangles, const Visit& visit) {
-  std::array<Index, kCount> next;  // a local one is known not to be what `visit` writes
-  std::copy_n(begin_.begin(), kCount, next.begin());
+  std::array<Index, 2 * kCount> next;  // a local one is known not to be what `visit` writes
+  for (std::size_t i = 0; i < kCount; ++i) {
+    next[2 * i] = begin_[i];
+    next[2 * i + 1] = middle(begin_[i], begin_[i + 1]);
+  }
   for_each_face<true>(triangles, [&](Index f, const Index* corners, auto) {
     std::array<Index, 3> slots;
     for (Index i = 0; i < 3; ++i) {
-      slots[i] = next[DirectedSide(corners[i], corners[i == 2 ? 0 : i + 1]).low >> shift_]++;
+      const DirectedSide side(corners[i], corners[i == 2 ? 0 : i + 1]);
+      slots[i] = next[2 * (side.low >> shift_) - side.down]++;
     }
     visit(f, corners, slots);
   });
-  end_ = next;
+  next_ = next;
 }
 
 }  // namespace halfedge

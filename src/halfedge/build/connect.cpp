@@ -3,6 +3,7 @@
 #include <halfedge/build/each_face.h>
 #include <halfedge/build/fans.h>
 #include <halfedge/build/groups.h>
+#include <halfedge/build/match_bucket.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/inlining.h>
 #include <halfedge/prefetch.h>
@@ -54,12 +55,13 @@ class SideConnector {
     if (!make_room()) return ConnectResult::kOutOfMemory;
     const bool is_divided = kTriangles && kPrev && Buckets::pay(polygons_) &&
                             buckets_.set_up(groups_, polygons_.vertex_count());
+    bool is_manifold = false;
     if (is_divided) {
-      place_divided_sides();
+      is_manifold = match_divided_sides();
     } else {
       place_sides();
+      is_manifold = groups_.match(scratch, Places{to_, halfedge_of_, *this});
     }
-    const bool is_manifold = groups_.match(scratch, Places{to_, halfedge_of_, *this});
     if (is_out_of_memory_) return ConnectResult::kOutOfMemory;
     if (!is_manifold) return ConnectResult::kNotManifold;
     const ConnectResult added = add_unforeseen_edges();
@@ -103,13 +105,6 @@ class SideConnector {
     }
   };
 
-  // A side that runs down, alone along its edge, for which its group has no places.
-  struct Unforeseen {
-    Index side;
-    Index low;
-    Index high;
-  };
-
   [[nodiscard]] auto halfedge_arrays() const {
     if constexpr (kPrev) {
       return std::array{&links_.next, &links_.to_vertex, &links_.face, &links_.prev};
@@ -121,7 +116,7 @@ class SideConnector {
   // A mesh that lacks room for the groups gets a little more, so that a few edges after them cost
   // no reallocation; add_unforeseen_edges() gives back what isn't used.
   [[nodiscard]] bool make_room() {
-    std::size_t count = std::max<std::size_t>(groups_.end(), polygons_.corners.size());
+    std::size_t count = std::max<std::size_t>(groups_.end() + BucketMatcher::kBeyond, sides());
     for (const Array<Index>* array : halfedge_arrays()) is_fresh_ |= array->capacity() < count;
     if (is_fresh_) count += 4 * std::size_t(std::sqrt(double(count))) + 64;
     for (Array<Index>* array : halfedge_arrays()) {
@@ -169,20 +164,29 @@ class SideConnector {
     halfedge_of_[side] = direction.pick(place, from);
   }
 
-  // As place_sides(), but with sides that are numbered as their buckets keep them, until they have
-  // their halfedges. Their vertices lie in arrays that are written later.
-  HALFEDGE_NOINLINE void place_divided_sides() {
-    Index* const from = next_;
-    Index* const to = face_;
+  // Numbers sides as their buckets keep them, and finds their halfedges bucket by bucket. Their
+  // vertices lie in arrays that are written later.
+  HALFEDGE_NOINLINE bool match_divided_sides() {
+    Index* const low_of = next_;
+    Index* const high_of = face_;
     buckets_.for_each_triangle(polygons_, [=](Index, const Index* corners, const auto& slots) {
       for (Index i = 0; i < 3; ++i) {
-        from[slots[i]] = corners[i];
-        to[slots[i]] = corners[i == 2 ? 0 : i + 1];
+        const Index from = corners[i];
+        const Index to = corners[i == 2 ? 0 : i + 1];
+        const DirectedSide side(from, to);
+        low_of[slots[i]] = side.low;
+        high_of[slots[i]] = side.pick(to, from);
       }
     });
-    buckets_.for_each_bucket([&](Index begin, Index end, Index) {
-      for (Index side = begin; side < end; ++side) place_side(side, from[side], to[side]);
+    BucketMatcher matcher(groups_, low_of, high_of, halfedge_of_, to_);
+    bool is_manifold = true;
+    buckets_.for_each_bucket([&](const Bucket& bucket) {
+      is_manifold = is_manifold && matcher.match(bucket, unforeseen_);
     });
+    is_out_of_memory_ = matcher.is_out_of_memory();
+    Array<Index>& marks = links_.vertex_halfedge;
+    std::fill(marks.begin(), marks.end(), kNone);
+    return is_manifold && sort_unforeseen(unforeseen_, marks);
   }
 
   [[nodiscard]] std::size_t sides() const { return polygons_.corners.size(); }
@@ -218,7 +222,7 @@ class SideConnector {
     }
     use_arrays();
     Index h = groups_.end();
-    for (const Unforeseen& edge : unforeseen_) {
+    for (const UnforeseenEdge& edge : unforeseen_) {
       to_[h] = edge.high;
       to_[h + 1] = edge.low;
       mark_boundary(h);
@@ -275,16 +279,20 @@ class SideConnector {
       }
     });
     Index* const kept = groups_.scratch().data();  // set_up() has seen to it that there is room
-    buckets_.for_each_bucket([=](Index begin, Index end, Index places_end) {
-      const Index count = end - begin;
-      std::copy_n(next + begin, count, kept);
-      std::copy_n(face + begin, count, kept + count);
-      std::fill(face + begin, face + places_end, kNone);  // boundary halfedges, but for the others
-      for (Index i = 0; i < count; ++i) {
-        const Index h = halfedge_of[begin + i];
-        next[h] = kept[i];
-        face[h] = kept[count + i];
-      }
+    buckets_.for_each_bucket([=](const Bucket& bucket) {
+      const Index count = bucket.end - bucket.begin;
+      std::copy_n(next + bucket.begin, count, kept);
+      std::copy_n(face + bucket.begin, count, kept + count);
+      std::fill_n(face + bucket.begin, count, kNone);  // boundary halfedges, but for the others
+      const auto link = [=](Index side, Index end) {
+        for (; side < end; ++side) {
+          const Index h = halfedge_of[side];
+          next[h] = kept[side - bucket.begin];
+          face[h] = kept[count + side - bucket.begin];
+        }
+      };
+      link(bucket.begin, bucket.ups_end);
+      link(bucket.downs_begin, bucket.downs_end);
     });
   }
 
@@ -328,7 +336,7 @@ class SideConnector {
   Links& links_;
   Groups groups_;
   Buckets buckets_;
-  Array<Unforeseen> unforeseen_;
+  Array<UnforeseenEdge> unforeseen_;
   bool is_out_of_memory_ = false;
   bool is_fresh_ = false;
   Index* next_ = nullptr;

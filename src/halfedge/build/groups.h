@@ -60,13 +60,17 @@ class Groups {
   /// The place after those of all groups.
   [[nodiscard]] Index end() const { return end_; }
 
-  /// The first place of the group of `low`. pre: none is taken
-  [[nodiscard]] Index begin_of(Index low) const { return *next_places_of(low); }
+  /// The first place of the group of `low`, or end() if it is the number of vertices.
+  /// pre: no side that runs down has a place
+  [[nodiscard]] Index begin_of(Index low) const { return next_places_of(low)[1] - 1; }
 
   /// The place of the next side of this direction, to be moved on by 2 when it is taken.
   [[nodiscard]] Index& next_place(const DirectedSide& side) {
     return next_[2 * side.low - side.down];
   }
+
+  /// The place of the next side of `low` that runs up, as next_place().
+  [[nodiscard]] Index& next_up_place(Index low) { return next_[2 * std::size_t{low}]; }
 
   /// How many corners before their sides are placed their groups are asked for; half as many
   /// before, what lies at their places.
@@ -136,14 +140,14 @@ class Groups {
   template <class Places>
   [[nodiscard]] Index match_group(const Group& group, Index* edge_to, const Places& places) const;
 
-  Array<Index> next_;  // two places for each vertex, see next_place()
+  Array<Index> next_;  // two places for each vertex, see next_place(), and two after all
   Index end_ = 0;
 };
 
 template <bool kTriangles>
 bool Groups::count(const Polygons& polygons, Array<Index>& last_face, bool& repeated) {
   const std::size_t vertices = polygons.vertex_count();
-  if (!next_.resize(2 * vertices, 0) || !last_face.recreate(vertices)) return false;
+  if (!next_.resize(2 * vertices + 2, 0) || !last_face.recreate(vertices)) return false;
   if (!kTriangles) std::fill(last_face.begin(), last_face.end(), kNone);
   [[maybe_unused]] Index* const last = last_face.data();
   [[maybe_unused]] Index repeats = 0;
@@ -172,7 +176,7 @@ bool Groups::count(const Polygons& polygons, Array<Index>& last_face, bool& repe
 template <class Places>
 bool Groups::match(Array<Index>& edge_to, Places places) const {
   std::fill(edge_to.begin(), edge_to.end(), kNone);
-  const Index vertices = Index(next_.size() / 2);
+  const Index vertices = Index(edge_to.size());
   Index clashes = 0;
   Index begin = 0;
   for (Index low = 0; low < vertices;) {
