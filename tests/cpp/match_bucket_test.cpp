@@ -107,9 +107,9 @@ std::optional<Matched> matched(const Corners& corners, Index vertices) {
       slot_of.push_back(slots[i]);
     }
   });
-  // Words that must not be taken for what lies at the places.
-  for (const Index beyond : {kNone, Index{0}, vertices - 1}) {
-    std::vector<Index> to_vertex(places + BucketMatcher::kBeyond, beyond);
+  // What lies at places before anything is placed there must not be taken for a vertex.
+  for (const Index before : {kNone, Index{0}, vertices - 1}) {
+    std::vector<Index> to_vertex(places, before);
     Groups fresh;
     EXPECT_TRUE(fresh.count<true>(triangles, marks, repeated));
     BucketMatcher matcher(fresh, low_of.data(), high_of.data(), halfedge_of.data(),
@@ -122,19 +122,16 @@ std::optional<Matched> matched(const Corners& corners, Index vertices) {
     EXPECT_FALSE(matcher.is_out_of_memory());
     std::fill(marks.begin(), marks.end(), kNone);
     if (!is_manifold || !sort_unforeseen(unforeseen, marks)) {
-      if (beyond == vertices - 1) return std::nullopt;
+      if (before == vertices - 1) return std::nullopt;
       continue;
     }
-    EXPECT_EQ(std::count(to_vertex.begin() + std::ptrdiff_t(places), to_vertex.end(), beyond),
-              std::ptrdiff_t(BucketMatcher::kBeyond));
-    to_vertex.resize(places);
     for (const UnforeseenEdge& edge : unforeseen) {
       halfedge_of[edge.side] = Index(to_vertex.size()) + 1;
       to_vertex.insert(to_vertex.end(), {edge.high, edge.low});
     }
     Matched result{{}, to_vertex};
     for (const Index slot : slot_of) result.halfedge_of.push_back(halfedge_of[slot]);
-    if (beyond == vertices - 1) return result;
+    if (before == vertices - 1) return result;
   }
   return std::nullopt;
 }

@@ -116,7 +116,7 @@ class SideConnector {
   // A mesh that lacks room for the groups gets a little more, so that a few edges after them cost
   // no reallocation; add_unforeseen_edges() gives back what isn't used.
   [[nodiscard]] bool make_room() {
-    std::size_t count = std::max<std::size_t>(groups_.end() + BucketMatcher::kBeyond, sides());
+    std::size_t count = std::max<std::size_t>(groups_.end(), sides());
     for (const Array<Index>* array : halfedge_arrays()) is_fresh_ |= array->capacity() < count;
     if (is_fresh_) count += 4 * std::size_t(std::sqrt(double(count))) + 64;
     for (Array<Index>* array : halfedge_arrays()) {

@@ -10,7 +10,7 @@ namespace halfedge {
 
 namespace {
 
-constexpr Index kAtOnce = BucketMatcher::kBeyond;
+constexpr Index kAtOnce = 16;
 
 // Which of these places hold this vertex: a bit for each, of every second one. Without a branch,
 // and all of them at once: compilers make no vectors of the loop.
@@ -32,20 +32,24 @@ constexpr Index kAtOnce = BucketMatcher::kBeyond;
 #endif
 }
 
+}  // namespace
+
 // The first of the places `begin`, `begin + 2`, ... before `end` that holds this vertex, or kNone.
-[[gnu::always_inline]] inline Index find(Index vertex, const Index* to_vertex, Index begin,
-                                         Index end) {
-  for (;; begin += kAtOnce) {
-    const Index found = places_with(vertex, to_vertex + begin);
+[[gnu::always_inline]] inline Index BucketMatcher::find(Index vertex, Index begin,
+                                                        Index end) const {
+  for (; groups_.end() - begin >= kAtOnce; begin += kAtOnce) {
+    const Index found = places_with(vertex, to_vertex_ + begin);
     if (found != 0) {
       const Index place = begin + Index(std::countr_zero(found));
       return place < end ? place : kNone;
     }
     if (end - begin <= kAtOnce) return kNone;
   }
+  for (; begin < end; begin += 2) {
+    if (to_vertex_[begin] == vertex) return begin;
+  }
+  return kNone;
 }
-
-}  // namespace
 
 bool BucketMatcher::match(const Bucket& bucket, Array<UnforeseenEdge>& unforeseen) {
   if (!place_ups(bucket)) return false;
@@ -85,8 +89,7 @@ bool BucketMatcher::match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unf
   Index added = 0;
   for (Index side = bucket.downs_begin; side < bucket.downs_end; ++side) {
     const Index low = low_of[side];
-    const Index up =
-        find(high_of[side], to_vertex, groups_.begin_of(low), groups_.next_up_place(low));
+    const Index up = find(high_of[side], groups_.begin_of(low), groups_.next_up_place(low));
     if (up == kNone) {
       add(side, unforeseen);
       ++added;
@@ -122,7 +125,7 @@ HALFEDGE_NOINLINE bool BucketMatcher::close_ups(const Bucket& bucket) {
     if (to_vertex_[place + 1] != kNone) continue;
     const Index low = low_of_[side];
     to_vertex_[place + 1] = low;
-    if (find(high_of_[side], to_vertex_, groups_.begin_of(low), place) != kNone) return false;
+    if (find(high_of_[side], groups_.begin_of(low), place) != kNone) return false;
   }
   return true;
 }

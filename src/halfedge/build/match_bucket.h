@@ -20,8 +20,7 @@ struct UnforeseenEdge {
 class BucketMatcher {
  public:
   /// The sides by their slots, with the smaller and the larger vertices of their edges. What is
-  /// found goes into `halfedge_of` by slot, and into `to_vertex` by halfedge. The latter has
-  /// kBeyond words more than there are places, which are read and not written.
+  /// found goes into `halfedge_of` by slot, and into `to_vertex` by halfedge.
   BucketMatcher(Groups& groups, const Index* low_of, const Index* high_of, Index* halfedge_of,
                 Index* to_vertex)
       : groups_(groups),
@@ -29,8 +28,6 @@ class BucketMatcher {
         high_of_(high_of),
         halfedge_of_(halfedge_of),
         to_vertex_(to_vertex) {}
-
-  static constexpr Index kBeyond = 16;
 
   /// False if two sides run the same way along an edge, but for edges that are added to
   /// `unforeseen`; or if one leads from a vertex to itself.
@@ -43,6 +40,7 @@ class BucketMatcher {
   [[nodiscard]] bool match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unforeseen,
                                  Index& matched);
   [[nodiscard]] bool close_ups(const Bucket& bucket);
+  [[nodiscard]] Index find(Index vertex, Index begin, Index end) const;
   void add(Index side, Array<UnforeseenEdge>& unforeseen);
 
   Groups& groups_;
