@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstring>
+#include <span>
 #include <utility>
 
 namespace halfedge {
@@ -32,13 +33,11 @@ constexpr Index kAtOnce = 16;
 #endif
 }
 
-}  // namespace
-
 // The first of the places `begin`, `begin + 2`, ... before `end` that holds this vertex, or kNone.
-[[gnu::always_inline]] inline Index BucketMatcher::find(Index vertex, Index begin,
-                                                        Index end) const {
-  for (; groups_.end() - begin >= kAtOnce; begin += kAtOnce) {
-    const Index found = places_with(vertex, to_vertex_ + begin);
+[[gnu::always_inline]] inline Index find(Index vertex, std::span<const Index> places, Index begin,
+                                         Index end) {
+  for (; places.size() - begin >= kAtOnce; begin += kAtOnce) {
+    const Index found = places_with(vertex, places.data() + begin);
     if (found != 0) {
       const Index place = begin + Index(std::countr_zero(found));
       return place < end ? place : kNone;
@@ -46,10 +45,12 @@ constexpr Index kAtOnce = 16;
     if (end - begin <= kAtOnce) return kNone;
   }
   for (; begin < end; begin += 2) {
-    if (to_vertex_[begin] == vertex) return begin;
+    if (places[begin] == vertex) return begin;
   }
   return kNone;
 }
+
+}  // namespace
 
 bool BucketMatcher::match(const Bucket& bucket, Array<UnforeseenEdge>& unforeseen) {
   if (!place_ups(bucket)) return false;
@@ -85,11 +86,12 @@ bool BucketMatcher::match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unf
   const Index* const high_of = high_of_;
   Index* const halfedge_of = halfedge_of_;
   Index* const to_vertex = to_vertex_;
+  const std::span<const Index> places(to_vertex, groups_.end());
   Index clashes = 0;
   Index added = 0;
   for (Index side = bucket.downs_begin; side < bucket.downs_end; ++side) {
     const Index low = low_of[side];
-    const Index up = find(high_of[side], groups_.begin_of(low), groups_.next_up_place(low));
+    const Index up = find(high_of[side], places, groups_.begin_of(low), groups_.next_up_place(low));
     if (up == kNone) {
       add(side, unforeseen);
       ++added;
@@ -120,12 +122,13 @@ HALFEDGE_NOINLINE void BucketMatcher::add(Index side, Array<UnforeseenEdge>& unf
 
 // Those that no side has matched: what they share with another one is in the place before.
 HALFEDGE_NOINLINE bool BucketMatcher::close_ups(const Bucket& bucket) {
+  const std::span<const Index> places(to_vertex_, groups_.end());
   for (Index side = bucket.begin; side < bucket.ups_end; ++side) {
     const Index place = halfedge_of_[side];
     if (to_vertex_[place + 1] != kNone) continue;
     const Index low = low_of_[side];
     to_vertex_[place + 1] = low;
-    if (find(high_of_[side], groups_.begin_of(low), place) != kNone) return false;
+    if (find(high_of_[side], places, groups_.begin_of(low), place) != kNone) return false;
   }
   return true;
 }

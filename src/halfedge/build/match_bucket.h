@@ -40,7 +40,6 @@ class BucketMatcher {
   [[nodiscard]] bool match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unforeseen,
                                  Index& matched);
   [[nodiscard]] bool close_ups(const Bucket& bucket);
-  [[nodiscard]] Index find(Index vertex, Index begin, Index end) const;
   void add(Index side, Array<UnforeseenEdge>& unforeseen);
 
   Groups& groups_;
