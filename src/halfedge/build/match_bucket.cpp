@@ -120,7 +120,7 @@ HALFEDGE_NOINLINE void BucketMatcher::add(Index side, Array<UnforeseenEdge>& unf
   halfedge_of_[side] = place + 1;
 }
 
-// Those that no side has matched: what they share with another one is in the place before.
+// The sides that run up and that no other one has matched. False if one of them repeats another.
 HALFEDGE_NOINLINE bool BucketMatcher::close_ups(const Bucket& bucket) {
   const std::span<const Index> places(to_vertex_, groups_.end());
   for (Index side = bucket.begin; side < bucket.ups_end; ++side) {
