@@ -17,30 +17,6 @@
 namespace halfedge::test {
 namespace {
 
-/// Where the sides of a mesh are kept.
-struct Divided {
-  Groups groups;
-  Buckets buckets;
-  bool are_small = false;
-  std::vector<Index> slot_of;  // by side, in the order of the faces
-
-  explicit Divided(const Triangles& mesh) : slot_of(mesh.corners.size()) {
-    Array<Index> last_face;
-    bool repeated = false;
-    EXPECT_TRUE(groups.count<true>(mesh.polygons(), last_face, repeated));
-    are_small = buckets.set_up(groups, mesh.polygons().vertex_count());
-    visit(mesh, [&](std::size_t side, Index slot) { slot_of[side] = slot; });
-  }
-
-  template <class Visit>
-  void visit(const Triangles& mesh, const Visit& visit) {
-    buckets.for_each_triangle(mesh.polygons(), [&](Index f, const Index* corners, auto& slots) {
-      EXPECT_EQ(corners, &mesh.corners[3 * std::size_t{f}]);
-      for (std::size_t i = 0; i < 3; ++i) visit(3 * std::size_t{f} + i, slots[i]);
-    });
-  }
-};
-
 Index end_of(const Triangles& mesh, std::size_t side) {
   return mesh.corners[side % 3 == 2 ? side - 2 : side + 1];
 }
@@ -52,6 +28,28 @@ Index smaller_vertex(const Triangles& mesh, std::size_t side) {
 bool runs_up(const Triangles& mesh, std::size_t side) {
   return mesh.corners[side] < end_of(mesh, side);
 }
+
+/// Where the sides of a mesh are kept.
+struct Divided {
+  Groups groups;
+  Buckets buckets;
+  bool are_small = false;
+  std::vector<Index> lists;    // by face
+  std::vector<Index> slot_of;  // by side, in the order of the faces
+
+  explicit Divided(const Triangles& mesh) : lists(mesh.corners.size() / 3) {
+    Array<Index> last_face;
+    bool repeated = false;
+    EXPECT_TRUE(groups.count<true>(mesh.polygons(), last_face, repeated));
+    are_small = buckets.set_up(groups, mesh.polygons().vertex_count());
+    buckets.divide(mesh.polygons(), lists, [&](Index slot, Index low, Index high) {
+      const std::size_t side = slot_of.size();
+      EXPECT_EQ(low, smaller_vertex(mesh, side));
+      EXPECT_EQ(high, mesh.corners[side] + end_of(mesh, side) - low);
+      slot_of.push_back(slot);
+    });
+  }
+};
 
 TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
   for (const Index size : {3U, 4U, 20U, 301U}) {
@@ -87,9 +85,13 @@ TEST(BuildBuckets, KeepEachSideAmongThePlacesOfItsVertices) {
         ASSERT_EQ(bucket_of[divided.slot_of[side]], bucket_of[place_of_group]);
         ASSERT_EQ(is_up[divided.slot_of[side]], runs_up(mesh, side));
       }
-      divided.visit(mesh, [&](std::size_t side, Index slot) {
-        ASSERT_EQ(slot, divided.slot_of[side]);  // the same once more
+      Index faces = 0;
+      divided.buckets.for_each_triangle(divided.lists, [&](Index f, const auto& slots) {
+        ASSERT_EQ(f, faces++);
+        for (std::size_t i = 0; i < 3; ++i) ASSERT_EQ(slots[i], divided.slot_of[3 * f + i]);
+        divided.lists[f] = kNone;
       });
+      EXPECT_EQ(faces, divided.lists.size());
     }
   }
 }

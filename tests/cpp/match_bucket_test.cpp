@@ -100,12 +100,11 @@ std::optional<Matched> matched(const Corners& corners, Index vertices) {
 
   const std::size_t places = groups.end();
   std::vector<Index> low_of(places), high_of(places), halfedge_of(places), slot_of;
-  buckets.for_each_triangle(triangles, [&](Index, const Index* at, const auto& slots) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      low_of[slots[i]] = std::min(at[i], at[(i + 1) % 3]);
-      high_of[slots[i]] = std::max(at[i], at[(i + 1) % 3]);
-      slot_of.push_back(slots[i]);
-    }
+  std::vector<Index> lists(corners.size() / 3);
+  buckets.divide(triangles, lists, [&](Index slot, Index low, Index high) {
+    low_of[slot] = low;
+    high_of[slot] = high;
+    slot_of.push_back(slot);
   });
   // What lies at places before anything is placed there must not be taken for a vertex.
   for (const Index before : {kNone, Index{0}, vertices - 1}) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace halfedge {
 
@@ -27,8 +28,8 @@ struct Bucket {
 ///
 /// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides there, in
 /// the order in which they come: those that run up from the first place on, those that run down
-/// from the middle on. So the triangles tell whenever it is asked where each of their sides is
-/// kept, its *slot*, and nothing has to be stored of that.
+/// from the middle on. So a byte for each side, the number of its list, is all that it takes to
+/// find where it is kept, its *slot*, once more.
 class Buckets {
  public:
   /// Whether a build of these would wait for memory longer than it takes to divide their sides: if
@@ -42,12 +43,17 @@ class Buckets {
   /// cache, and for what Groups::scratch() has room for, two words of each.
   [[nodiscard]] bool set_up(const Groups& groups, std::size_t vertices);
 
-  /// Calls `visit(face, its corners, slots)` for each triangle: its side from corner `i` is kept in
-  /// `slots[i]`.
+  /// Calls `visit(slot, low, high)` for each side, with the smaller and the larger vertex of its
+  /// edge. `lists` has a word for each triangle, which gets the numbers of the lists of its sides.
   template <class Visit>
-  void for_each_triangle(const Polygons& triangles, const Visit& visit);
+  void divide(const Polygons& triangles, std::span<Index> lists, const Visit& visit);
 
-  /// Calls `visit(bucket)` for each bucket, after for_each_triangle.
+  /// Calls `visit(face, slots)` for each triangle, after divide(): its side from corner `i` is kept
+  /// in `slots[i]`. `visit` may write over the word of the triangle.
+  template <class Visit>
+  void for_each_triangle(std::span<const Index> lists, const Visit& visit) const;
+
+  /// Calls `visit(bucket)` for each bucket, after divide().
   template <class Visit>
   void for_each_bucket(const Visit& visit) const {
     for (std::size_t i = 0; i < kCount; ++i) {
@@ -59,6 +65,9 @@ class Buckets {
 
  private:
   static constexpr std::size_t kCount = 128;
+  static constexpr Index kListBits = 8;
+  static constexpr Index kListMask = (1U << kListBits) - 1;
+  static_assert(2 * kCount == kListMask + 1);
   // Fewer, and what belongs to all of them fits into the cache, or what is asked for ahead is there
   // in time.
   static constexpr std::size_t kFewVertices = kCanPrefetch ? 450'000 : 150'000;
@@ -70,27 +79,49 @@ class Buckets {
 
   static constexpr Index kLargestGroup = 4096;
 
+  using Slots = std::array<Index, 2 * kCount>;  // by list: sides of a bucket that run up, and down
+
+  [[nodiscard]] Slots first_slots() const {
+    Slots first;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      first[2 * i] = begin_[i];
+      first[2 * i + 1] = middle(begin_[i], begin_[i + 1]);
+    }
+    return first;
+  }
+
   Index shift_ = 0;                        // from a vertex to its bucket
   std::array<Index, kCount + 1> begin_{};  // where the places of each bucket begin
-  std::array<Index, 2 * kCount> next_{};   // the next slots: of its sides that run up, and down
+  Slots next_{};                           // the next slots
 };
 
 template <class Visit>
-void Buckets::for_each_triangle(const Polygons& triangles, const Visit& visit) {
-  std::array<Index, 2 * kCount> next;  // a local one is known not to be what `visit` writes
-  for (std::size_t i = 0; i < kCount; ++i) {
-    next[2 * i] = begin_[i];
-    next[2 * i + 1] = middle(begin_[i], begin_[i + 1]);
-  }
+void Buckets::divide(const Polygons& triangles, std::span<Index> lists, const Visit& visit) {
+  Slots next = first_slots();  // a local one is known not to be what `visit` writes
   for_each_face<true>(triangles, [&](Index f, const Index* corners, auto) {
-    std::array<Index, 3> slots;
+    Index lists_of_face = 0;
     for (Index i = 0; i < 3; ++i) {
-      const DirectedSide side(corners[i], corners[i == 2 ? 0 : i + 1]);
-      slots[i] = next[2 * (side.low >> shift_) - side.down]++;
+      const Index from = corners[i];
+      const Index to = corners[i == 2 ? 0 : i + 1];
+      const DirectedSide side(from, to);
+      const Index list = 2 * (side.low >> shift_) - side.down;
+      visit(next[list]++, side.low, side.pick(to, from));
+      lists_of_face |= list << kListBits * i;
     }
-    visit(f, corners, slots);
+    lists[f] = lists_of_face;
   });
   next_ = next;
+}
+
+template <class Visit>
+void Buckets::for_each_triangle(std::span<const Index> lists, const Visit& visit) const {
+  Slots next = first_slots();
+  for (Index f = 0; f < lists.size(); ++f) {
+    const Index lists_of_face = lists[f];
+    std::array<Index, 3> slots;
+    for (Index i = 0; i < 3; ++i) slots[i] = next[lists_of_face >> kListBits * i & kListMask]++;
+    visit(f, slots);
+  }
 }
 
 }  // namespace halfedge

@@ -165,18 +165,14 @@ class SideConnector {
   }
 
   // Numbers sides as their buckets keep them, and finds their halfedges bucket by bucket. Their
-  // vertices lie in arrays that are written later.
+  // vertices lie in arrays that are written later, and so do the lists of sides until faces are
+  // linked.
   HALFEDGE_NOINLINE bool match_divided_sides() {
     Index* const low_of = next_;
     Index* const high_of = face_;
-    buckets_.for_each_triangle(polygons_, [=](Index, const Index* corners, const auto& slots) {
-      for (Index i = 0; i < 3; ++i) {
-        const Index from = corners[i];
-        const Index to = corners[i == 2 ? 0 : i + 1];
-        const DirectedSide side(from, to);
-        low_of[slots[i]] = side.low;
-        high_of[slots[i]] = side.pick(to, from);
-      }
+    buckets_.divide(polygons_, links_.face_halfedge.span(), [=](Index slot, Index low, Index high) {
+      low_of[slot] = low;
+      high_of[slot] = high;
     });
     BucketMatcher matcher(groups_, low_of, high_of, halfedge_of_, to_);
     bool is_manifold = true;
@@ -269,7 +265,7 @@ class SideConnector {
     Index* const next = next_;
     Index* const face = face_;
     const Index* const halfedge_of = halfedge_of_;
-    buckets_.for_each_triangle(polygons_, [=](Index f, const Index*, const auto& slots) {
+    buckets_.for_each_triangle(links_.face_halfedge.span(), [=](Index f, const auto& slots) {
       Index before = slots[2];
       firsts[f] = halfedge_of[before];
       for (Index i = 0; i < 3; ++i) {
@@ -300,8 +296,9 @@ class SideConnector {
   // over all vertices and what goes to all buckets drive each other out of the cache.
   HALFEDGE_NOINLINE void anchor_at_divided_sides() {
     Index* const anchors = links_.vertex_halfedge.data();
-    buckets_.for_each_triangle(polygons_, [=](Index, const Index* corners, const auto& slots) {
-      for (Index i = 0; i < 3; ++i) anchors[corners[i]] = slots[i];
+    const Index* const corners = polygons_.corners.data();
+    buckets_.for_each_triangle(links_.face_halfedge.span(), [=](Index f, const auto& slots) {
+      for (Index i = 0; i < 3; ++i) anchors[corners[3 * std::size_t{f} + i]] = slots[i];
     });
     for (Index& anchor : links_.vertex_halfedge) {
       if (anchor != kNone) anchor = halfedge_of_[anchor];

@@ -72,6 +72,10 @@ class Groups {
   /// The place of the next side of `low` that runs up, as next_place().
   [[nodiscard]] Index& next_up_place(Index low) { return next_[2 * std::size_t{low}]; }
 
+  /// What next_place() refers to, two words for each vertex: of sides that run up, and of those
+  /// that run down. A loop that calls other functions, too, keeps this in a register.
+  [[nodiscard]] Index* next_places() { return next_.data(); }
+
   /// How many corners before their sides are placed their groups are asked for; half as many
   /// before, what lies at their places.
   static constexpr Index kPlacingAhead = 192;

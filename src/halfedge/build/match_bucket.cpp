@@ -2,10 +2,17 @@
 #include <halfedge/inlining.h>
 #include <halfedge/sort.h>
 
+#include <algorithm>
 #include <bit>
-#include <cstring>
+#include <cstdint>
 #include <span>
 #include <utility>
+
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
 
 namespace halfedge {
 
@@ -13,31 +20,38 @@ namespace {
 
 constexpr Index kAtOnce = 16;
 
-// Which of these places hold this vertex: a bit for each, of every second one. Without a branch,
-// and all of them at once: compilers make no vectors of the loop.
-[[gnu::always_inline]] inline Index places_with(Index vertex, const Index* places) {
-#if defined(__GNUC__)
-  using Four = Index __attribute__((vector_size(16)));
-  Four words[4];
-  std::memcpy(words, places, sizeof words);
-  const Four sought = {vertex, vertex, vertex, vertex};
-  const Four found = (Four(words[0] == sought) & Four{1U << 0, 0, 1U << 2, 0}) |
-                     (Four(words[1] == sought) & Four{1U << 4, 0, 1U << 6, 0}) |
-                     (Four(words[2] == sought) & Four{1U << 8, 0, 1U << 10, 0}) |
-                     (Four(words[3] == sought) & Four{1U << 12, 0, 1U << 14, 0});
-  return found[0] | found[2];
+#if defined(__wasm_simd128__) || defined(__SSE2__)
+constexpr bool kCanCompareAtOnce = true;
+
+// Which of so many words are this one: a bit for each.
+[[gnu::always_inline]] inline Index words_equal_to(Index sought, const Index* words) {
+#if defined(__wasm_simd128__)
+  const auto are_equal = [=, four = wasm_i32x4_splat(std::int32_t(sought))](int i) {
+    return wasm_i32x4_eq(wasm_v128_load(words + i), four);
+  };
+  const v128_t first = wasm_i16x8_narrow_i32x4(are_equal(0), are_equal(4));
+  const v128_t last = wasm_i16x8_narrow_i32x4(are_equal(8), are_equal(12));
+  return Index(wasm_i8x16_bitmask(wasm_i8x16_narrow_i16x8(first, last)));
 #else
-  Index found = 0;
-  for (Index i = 0; i < kAtOnce; i += 2) found |= Index{places[i] == vertex} << i;
-  return found;
+  const auto are_equal = [=, four = _mm_set1_epi32(std::int32_t(sought))](int i) {
+    return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(words + i)), four);
+  };
+  const __m128i first = _mm_packs_epi32(are_equal(0), are_equal(4));
+  const __m128i last = _mm_packs_epi32(are_equal(8), are_equal(12));
+  return Index(_mm_movemask_epi8(_mm_packs_epi16(first, last)));
 #endif
 }
+#else
+constexpr bool kCanCompareAtOnce = false;
+Index words_equal_to(Index, const Index*) { return 0; }
+#endif
 
 // The first of the places `begin`, `begin + 2`, ... before `end` that holds this vertex, or kNone.
 [[gnu::always_inline]] inline Index find(Index vertex, std::span<const Index> places, Index begin,
                                          Index end) {
-  for (; places.size() - begin >= kAtOnce; begin += kAtOnce) {
-    const Index found = places_with(vertex, places.data() + begin);
+  constexpr Index kEverySecond = 0x5555;
+  for (; kCanCompareAtOnce && places.size() - begin >= kAtOnce; begin += kAtOnce) {
+    const Index found = words_equal_to(vertex, places.data() + begin) & kEverySecond;
     if (found != 0) {
       const Index place = begin + Index(std::countr_zero(found));
       return place < end ? place : kNone;
@@ -65,15 +79,16 @@ bool BucketMatcher::place_ups(const Bucket& bucket) {
   const Index* const high_of = high_of_;
   Index* const halfedge_of = halfedge_of_;
   Index* const to_vertex = to_vertex_;
+  Index* const next_places = groups_.next_places();
+  std::fill(to_vertex + bucket.begin, to_vertex + bucket.end, kNone);
   Index loops = 0;
   for (Index side = bucket.begin; side < bucket.ups_end; ++side) {
     const Index low = low_of[side];
     const Index high = high_of[side];
-    Index& next_place = groups_.next_up_place(low);
+    Index& next_place = next_places[2 * std::size_t{low}];
     const Index place = next_place;
     next_place = place + 2;
     to_vertex[place] = high;
-    to_vertex[place + 1] = kNone;
     halfedge_of[side] = place;
     loops |= Index{low == high};
   }
@@ -87,11 +102,13 @@ bool BucketMatcher::match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unf
   Index* const halfedge_of = halfedge_of_;
   Index* const to_vertex = to_vertex_;
   const std::span<const Index> places(to_vertex, groups_.end());
+  const Index* const next_places = groups_.next_places();
   Index clashes = 0;
   Index added = 0;
   for (Index side = bucket.downs_begin; side < bucket.downs_end; ++side) {
     const Index low = low_of[side];
-    const Index up = find(high_of[side], places, groups_.begin_of(low), groups_.next_up_place(low));
+    const Index* const next = next_places + 2 * std::size_t{low};
+    const Index up = find(high_of[side], places, next[1] - 1, next[0]);
     if (up == kNone) {
       add(side, unforeseen);
       ++added;
