@@ -47,11 +47,11 @@ Index words_equal_to(Index, const Index*) { return 0; }
 #endif
 
 // The first of the places `begin`, `begin + 2`, ... before `end` that holds this vertex, or kNone.
+// Those between them hold the smaller vertex of the group, if any, and not this one.
 [[gnu::always_inline]] inline Index find(Index vertex, std::span<const Index> places, Index begin,
                                          Index end) {
-  constexpr Index kEverySecond = 0x5555;
   for (; kCanCompareAtOnce && places.size() - begin >= kAtOnce; begin += kAtOnce) {
-    const Index found = words_equal_to(vertex, places.data() + begin) & kEverySecond;
+    const Index found = words_equal_to(vertex, places.data() + begin);
     if (found != 0) {
       const Index place = begin + Index(std::countr_zero(found));
       return place < end ? place : kNone;
