@@ -26,10 +26,10 @@ struct Bucket {
 /// that come in random order: one step of a radix sort. What belongs to the vertices of a bucket
 /// fits into the cache, so that sides that are taken bucket by bucket don't wait for memory.
 ///
-/// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides there, in
-/// the order in which they come: those that run up from the first place on, those that run down
-/// from the middle on. So a byte for each side, the number of its list, is all that it takes to
-/// find where it is kept, its *slot*, once more.
+/// A bucket has the places of the groups of its vertices (groups.h), and keeps its sides there in
+/// two lists, in the order in which they come: those that run up from the first place on, those
+/// that run down from the middle on. So a byte for each side, the number of its list, is all that
+/// it takes to find where it is kept, its *slot*, once more.
 class Buckets {
  public:
   /// Whether a build of these would wait for memory longer than it takes to divide their sides: if

@@ -107,7 +107,7 @@ bool BucketMatcher::match_downs(const Bucket& bucket, Array<UnforeseenEdge>& unf
   Index added = 0;
   for (Index side = bucket.downs_begin; side < bucket.downs_end; ++side) {
     const Index low = low_of[side];
-    const Index* const next = next_places + 2 * std::size_t{low};
+    const Index* const next = next_places + 2 * std::size_t{low};  // as begin_of() reads it
     const Index up = find(high_of[side], places, next[1] - 1, next[0]);
     if (up == kNone) {
       add(side, unforeseen);
