@@ -37,6 +37,19 @@ test.each(pages.map((path) => relative(root, path)))('links of %s lead somewhere
   expect(broken.map(([link]) => link)).toEqual([]);
 });
 
+test.each(pages.map((path) => relative(root, path)))(
+  'rows of tables in %s have as many cells as their heads',
+  (name) => {
+    const cells = (row: string) => row.split(/(?<!\\)\|/).length - 2;
+    const tables = prose(join(root, name)).matchAll(/^\|.*\n\|[-:| ]+\|\n(?:\|.*\n?)*/gm);
+    const wrong = [...tables].flatMap(([table]) => {
+      const [head = '', ...rows] = table.trimEnd().split('\n');
+      return rows.filter((row) => cells(row) !== cells(head));
+    });
+    expect(wrong).toEqual([]);
+  },
+);
+
 /** Said by pages of the npm package that link to what it leaves out. */
 const NEEDS_REPOSITORY = /^Links that lead out of `docs` need the repository: /m;
 
