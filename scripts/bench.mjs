@@ -17,7 +17,7 @@ const benchmarks = {
   async web(args) {
     await setup(['build']);
     await build();
-    await run(process.execPath, ['--expose-gc', join(root, 'bench/web/run.mjs'), ...args]);
+    await run(process.execPath, [join(root, 'bench/web/run.mjs'), ...args]);
   },
 
   async start() {

@@ -1,24 +1,24 @@
 // The benchmark in Node.
 
-import { setFlagsFromString } from 'node:v8';
-import { HalfedgeMesh, init } from 'halfedge';
-import manifoldModule from 'manifold-3d';
-import * as three from 'three';
-// By their paths: under their names Node finds files that it can't load.
-import * as csg from '../../node_modules/three-bvh-csg/build/index.module.js';
-import * as threeMeshHalfedge from '../../node_modules/three-mesh-halfedge/build/index.esm.js';
-import { runOperations } from './operations.mjs';
-import { runSuite } from './suite.mjs';
+import { fork } from 'node:child_process';
+import { once } from 'node:events';
+import { fileURLToPath } from 'node:url';
 
-export async function inNode(options) {
-  setFlagsFromString('--no-concurrent-recompilation'); // see chromium.mjs
-  await init();
-  const manifold = await manifoldModule();
-  manifold.setup();
-  const libraries = { HalfedgeMesh, three, threeMeshHalfedge, manifold, csg };
-  return {
-    engine: `Node ${process.version.slice(1)}`,
-    results: await runSuite(libraries, options),
-    operations: await runOperations(libraries, options),
-  };
+const PROGRAM = fileURLToPath(new URL('node-program.mjs', import.meta.url));
+/** See chromium.mjs. */
+const FLAGS = ['--expose-gc', '--no-concurrent-recompilation'];
+
+/** Runs it in a program of its own. */
+export async function inNode({ say, ...options }) {
+  const program = fork(PROGRAM, { execArgv: FLAGS, serialization: 'advanced' });
+  program.send(options);
+  let measured;
+  program.on('message', ({ name, ...message }) => {
+    if (name === undefined) measured = message;
+    else say(name);
+  });
+  // What it has sent is there once it is disconnected.
+  const [[code]] = await Promise.all([once(program, 'exit'), once(program, 'disconnect')]);
+  if (measured === undefined) throw new Error(`The benchmark in Node ended with code ${code}.`);
+  return { engine: `Node ${process.version.slice(1)}`, ...measured };
 }

@@ -9,6 +9,7 @@ import { argv } from 'node:process';
 import { inChromium } from './chromium.mjs';
 import { inNode } from './node.mjs';
 import { operationTable } from './operations.mjs';
+import { inPrograms } from './programs.mjs';
 import { keepReport } from './readme.mjs';
 import { tables } from './table.mjs';
 import { inWebKit } from './webkit.mjs';
@@ -18,6 +19,7 @@ const options = {
   ...(asked.has('--quick') && { sizes: [64, 4], rounds: 5, warm: 30 }),
   say: (name) => console.error(`  ${name}`),
 };
+const PROGRAMS = asked.has('--quick') ? 1 : 3;
 const ENGINES = { Node: inNode, Chromium: inChromium, WebKit: inWebKit };
 const only = Object.keys(ENGINES).filter((name) => asked.has(`--${name.toLowerCase()}`));
 const engines = only.length > 0 ? only : ['Node', 'Chromium'];
@@ -28,7 +30,7 @@ console.log(machine);
 const sections = [machine];
 for (const name of engines) {
   console.error(`In ${name}:`);
-  const { engine, results, operations } = await ENGINES[name](options);
+  const { engine, results, operations } = await inPrograms(PROGRAMS, ENGINES[name], options);
   const section = `### ${engine}\n\n${tables(results)}\n\n${operationTable(operations)}`;
   console.log(`\n${section}`);
   sections.push(section);

@@ -1,4 +1,4 @@
-import { intoSlowly, roomIn } from './buffer.js';
+import * as buffers from './buffer.js';
 import { HalfedgeError } from './errors.js';
 import * as fills from './fills.js';
 import { NONE as none } from './items.js';
@@ -8,6 +8,7 @@ import * as walks from './walks.js';
 
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
+const { intoSlowly, roomIn } = buffers;
 const { NEXT, nextOfEdge } = laps;
 const { FILL } = fills;
 const { ACROSS, beginsAtHome, shown, step } = walks;

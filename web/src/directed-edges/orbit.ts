@@ -1,4 +1,4 @@
-import { intoSlowly, roomIn } from '../buffer.js';
+import * as buffers from '../buffer.js';
 import { NONE as none } from '../items.js';
 import { corrupt } from '../links.js';
 import * as general from '../walks.js';
@@ -9,6 +9,7 @@ import * as walks from './walks.js';
 
 // Constants of this module's own: see ../walks.ts.
 const NONE: typeof none = none;
+const { intoSlowly, roomIn } = buffers;
 const { fill } = fills;
 const { NEXT } = laps;
 const { FACE, beginsAtHome } = general;
