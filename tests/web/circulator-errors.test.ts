@@ -59,6 +59,14 @@ describe('After the connectivity has changed,', () => {
         return ring.into(new Int32Array(4));
       },
     ],
+    [
+      'filling a buffer from an edge',
+      (mesh, change) => {
+        const ends = mesh.edgeVertices(5);
+        change();
+        return ends.into(new Int32Array(2));
+      },
+    ],
     ...(['current', 'halfedge'] as const).map(
       (name): [string, (mesh: HalfedgeMesh, change: () => void) => unknown] => [
         `${name} of a circulator`,

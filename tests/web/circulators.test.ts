@@ -122,6 +122,27 @@ describe.each([
     }
   });
 
+  test('a buffer is filled with what a loop sees', () => {
+    const buffer = new Int32Array(mesh.vertexCount + mesh.faceCount);
+    for (const [kinds, count] of [
+      [aroundVertices, mesh.vertexCount],
+      [aroundFaces, mesh.faceCount],
+      [aroundEdges, mesh.edgeCount],
+      [['halfedgeLoop'], mesh.halfedgeCount],
+    ] as const) {
+      for (const kind of kinds) {
+        for (let item = 0; item < count; item++) {
+          for (const direction of directions) {
+            const lap = range(mesh, kind)(item, direction);
+            const filled = buffer.fill(-7).subarray(0, lap.into(buffer));
+            expect([...filled]).toEqual([...lap]);
+            expect(buffer[filled.length]).toBe(-7);
+          }
+        }
+      }
+    }
+  });
+
   test('the endless form goes round and round, and back', () => {
     const items: [readonly CirculatorKind[], number][] = [
       [aroundVertices, mesh.vertexCount],
@@ -299,10 +320,12 @@ describe('A range', () => {
       new Float32Array(4),
       new Uint8Array(4),
     ]) {
-      expect(() => mesh.vertexVertices(5).into(buffer as never)).toThrow(TypeError);
-      expect(() => mesh.vertexVertices(5).into(buffer as never)).toThrow(
-        /^buffer is .*; expected an Int32Array or a Uint32Array\.$/,
-      );
+      for (const lap of [mesh.vertexVertices(5), mesh.edgeVertices(5)]) {
+        expect(() => lap.into(buffer as never)).toThrow(TypeError);
+        expect(() => lap.into(buffer as never)).toThrow(
+          /^buffer is .*; expected an Int32Array or a Uint32Array\.$/,
+        );
+      }
     }
   });
 

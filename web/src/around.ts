@@ -1,4 +1,5 @@
 import { describe } from './arguments.js';
+import * as edgeOrbit from './edge-orbit.js';
 import { type Direction, NONE as none } from './items.js';
 import { corrupt, type Links } from './links.js';
 import * as orbit from './orbit.js';
@@ -7,7 +8,8 @@ import * as walks from './walks.js';
 
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
-const { EdgeOrbit, Orbit } = orbit;
+const { EdgeOrbit } = edgeOrbit;
+const { Orbit } = orbit;
 const { ACROSS, ITSELF, LOOP_CCW, LOOP_CW, OPPOSITE } = walks;
 const { ROTATE_CCW, ROTATE_CW, beginsAtHome, reverse, step } = walks;
 

@@ -9,9 +9,9 @@ import * as walks from './walks.js';
 // Constants of this module's own: see walks.ts.
 const NONE: typeof none = none;
 const { intoSlowly, roomIn } = buffers;
-const { NEXT, nextOfEdge } = laps;
+const { NEXT } = laps;
 const { FILL } = fills;
-const { ACROSS, beginsAtHome, shown, step } = walks;
+const { beginsAtHome, shown, step } = walks;
 type Lap = laps.Lap;
 
 /**
@@ -70,11 +70,8 @@ export class Orbit<Item extends number> implements Iterable<Item> {
     if (this.era.next[0] === undefined) this.revive();
     roomIn(buffer); // refuses what is no buffer
     if (home < 0) return 0;
-    if (walk !== ACROSS) {
-      const count = FILL[((view >> 1) & ~1) | (walk >> 1)](this, buffer);
-      if (count >= 0) return count;
-    }
-    return intoSlowly(this, buffer);
+    const count = FILL[((view >> 1) & ~1) | (walk >> 1)](this, buffer);
+    return count >= 0 ? count : intoSlowly(this, buffer);
   }
 
   /**
@@ -114,19 +111,6 @@ export class Orbit<Item extends number> implements Iterable<Item> {
   /** @internal */
   fail(): never {
     throw corrupt(`The orbit of halfedge ${this.home} does not close`);
-  }
-}
-
-/** One lap across an edge. */
-export class EdgeOrbit<Item extends number> extends Orbit<Item> {
-  /** @internal */
-  constructor(links: Links, home: number, view: number) {
-    super(links, home, ACROSS, view);
-  }
-
-  override [Symbol.iterator](): Iterator<Item, typeof NONE> {
-    const lap: Lap = { next: nextOfEdge, orbit: this, at: this.home, left: 2 };
-    return lap as Iterator<Item, typeof NONE>;
   }
 }
 

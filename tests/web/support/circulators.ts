@@ -29,6 +29,9 @@ export const directed: [
   ['faceFaces', 'face', (mesh, way) => mesh.allFaceFaces(way)],
 ];
 
-export type Range = (item: number, direction?: Direction, start?: number) => Iterable<number>;
+interface Lap extends Iterable<number> {
+  into(buffer: Int32Array): number;
+}
+export type Range = (item: number, direction?: Direction, start?: number) => Lap;
 export const range = (mesh: HalfedgeMesh, kind: CirculatorKind): Range =>
   (mesh[kind] as Range).bind(mesh);
