@@ -12,8 +12,8 @@ const { ACROSS, shown } = walks;
 type Lap = laps.Lap;
 
 /**
- * One lap across an edge: an `Orbit` in all but its constructor, which calls no other one. V8 makes no object of what
- * this makes for a loop, and one lap is too short to make up for that.
+ * One lap across an edge: an `Orbit` in all but its constructor, which calls no other one. If it did, V8 would make an
+ * object for each lap of a loop, and there are only two items to it.
  */
 export class EdgeOrbit<Item extends number> {
   /** @internal */

@@ -8,7 +8,7 @@ import {
   type Halfedge,
   type HalfedgeLike,
   type ItemKind,
-  NONE,
+  NONE as none,
   type Vertex,
   type VertexLike,
 } from './items.js';
@@ -20,6 +20,9 @@ import {
   type Links,
   slotCount,
 } from './links.js';
+
+// A constant of this module's own: see walks.ts.
+const NONE: typeof none = none;
 
 /** The links of a mesh, for the modules of this package. */
 export let linksOf: (mesh: Navigation) => Links;
