@@ -206,6 +206,14 @@ describe('What is asked for', () => {
     expect(() => mesh.vertexArea('1' as never)).toThrow(TypeError);
     mesh.deleteFace(4);
     expect(() => mesh.faceArea(4)).toThrow('f is face 4, which was deleted; expected a live one.');
+    const h = mesh.vertexHalfedge(0);
+    mesh.deleteVertex(0);
+    const deleted = /^. is (vertex|halfedge|edge) \d+, which was deleted; expected a live one\.$/;
+    expect(() => mesh.angleDefect(0)).toThrow(deleted);
+    expect(() => mesh.cornerAngle(h)).toThrow(deleted);
+    expect(() => mesh.edgeLength(h >> 1)).toThrow(deleted);
+    expect(() => mesh.edgeLength(20.5)).toThrow('e is 20.5; expected an edge');
+    expect(() => mesh.edgeLength(2 ** 32)).toThrow('e is 4294967296; expected an edge');
     mesh.dispose();
     for (const ask of [
       () => mesh.faceArea(0),

@@ -115,7 +115,7 @@ export const aroundEdge = <Item extends number>(
   e: number,
   view: number,
 ): orbit.Orbit<Item> => {
-  if (!(typeof e === 'number' && (e | 0) === e && links.next[2 * e] >= 0)) links.checkEdge(e);
+  links.checkEdge(e);
   return new EdgeOrbit(links, 2 * e + 1, view);
 };
 

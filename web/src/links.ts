@@ -422,26 +422,33 @@ export class Links implements Viewer {
     if (this.disposed) throw wasDisposed();
   }
 
+  // Each look-up tells what is live, for numbers: detached views have nothing, nor have others at what is no index, and
+  // what is beyond the last slot is as little live as what was deleted. The rest is for sentences.
+
   /** Throws a sentence unless `v` is a live vertex; mends detached views on the way. */
   checkVertex(v: number, argument = 'v'): void {
+    if (typeof v === 'number' && this.vertexHalfedge[v] >= NONE) return;
     this.#check('vertex', this.vertexSlots, v, argument);
     if (this.vertexHalfedge[v] < -1) throw deleted('vertex', v, argument);
   }
 
   /** Throws a sentence unless `h` is a live halfedge; mends detached views on the way. */
   checkHalfedge(h: number, argument = 'h'): void {
+    if (typeof h === 'number' && this.next[h] >= 0) return;
     this.#check('halfedge', this.halfedgeSlots, h, argument);
     if (this.next[h] < -1) throw deleted('halfedge', h, argument);
   }
 
   /** Throws a sentence unless `e` is a live edge; mends detached views on the way. */
   checkEdge(e: number, argument = 'e'): void {
+    if (typeof e === 'number' && (e | 0) === e && this.next[2 * e] >= 0) return;
     this.#check('edge', this.halfedgeSlots / 2, e, argument);
     if (this.next[2 * e] < -1) throw deleted('edge', e, argument);
   }
 
   /** Throws a sentence unless `f` is a live face; mends detached views on the way. */
   checkFace(f: number, argument = 'f'): void {
+    if (typeof f === 'number' && this.faceHalfedge[f] >= 0) return;
     this.#check('face', this.faceSlots, f, argument);
     if (this.faceHalfedge[f] < -1) throw deleted('face', f, argument);
   }
