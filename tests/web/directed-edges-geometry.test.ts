@@ -329,6 +329,10 @@ describe('Of Directed Edges', () => {
       [() => mesh.faceNormal(18), new RangeError('f is 18; expected a face from 0 to 17.')],
       [() => mesh.faceArea(-1), new RangeError('f is -1; expected a face from 0 to 17.')],
       [() => mesh.faceCentroid(0.5), new RangeError('f is 0.5; expected a face from 0 to 17.')],
+      [
+        () => mesh.faceArea(1 / 3),
+        new RangeError('f is 0.3333333333333333; expected a face from 0 to 17.'),
+      ],
       [() => mesh.edgeLength(54), new RangeError('e is 54; expected an edge from 0 to 53.')],
       ...perEdge.map((measure): [() => unknown, Error] => [
         () => mesh[measure](4),

@@ -1,5 +1,5 @@
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
-import type { Halfedge } from '../items.js';
+import { type Halfedge, NONE } from '../items.js';
 import { checkIndex, corrupt, wasDisposed } from '../links.js';
 import type { Core } from '../loader.js';
 import { after } from './walks.js';
@@ -133,20 +133,27 @@ export class DirectedLinks implements Viewer {
     if (this.disposed) throw wasDisposed();
   }
 
-  /** These throw a sentence unless there is such an item, and mend detached views on the way. */
+  // These throw a sentence unless there is such an item, and mend detached views on the way. One look-up tells for
+  // numbers, as in ../links.ts.
+
   checkVertex(v: number, argument = 'v'): void {
+    if (typeof v === 'number' && this.vertexHalfedge[v] >= NONE) return;
     this.revive();
     checkIndex('vertex', this.vertices, v, argument);
   }
   checkHalfedge(h: number, argument = 'h'): void {
+    if (typeof h === 'number' && this.opposite[h] >= 0) return;
     this.revive();
     checkIndex('halfedge', this.halfedges, h, argument);
   }
   checkFace(f: number, argument = 'f'): void {
+    if (typeof f === 'number' && (f | 0) === f && this.opposite[3 * f] >= 0 && 3 * f < this.sides)
+      return;
     this.revive();
     checkIndex('face', this.sides / 3, f, argument);
   }
   checkEdge(e: number, argument = 'e'): void {
+    if (typeof e === 'number' && this.opposite[e] > e) return;
     this.revive();
     checkIndex('edge', this.sides, e, argument);
     const opposite = this.opposite[e];
