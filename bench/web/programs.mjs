@@ -1,5 +1,5 @@
-// Several programs that measure the same. A loop takes half as long again in one program as in another, for as long
-// as it runs: where its code lies is up to V8, and the processor likes one place better than another.
+// Several programs that measure the same. A loop can take half as long again in one program as in another, for as long
+// as it runs: how fast it is, is decided when V8 compiles it.
 
 /** Runs `start(options)` so many times, one after the other, and returns the medians of what all have measured. */
 export async function inPrograms(count, start, options) {

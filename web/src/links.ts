@@ -1,8 +1,11 @@
 import { describe, indices, listFrom, type NumberArray, refuseIndex } from './arguments.js';
 import { HalfedgeError } from './errors.js';
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from './growth.js';
-import { type ItemKind, NONE, PLURALS } from './items.js';
+import { type ItemKind, NONE as none, PLURALS } from './items.js';
 import type { Core } from './loader.js';
+
+// A constant of this module's own: see walks.ts.
+const NONE: typeof none = none;
 
 /**
  * Frees the meshes that were forgotten rather than disposed of. Watches the links, not the mesh:

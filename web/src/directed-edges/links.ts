@@ -1,8 +1,11 @@
 import { unwatchGrowth, type Viewer, type Watch, watchGrowth } from '../growth.js';
-import { type Halfedge, NONE } from '../items.js';
+import { type Halfedge, NONE as none } from '../items.js';
 import { checkIndex, corrupt, wasDisposed } from '../links.js';
 import type { Core } from '../loader.js';
 import { after } from './walks.js';
+
+// A constant of this module's own: see ../walks.ts.
+const NONE: typeof none = none;
 
 /** Frees what was forgotten rather than disposed of; see links.ts. */
 const forgotten = new FinalizationRegistry<{ core: Core; address: number }>(({ core, address }) =>
