@@ -4,6 +4,7 @@
 #include <halfedge/build/fans.h>
 #include <halfedge/build/groups.h>
 #include <halfedge/build/match_bucket.h>
+#include <halfedge/build/order.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/inlining.h>
 #include <halfedge/prefetch.h>
@@ -41,7 +42,9 @@ HALFEDGE_NOINLINE void touch_places(std::span<const Index> places, std::span<con
 template <bool kTriangles, bool kPrev>
 class SideConnector {
  public:
-  SideConnector(const Polygons& polygons, Links& links) : polygons_(polygons), links_(links) {}
+  // `fetches`: whether to ask for memory ahead.
+  SideConnector(const Polygons& polygons, Links& links, bool fetches)
+      : polygons_(polygons), links_(links), fetches_(fetches) {}
 
   // Inlined, all instances of it take half as much code again.
   HALFEDGE_NOINLINE_IN_WASM ConnectResult run() {
@@ -144,7 +147,8 @@ class SideConnector {
   //
   // So only one array is written in the order of groups, which is the slow one.
   HALFEDGE_NOINLINE void place_sides() {
-    const Index fetching = is_large() ? corners_before_last(Groups::kPlacingAhead + 3) : 0;
+    const Index fetching =
+        fetches_ && is_large() ? corners_before_last(Groups::kPlacingAhead + 3) : 0;
     Index first = 0;
     for_each_face<kTriangles>(polygons_, [&](Index, const Index* corners, auto size) {
       if (kCanPrefetch && first < fetching) groups_.fetch_places(corners, to_);
@@ -238,7 +242,7 @@ class SideConnector {
     Index* const anchors = links_.vertex_halfedge.data();
     Index* const firsts = links_.face_halfedge.data();
     const Index* halfedges = halfedge_of_;
-    const Index* const fetching = halfedges + corners_before_last(kAhead + 3);
+    const Index* const fetching = halfedges + (fetches_ ? corners_before_last(kAhead + 3) : 0);
     Index* const far_anchors = is_large() ? anchors : nullptr;
     for_each_face<kTriangles>(polygons_, [&](Index f, const Index* corners, auto size) {
       if (kCanPrefetch && halfedges < fetching) {
@@ -331,6 +335,7 @@ class SideConnector {
 
   const Polygons& polygons_;
   Links& links_;
+  const bool fetches_;
   Groups groups_;
   Buckets buckets_;
   Array<UnforeseenEdge> unforeseen_;
@@ -343,17 +348,18 @@ class SideConnector {
 };
 
 // Four steps to a round: what counts the rounds takes a third of the time else.
-void write_prev(Links& links) {
+void write_prev(Links& links, [[maybe_unused]] bool fetches) {
   const Index* const next = links.next.data();
   Index* const prev = links.prev.data();
   const Index count = Index(links.next.size());
   Index h = 0;
-  if constexpr (kCanPrefetch) {
-    for (; count - h >= kAhead + 4; h += 4) {
-      for (Index i = h; i < h + 4; ++i) {
-        prefetch(prev + next[i + kAhead]);
-        prev[next[i]] = i;
+  if constexpr (kCanPrefetch) {  // WebAssembly gains nothing by four steps to a round
+    const Index fetching = fetches && count > kAhead + 3 ? count - kAhead - 3 : 0;
+    for (; count - h >= 4; h += 4) {
+      if (h < fetching) {
+        for (Index i = h; i < h + 4; ++i) prefetch(prev + next[i + kAhead]);
       }
+      for (Index i = h; i < h + 4; ++i) prev[next[i]] = i;
     }
   }
   for (; h < count; ++h) prev[next[h]] = h;
@@ -363,13 +369,14 @@ void write_prev(Links& links) {
 
 template <bool kPrev>
 ConnectResult connect(const Polygons& polygons, Links& links) {
+  const bool fetches = kCanPrefetch && !lie_in_rows(polygons);
   const ConnectResult result = polygons.are_triangles()
-                                   ? SideConnector<true, kPrev>(polygons, links).run()
-                                   : SideConnector<false, kPrev>(polygons, links).run();
+                                   ? SideConnector<true, kPrev>(polygons, links, fetches).run()
+                                   : SideConnector<false, kPrev>(polygons, links, fetches).run();
   if (result != ConnectResult::kDone) return result;
   const bool is_closed = links.next.size() == polygons.corners.size();
   if (!is_closed && !join_open_fans(links)) return ConnectResult::kOutOfMemory;
-  if constexpr (kPrev) write_prev(links);
+  if constexpr (kPrev) write_prev(links, fetches);
   if (!each_vertex_has_one_cycle(links)) return ConnectResult::kNotManifold;
   return ConnectResult::kDone;
 }

@@ -27,9 +27,4 @@ void for_each_face(const Polygons& polygons, const Visit& visit) {
   }
 }
 
-/// Whether two items are so near by number that what belongs to them is near in memory.
-[[nodiscard]] constexpr bool are_near(Index a, Index b, Index nearby = 2048) {
-  return a - b + nearby < 2 * nearby;
-}
-
 }  // namespace halfedge

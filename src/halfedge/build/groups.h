@@ -1,6 +1,7 @@
 #pragma once
 
 #include <halfedge/build/each_face.h>
+#include <halfedge/build/order.h>
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/array.h>
 #include <halfedge/connectivity/handle.h>
@@ -28,16 +29,6 @@ struct DirectedSide {
     return if_up ^ ((if_up ^ if_down) & down);
   }
 };
-
-/// From so many vertices on, what belongs to them doesn't stay in the cache between one use and the
-/// next.
-inline constexpr std::size_t kTooManyForCache = 100'000;
-
-/// Whether sides are scattered over all faces, by the first and the last of some that will be
-/// needed together. In a mesh whose faces are in no order, seven of eight such pairs are.
-[[nodiscard]] constexpr bool are_scattered(Index first, Index last, Index sides) {
-  return !are_near(first, last, sides / 16);
-}
 
 /// The sides of all faces, brought together by the smaller vertices of their edges: the *group* of
 /// a vertex. There are three edges to a group on average.

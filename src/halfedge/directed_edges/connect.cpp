@@ -1,4 +1,5 @@
 #include <halfedge/build/groups.h>
+#include <halfedge/build/order.h>
 #include <halfedge/directed_edges/connect.h>
 #include <halfedge/inlining.h>
 #include <halfedge/prefetch.h>

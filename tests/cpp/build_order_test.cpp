@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+#include <halfedge/build/order.h>
+#include <halfedge/shapes/shapes.h>
+
+#include "support/large_torus.h"
+
+// What a build finds out of the order of a mesh. It only decides how long a build takes, so that no
+// other test could tell.
+
+namespace halfedge::test {
+namespace {
+
+TEST(BuildOrder, TellsRowsOfTrianglesFromRandomOrder) {
+  const Triangles torus = large_torus(300);
+  EXPECT_TRUE(lie_in_rows(torus.polygons()));
+  EXPECT_FALSE(lie_at_random(torus.polygons()));
+
+  const Triangles mixed = shuffled(torus, 1);
+  EXPECT_FALSE(lie_in_rows(mixed.polygons()));
+  EXPECT_TRUE(lie_at_random(mixed.polygons()));
+}
+
+TEST(BuildOrder, FindsRowsOfQuadsAndAroundAHub) {
+  const PolygonSoup quads = shapes::torus(300, 300, shapes::Faces::kQuads).value();
+  EXPECT_TRUE(lie_in_rows(quads.view()));
+
+  Triangles hub;
+  const Index valence = 20'000;
+  hub.positions.resize(3 * (valence + std::size_t{2}));
+  for (Index i = 1; i <= valence; ++i) {
+    const Index next = i % valence + 1;
+    hub.corners.insert(hub.corners.end(), {0, i, next, valence + 1, next, i});
+  }
+  EXPECT_TRUE(lie_in_rows(hub.polygons()));
+}
+
+// Rows whose faces are followed by others far away: three of four faces lie beside the one before.
+TEST(BuildOrder, TakesNoMeshForRowsWhoseFacesLieApartOftenEnough) {
+  const Triangles torus = large_torus(300);
+  Triangles apart{torus.positions, torus.corners};
+  const std::size_t half = apart.corners.size() / 6 * 3;
+  for (std::size_t corner = 0; corner + 120 <= half; corner += 480) {
+    std::swap_ranges(&apart.corners[corner], &apart.corners[corner + 120],
+                     &apart.corners[half + corner]);
+  }
+  EXPECT_FALSE(lie_in_rows(apart.polygons()));
+  EXPECT_FALSE(lie_at_random(apart.polygons()));
+}
+
+TEST(BuildOrder, TakesFewFacesForRows) {
+  for (const Index size : {0U, 3U, 6U, 99U}) {
+    const std::vector<Index> corners(size);
+    EXPECT_TRUE(lie_in_rows({{}, {}, corners}));
+    EXPECT_FALSE(lie_at_random({{}, {}, corners}));
+  }
+}
+
+}  // namespace
+}  // namespace halfedge::test
