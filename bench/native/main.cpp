@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base_mesh.h"
@@ -221,23 +222,11 @@ void compare_builders(const std::string& label, const TriangleMesh& input, bool 
   print_row(label, names, measure(jobs));
 }
 
-}  // namespace
+// ---- tables, each of which can be asked for alone
 
-int main(int argc, char** argv) {
-  keep_one_heap();
-  start_rounds(argc, argv);
-  const NamedMesh base = base_mesh();
-  std::vector<TriangleMesh> meshes{base.mesh};
-  while (meshes.size() < 3) meshes.push_back(subdivided(meshes.back()));
-  std::printf(
-      "%s, g++ %s; %s. Medians of 9 interleaved rounds of CPU time, memory recycled;\n× = times "
-      "slower than ours.\n\n",
-      cpu_name().c_str(), __VERSION__, base.name.c_str());
-
-  std::vector<std::string> libraries;
-  for (const Entry& entry : kEntries) libraries.push_back(entry.name);
+void print_libraries(const std::vector<TriangleMesh>& meshes) {
   std::vector<std::string> columns{"faces, order", "workload", "halfedge, ms"};
-  columns.insert(columns.end(), libraries.begin() + 1, libraries.end());
+  for (const Entry& entry : std::span(kEntries).subspan(1)) columns.emplace_back(entry.name);
   print_header(columns);
   for (const TriangleMesh& mesh : meshes) {
     const std::string faces = thousands(mesh.face_count());
@@ -250,24 +239,27 @@ int main(int argc, char** argv) {
       compare_operations(faces + order, ordered, order == locality);
     }
   }
+}
 
-  std::printf("\n");
+void print_history(const std::vector<TriangleMesh>& meshes) {
   print_header({"faces, order", "operation", "without history, ms", "with", "undo", "redo"});
   for (const TriangleMesh& mesh : meshes) {
     compare_history(thousands(mesh.face_count()) + ", natural", mesh);
   }
+}
 
-  columns = {"faces", "bytes a vertex, float positions"};
-  columns.insert(columns.end(), libraries.begin(), libraries.end());
-  std::printf("\n");
+void print_memory(const std::vector<TriangleMesh>& meshes) {
+  std::vector<std::string> columns{"faces", "bytes a vertex, float positions"};
+  for (const Entry& entry : kEntries) columns.emplace_back(entry.name);
   print_header(columns);
   compare_memory(thousands(meshes.back().face_count()), meshes.back());
+}
 
-  columns = {"faces, order", "halfedge, ms"};
+void print_builders(const std::vector<TriangleMesh>& meshes) {
+  std::vector<std::string> columns{"faces, order", "halfedge, ms"};
   for (const std::unique_ptr<Builder>& builder : other_builders()) {
     columns.push_back(builder->name());
   }
-  std::printf("\n");
   print_header(columns);
   for (const TriangleMesh& mesh : meshes) {
     const std::string faces = thousands(mesh.face_count());
@@ -277,5 +269,47 @@ int main(int argc, char** argv) {
   const TriangleMesh hubs = bipyramid(200'000);
   compare_builders("400 k around two vertices, natural", hubs, true);
   compare_builders("400 k around two vertices, shuffled", shuffled(hubs, 1), true);
+}
+
+struct Table {
+  std::string_view name;
+  void (*print)(const std::vector<TriangleMesh>&);
+};
+constexpr std::array kTables = {
+    Table{"libraries", print_libraries},
+    Table{"history", print_history},
+    Table{"memory", print_memory},
+    Table{"builders", print_builders},
+};
+
+// The table of that name, or all of them where none is asked for.
+std::span<const Table> tables_named(std::string_view name) {
+  if (name.empty()) return kTables;
+  for (const Table& table : kTables) {
+    if (name == table.name) return {&table, 1};
+  }
+  std::fprintf(stderr, "No table is named %.*s; expected libraries, history, memory or builders.\n",
+               int(name.size()), name.data());
+  std::exit(1);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool names_table = argc > 1 && argv[1][0] != '-';
+  const std::span<const Table> tables = tables_named(names_table ? argv[1] : "");
+  keep_one_heap();
+  start_rounds(names_table ? argc - 1 : argc, names_table ? argv + 1 : argv);
+  const NamedMesh base = base_mesh();
+  std::vector<TriangleMesh> meshes{base.mesh};
+  while (meshes.size() < 3) meshes.push_back(subdivided(meshes.back()));
+  std::printf(
+      "%s, g++ %s; %s. Medians of 9 interleaved rounds of CPU time, memory recycled;\n× = times "
+      "slower than ours.\n",
+      cpu_name().c_str(), __VERSION__, base.name.c_str());
+  for (const Table& table : tables) {
+    std::printf("\n");
+    table.print(meshes);
+  }
   return 0;
 }
