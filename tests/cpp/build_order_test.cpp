@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <halfedge/build/build.h>
 #include <halfedge/build/order.h>
+#include <halfedge/mesh.h>
+#include <halfedge/operations/reorder.h>
 #include <halfedge/shapes/shapes.h>
 
 #include "support/large_torus.h"
@@ -32,6 +35,24 @@ TEST(BuildOrder, FindsRowsOfQuadsAndAroundAHub) {
     hub.corners.insert(hub.corners.end(), {0, i, next, valence + 1, next, i});
   }
   EXPECT_TRUE(lie_in_rows(hub.polygons()));
+}
+
+// Builds of these take longer if memory isn't asked for ahead.
+TEST(BuildOrder, TellsRowsFromTheOrderOfACurve) {
+  for (const Index size : {100U, 300U}) {
+    const PolygonSoup torus = shapes::torus(size, size, shapes::Faces::kTriangles).value();
+    Mesh mesh;
+    BuildReport report;
+    ASSERT_TRUE(build_from_polygons(mesh, torus.view(), report));
+    ASSERT_TRUE(reorder(mesh).ok());
+    std::vector<Index> corners;
+    for (const Face f : mesh.faces()) {
+      for (const Vertex v : mesh.face_vertices_ccw(f)) corners.push_back(v.index());
+    }
+    const Polygons along_curve{mesh.positions(), {}, corners};
+    EXPECT_FALSE(lie_in_rows(along_curve)) << size;
+    EXPECT_FALSE(lie_at_random(along_curve)) << size;
+  }
 }
 
 // Rows whose faces are followed by others far away: three of four faces lie beside the one before.

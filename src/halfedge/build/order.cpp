@@ -23,6 +23,7 @@ bool lie_in_rows(const Polygons& polygons) {
   constexpr std::size_t kSamples = 128;
   constexpr std::size_t kLater = 96;  // a multiple of six and eight: pairs of triangles, and quads
   constexpr std::size_t kCorners = 3;
+  constexpr Index kNearby = 512;  // along a curve that fills space, every sixth is farther away
   const std::size_t count = polygons.corners.size();
   if (count < kSamples * kLater) return true;
   const std::size_t step = (count - kLater - kCorners) / kSamples;
@@ -30,7 +31,9 @@ bool lie_in_rows(const Polygons& polygons) {
   for (std::size_t sample = 0; sample < kSamples; ++sample) {
     const Index* const corners = &polygons.corners[step * sample];
     bool is_near = true;
-    for (std::size_t i = 0; i < kCorners; ++i) is_near &= are_near(corners[i], corners[i + kLater]);
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      is_near &= are_near(corners[i], corners[i + kLater], kNearby);
+    }
     if (is_near) ++near;
   }
   return near > kSamples * 15 / 16;
