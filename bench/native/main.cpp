@@ -272,7 +272,7 @@ void print_builders(const std::vector<TriangleMesh>& meshes) {
 }
 
 struct Table {
-  std::string_view name;
+  const char* name;
   void (*print)(const std::vector<TriangleMesh>&);
 };
 constexpr std::array kTables = {
@@ -288,8 +288,9 @@ std::span<const Table> tables_named(std::string_view name) {
   for (const Table& table : kTables) {
     if (name == table.name) return {&table, 1};
   }
-  std::fprintf(stderr, "No table is named %.*s; expected libraries, history, memory or builders.\n",
-               int(name.size()), name.data());
+  std::fprintf(stderr, "No table is named %.*s; expected one of", int(name.size()), name.data());
+  for (const Table& table : kTables) std::fprintf(stderr, " %s", table.name);
+  std::fprintf(stderr, ".\n");
   std::exit(1);
 }
 

@@ -42,7 +42,8 @@ HALFEDGE_NOINLINE void touch_places(std::span<const Index> places, std::span<con
 template <bool kTriangles, bool kPrev>
 class SideConnector {
  public:
-  // `fetches`: whether to ask for memory ahead.
+  // `fetches`: whether to ask for memory ahead where sides are placed and faces linked, too. While
+  // sides are matched, it is asked for in any case.
   SideConnector(const Polygons& polygons, Links& links, bool fetches)
       : polygons_(polygons), links_(links), fetches_(fetches) {}
 

@@ -3,7 +3,9 @@
 #include <halfedge/build/polygons.h>
 #include <halfedge/connectivity/handle.h>
 
-// What the order of a mesh tells of how it lies in memory.
+#include <cstddef>
+
+// What the size of a mesh and the order of its faces tell of the time that its memory takes.
 
 namespace halfedge {
 
